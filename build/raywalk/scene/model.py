@@ -1,0 +1,168 @@
+"""A validated scene: what every later stage reads.
+
+World frame: right-handed, +y up. Lengths in world units, angles in degrees,
+colours linear (r, g, b) with 1 as full. Everything is immutable and complete:
+names are resolved, defaults filled in, files found.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+Triple = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Material:
+    """Blinn-Phong surface with shares for mirror and glass.
+
+    colour = (1 - reflect - transmit) local + reflect * reflected + transmit * refracted
+    """
+
+    name: str
+    ambient: Triple = (0.0, 0.0, 0.0)
+    diffuse: Triple = (0.0, 0.0, 0.0)
+    specular: Triple = (0.0, 0.0, 0.0)
+    shininess: float = 1.0
+    reflect: float = 0.0
+    transmit: float = 0.0
+    ior: float = 1.0
+    fresnel: bool = False
+
+
+@dataclass(frozen=True)
+class Sphere:
+    center: Triple
+    radius: float
+
+
+@dataclass(frozen=True)
+class Ellipsoid:
+    center: Triple
+    radii: Triple
+    rotation: Triple = (0.0, 0.0, 0.0)  # degrees about x, then y, then z
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Infinite; its inside is the half-space behind the normal."""
+
+    point: Triple
+    normal: Triple
+
+
+@dataclass(frozen=True)
+class Cylinder:
+    start: Triple  # centre of one end
+    end: Triple  # centre of the other
+    radius: float
+    capped: bool = True
+
+
+@dataclass(frozen=True)
+class Box:
+    minimum: Triple
+    maximum: Triple
+
+
+@dataclass(frozen=True)
+class Disc:
+    center: Triple
+    normal: Triple
+    radius: float
+
+
+@dataclass(frozen=True)
+class Triangle:
+    a: Triple
+    b: Triple
+    c: Triple
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A triangle mesh in a file; `model` is its name in models.toml or its file name."""
+
+    model: str
+    path: Path
+    smooth: bool = True  # normals interpolated from the vertices, else one per triangle
+    subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
+
+
+Shape = Sphere | Ellipsoid | Plane | Cylinder | Box | Disc | Triangle | Mesh
+
+
+@dataclass(frozen=True)
+class Checker:
+    """Squares of two diffuse colours on a plane; the even ones keep the object's material.
+
+    A point's cell is floor(u / size) + floor(v / size), measured from the plane's
+    `point` along the two world axes left when the normal's largest component is
+    dropped (each made perpendicular to the normal): x and z on a floor.
+    """
+
+    size: float
+    material: int  # index into Scene.materials, of the odd squares
+
+
+@dataclass(frozen=True, eq=False)
+class SceneObject:
+    name: str
+    shape: Shape
+    material: int  # index into Scene.materials
+    transform: np.ndarray = field(default_factory=lambda: np.eye(4))  # (4, 4), after the shape
+    checker: Checker | None = None
+
+
+@dataclass(frozen=True)
+class Light:
+    """A point light; its strength at distance D is intensity / (a0 + a1 D + a2 D^2)."""
+
+    name: str
+    position: Triple
+    colour: Triple = (1.0, 1.0, 1.0)
+    intensity: float = 1.0
+    attenuation: Triple = (1.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Camera:
+    eye: Triple
+    target: Triple
+    up: Triple = (0.0, 1.0, 0.0)
+    fov: float = 45.0  # vertical, degrees
+
+
+@dataclass(frozen=True)
+class Render:
+    shadows: bool = True
+    depth: int = 8  # bounces at most: reflected or refracted rays after the camera ray
+    size: int = 1155  # the picture is size x size
+    resolutions: tuple[int, ...] = (5, 7, 11, 15, 21, 33, 55, 77, 105)
+    glass_shadows: str = "opaque"  # "opaque", or "pass": unbent, times transmit per surface
+
+
+@dataclass(frozen=True)
+class LessonStep:
+    text: str  # Markdown
+    view: dict[str, Any]  # see the schema's View; keys that differ from the start view
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    id: str  # the folder's name, e.g. "05-many-bounces"
+    path: Path  # of scene.toml
+    key: str  # the key that selects it, "1".."9", "0", or ""
+    title: str
+    teaches: str  # one sentence
+    camera: Camera
+    render: Render
+    background: Triple
+    materials: tuple[Material, ...]
+    objects: tuple[SceneObject, ...]
+    lights: tuple[Light, ...]
+    lesson: tuple[LessonStep, ...]

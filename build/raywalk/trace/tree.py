@@ -1,0 +1,77 @@
+"""Ray trees as columns: one row a ray, for every pixel that some frustum resolution uses.
+
+Order is path-major: first all camera rays in raster order, then all their
+reflected (or totally reflected) children, then their refracted children, and so
+on depth by depth; within each group the order of the parents is kept. A pixel's
+tree is thus spread over the rows and held together by `parent`.
+
+Invariant, tested: for every ray that hits,
+    colour = local_weight * local + sum over children (weight * child colour),
+    local  = ambient + sum over lights V (diffuse * Kd + specular * Ks),
+and for a ray that leaves the scene, colour = background.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+
+class Kind(IntEnum):
+    """What sent a ray on its way."""
+
+    CAMERA = 0
+    REFLECTED = 1
+    REFRACTED = 2
+    TOTAL = 3  # totally reflected inside glass
+
+
+class Visibility(IntEnum):
+    """What a hit point knows of one light."""
+
+    BLOCKED = 0  # a shadow ray was shot and stopped by `blocker`
+    REACHED = 1  # a shadow ray was shot and arrived
+    BEHIND = 2  # the surface faces away: dark, no shadow ray needed
+    UNTESTED = 3  # the scene casts no shadows: lit, no shadow ray shot
+
+
+@dataclass(frozen=True, eq=False)
+class RayTree:
+    """Columns over m rays and L lights. World units; colours linear, unclamped.
+
+    Lighting factors hold no material colour and no visibility:
+    diffuse  = I a max(0, n.l),  specular = I a max(0, n.h)^s  with attenuation a,
+    to be multiplied by kd * light colour and ks * light colour.
+    """
+
+    size: int  # the pictures's width and height these pixels belong to
+    pixel: np.ndarray  # (m,) int32: row * size + column in the full picture
+    parent: np.ndarray  # (m,) int32: row of the parent ray, -1 for camera rays
+    kind: np.ndarray  # (m,) uint8: Kind
+    depth: np.ndarray  # (m,) uint8: bounces before this ray, 0 for camera rays
+    object: np.ndarray  # (m,) int16: index into Scene.objects, -1 if it leaves the scene
+    material: np.ndarray  # (m,) int16: index into Scene.materials, -1 likewise
+    inside: np.ndarray  # (m,) bool: met the surface from its inner side
+    t: np.ndarray  # (m,) float64: distance from the origin; inf if it leaves the scene
+    point: np.ndarray  # (m, 3): the hit; where it leaves: where its drawn line ends
+    normal: np.ndarray  # (m, 3) unit shading normal, facing the incoming ray; 0 if none
+    weight: np.ndarray  # (m,) share of this ray's colour in its parent's; 1 for camera rays
+    local_weight: np.ndarray  # (m,) share of the local colour in this ray's colour
+    local: np.ndarray  # (m, 3) Blinn-Phong colour at the hit, before local_weight
+    colour: np.ndarray  # (m, 3) what the ray brings back
+    visibility: np.ndarray  # (m, L) uint8: Visibility
+    blocker: np.ndarray  # (m, L) int16: object that stopped the shadow ray, else -1
+    blocked_at: np.ndarray  # (m, L) float64: share of the way to the light, 1 if it arrives
+    diffuse: np.ndarray  # (m, L) float64
+    specular: np.ndarray  # (m, L) float64
+    tests: np.ndarray  # (m,) int32: intersection tests made for this ray itself
+    hits_start: np.ndarray  # (c + 1,) int32: camera ray k met hits_start[k]:hits_start[k+1]
+    hits_t: np.ndarray  # (h,) float64: distances of all hits along it, ascending
+    hits_object: np.ndarray  # (h,) int16: the objects met there
+
+    @property
+    def cameras(self) -> int:
+        """Number of camera rays, which stand first."""
+        return len(self.hits_start) - 1
