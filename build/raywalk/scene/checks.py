@@ -1,0 +1,133 @@
+"""What a scene must make sense of, beyond each table by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from raywalk.scene.model import (
+    Box,
+    Camera,
+    Cylinder,
+    Disc,
+    Ellipsoid,
+    Material,
+    SceneObject,
+    Shape,
+    Sphere,
+    Triangle,
+)
+from raywalk.scene.placement import placement
+from raywalk.scene.problems import Location, Problems
+from raywalk.scene.schema import CameraTable, StepTable
+from raywalk.scene.wording import joined, quoted, show
+
+# Sine of the angle between up and the line of sight below which up fixes no upright.
+PARALLEL = 1e-9
+
+
+def check_names(names: Iterable[tuple[int, str]], section: str, problems: Problems) -> None:
+    """Each name stands for one object or light."""
+    first: dict[str, int] = {}
+    for index, name in names:
+        if name in first:
+            message = f"{quoted(name)} is also the name of {section}[{first[name]}]"
+            problems.add((section, index, "name"), message)
+        else:
+            first[name] = index
+
+
+def check_camera(table: CameraTable, problems: Problems) -> None:
+    """The camera looks somewhere, and knows what is up."""
+    sight = np.subtract(table.target, table.eye)
+    if not sight.any():
+        problems.add(("camera", "target"), f"{show(table.target)} is where the eye is")
+        return
+    if not any(table.up):
+        problems.add(("camera", "up"), f"{show(table.up)} has no direction")
+        return
+    up = np.array(table.up) / np.abs(table.up).max()
+    sight = sight / np.abs(sight).max()
+    sine = np.linalg.norm(np.cross(up, sight)) / (np.linalg.norm(up) * np.linalg.norm(sight))
+    if sine < PARALLEL:
+        message = f"{show(table.up)} runs along the line of sight: nothing says what is upright"
+        problems.add(("camera", "up"), message, hint="choose up across the line of sight")
+
+
+def check_closed(shape: Shape, material: Material, at: Location, problems: Problems) -> None:
+    """Light that enters a body must be able to leave it: glass needs an inside."""
+    is_open = isinstance(shape, Disc | Triangle) or (
+        isinstance(shape, Cylinder) and not shape.capped
+    )
+    if material.transmit > 0 and is_open:
+        kind = "cylinder without caps" if isinstance(shape, Cylinder) else _word(shape)
+        problems.add(
+            (*at, "material"),
+            f"{quoted(material.name)} lets light through (transmit = {show(material.transmit)}), "
+            f"but a {kind} has no inside",
+            hint="glass needs a closed shape: a sphere, ellipsoid, box, capped cylinder or "
+            "closed mesh, or a plane as the border of a half-space",
+        )
+
+
+def check_eye_outside(
+    camera: Camera, obj: SceneObject, material: Material, problems: Problems
+) -> None:
+    """A camera inside an opaque body would see its inner wall and nothing else.
+
+    A transparent body is fine: the camera may be under water.
+    """
+    if material.transmit == 0 and is_strictly_inside(camera.eye, obj):
+        message = f"{show(camera.eye)} is inside {quoted(obj.name)}, which is opaque"
+        hint = "move the eye out, or give the object transmit above 0"
+        problems.add(("camera", "eye"), message, hint=hint)
+
+
+def is_strictly_inside(point: Sequence[float], obj: SceneObject) -> bool:
+    """Whether a point lies inside a sphere, ellipsoid, box or capped cylinder.
+
+    False for every other shape: planes and open shapes have no inside that hides a
+    camera, and meshes are asked where their triangles are known.
+    """
+    if not isinstance(obj.shape, Sphere | Ellipsoid | Box | Cylinder):
+        return False
+    linear, centre = placement(obj)
+    x, y, z = np.linalg.solve(linear, np.asarray(point, float) - centre)
+    match obj.shape:
+        case Box():
+            return bool(max(abs(x), abs(y), abs(z)) < 1)
+        case Cylinder():
+            return bool(obj.shape.capped and x * x + y * y < 1 and abs(z) < 1)
+        case _:
+            return bool(x * x + y * y + z * z < 1)
+
+
+def check_view(
+    step: StepTable, resolutions: Sequence[int], at: Location, problems: Problems
+) -> None:
+    """A step shows a frustum that exists and a ray that is in it."""
+    view = step.view
+    if view.resolution is not None and view.resolution not in resolutions:
+        problems.add(
+            (*at, "resolution"),
+            f"{view.resolution} is not one of the scene's resolutions",
+            allowed=f"known: {joined(map(str, resolutions))}",
+        )
+        return
+    if view.pixel is not None and view.resolution is None:
+        problems.add((*at, "pixel"), f"{show(view.pixel)} needs a resolution to be counted in")
+    elif view.pixel is not None and view.resolution and max(view.pixel) >= view.resolution:
+        problems.add(
+            (*at, "pixel"),
+            f"{show(view.pixel)} is outside the frustum",
+            allowed=f"allowed: columns and rows 0 to {view.resolution - 1}",
+        )
+    if not isinstance(view.observer, str | None) and view.observer.eye == view.observer.target:
+        problems.add(
+            (*at, "observer", "target"), f"{show(view.observer.target)} is where the eye is"
+        )
+
+
+def _word(shape: Shape) -> str:
+    return type(shape).__name__.lower()

@@ -1,0 +1,160 @@
+"""From the tables of a scene file to the scene: names resolved, numbers in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from raywalk.scene.checks import (
+    check_camera,
+    check_closed,
+    check_eye_outside,
+    check_names,
+    check_view,
+)
+from raywalk.scene.draft import Draft
+from raywalk.scene.lights import point_lights
+from raywalk.scene.materials import Materials
+from raywalk.scene.model import (
+    Camera,
+    Checker,
+    LessonStep,
+    Light,
+    Material,
+    Render,
+    Scene,
+    SceneObject,
+)
+from raywalk.scene.models import Models
+from raywalk.scene.names import with_defaults
+from raywalk.scene.problems import Problems
+from raywalk.scene.resolutions import resolutions_of
+from raywalk.scene.schema import SceneFile, ViewTable
+from raywalk.scene.schema_objects import ObjectTable, PlaneTable
+from raywalk.scene.shapes import shape_of
+from raywalk.scene.transforms import is_singular, product
+
+
+def compile_scene(
+    whole: SceneFile | None, draft: Draft, models: Models, problems: Problems
+) -> Scene | None:
+    """The scene, or None with all problems noted. The file's folder gives the id."""
+    camera = _camera(draft, problems)
+    render = _render(draft, problems)
+    parts = _Parts(draft, models, problems)
+    parts.add_objects()
+    if camera is not None:
+        parts.check_eye(camera)
+    lights = _lights(draft, problems)
+    lesson = _lesson(draft, render, problems)
+    if problems.errors or whole is None or camera is None or render is None:
+        return None
+    return Scene(
+        id=problems.file.absolute().parent.name,
+        path=problems.file,
+        key=whole.key or "",
+        title=whole.title,
+        teaches=whole.teaches,
+        camera=camera,
+        render=render,
+        background=whole.background,
+        materials=tuple(parts.materials),
+        objects=tuple(parts.objects),
+        lights=tuple(lights),
+        lesson=tuple(lesson),
+    )
+
+
+def _camera(draft: Draft, problems: Problems) -> Camera | None:
+    if draft.camera is None:
+        return None
+    check_camera(draft.camera, problems)
+    return Camera(**draft.camera.model_dump())
+
+
+def _render(draft: Draft, problems: Problems) -> Render | None:
+    table = draft.render
+    if table is None:
+        return None
+    resolutions = resolutions_of(table, problems)
+    return Render(table.shadows, table.depth, table.size, resolutions, table.glass_shadows)
+
+
+def _lights(draft: Draft, problems: Problems) -> list[Light]:
+    tables = draft.lights
+    names = with_defaults((i, table.name, "light") for i, table in tables.items())
+    check_names(names.items(), "lights", problems)
+    return [light for i, table in tables.items() for light in point_lights(table, names[i])]
+
+
+def _lesson(draft: Draft, render: Render | None, problems: Problems) -> list[LessonStep]:
+    for i, step in draft.lesson.items():
+        if render is not None:
+            check_view(step, render.resolutions, ("lesson", i, "view"), problems)
+    return [LessonStep(step.text.strip(), _plain(step.view)) for step in draft.lesson.values()]
+
+
+def _plain(view: ViewTable) -> dict[str, object]:
+    """The view's given keys, as JSON has them."""
+    return view.model_dump(mode="json", exclude_none=True)
+
+
+@dataclass
+class _Parts:
+    """Objects and the materials they use, numbered in the order of first use."""
+
+    draft: Draft
+    models: Models
+    problems: Problems
+    materials: list[Material] = field(default_factory=list)
+    objects: list[SceneObject] = field(default_factory=list)
+
+    def add_objects(self) -> None:
+        known = Materials(self.draft.materials, self.problems)
+        tables = self.draft.objects
+        names = with_defaults((i, table.name, table.kind) for i, table in tables.items())
+        check_names(names.items(), "objects", self.problems)
+        for i, table in tables.items():
+            self._add_object(i, table, names[i], known)
+
+    def check_eye(self, camera: Camera) -> None:
+        for obj in self.objects:
+            check_eye_outside(camera, obj, self.materials[obj.material], self.problems)
+
+    def _add_object(self, i: int, table: ObjectTable, name: str, known: Materials) -> None:
+        at = ("objects", i)
+        shape = shape_of(table, self.models, at, self.problems)
+        material = self._material_of(table, name, known, (*at, "material"))
+        transform = product(table.transform)
+        if is_singular(transform):
+            self.problems.add((*at, "transform"), "flattens the object: it has no inverse")
+            return
+        if shape is None or material is None:
+            return
+        check_closed(shape, material, at, self.problems)
+        even, checker = self._checkered(table, name, material)
+        self.objects.append(SceneObject(name, shape, even, transform, checker))
+
+    def _material_of(
+        self, table: ObjectTable, name: str, known: Materials, at: Sequence[str | int]
+    ) -> Material | None:
+        if isinstance(table.material, str):
+            return known.find(table.material, at)
+        return known.inline(table.material, name, at)
+
+    def _checkered(
+        self, table: ObjectTable, name: str, material: Material
+    ) -> tuple[int, Checker | None]:
+        """Index of the object's material, and its checker if it has one."""
+        if not isinstance(table, PlaneTable) or table.checker is None:
+            return self._index(material), None
+        even, odd = (
+            self._index(replace(material, name=f"{name}, {which} squares", diffuse=colour))
+            for which, colour in zip(("even", "odd"), table.checker.colours, strict=True)
+        )
+        return even, Checker(table.checker.size, odd)
+
+    def _index(self, material: Material) -> int:
+        if material not in self.materials:
+            self.materials.append(material)
+        return self.materials.index(material)

@@ -1,0 +1,116 @@
+"""The kinds of value a scene file may hold, each with the words for what is allowed.
+
+A kind carries its own words (`Allowed`), so that an error, the JSON Schema and
+the README all say the same, and none of them speaks in a library's terms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, TypeVar, get_args
+
+from pydantic import Field, GetCoreSchemaHandler, ValidationError
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+from raywalk.scene.wording import did_you_mean, quoted, show
+
+REFUSED = "refused"  # the type of every error that is already in our words
+
+
+class _WithoutNull:
+    """Reads and documents T | None as T: TOML has no null, only keys that are left out."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return handler.generate_schema(get_args(source)[0])
+
+
+T = TypeVar("T")
+# A key that may be left out, and is None then.
+Maybe = Annotated[T | None, _WithoutNull()]
+
+
+def refusal(
+    message: str, *, at: str = "", allowed: str = "", hint: str = ""
+) -> PydanticCustomError:
+    """An error in our words; `at` is the key below the checked table, if one is to blame."""
+    words = {"message": message, "at": at, "allowed": allowed, "hint": hint}
+    return PydanticCustomError(REFUSED, "{message}", words)
+
+
+@dataclass(frozen=True)
+class Allowed:
+    """Says what is allowed: "-1 is not {words}"."""
+
+    words: str
+    choices: tuple[str, ...] = ()
+    hint: str = ""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return core_schema.no_info_wrap_validator_function(self._check, handler(source))
+
+    def _check(self, value: Any, handler: Callable[[Any], Any]) -> Any:
+        try:
+            return handler(value)
+        except ValidationError as error:
+            if all(line["type"] == REFUSED for line in error.errors(include_url=False)):
+                raise  # a part of the value has been refused, and says so better
+            raise refusal(f"{show(value)} is not {self.words}", hint=self._hint(value)) from None
+
+    def _hint(self, value: Any) -> str:
+        if self.choices and isinstance(value, int) and str(value) in self.choices:
+            return f"write it in quotes: {quoted(str(value))}"
+        if self.words.startswith("a number") and _reads_as_number(value):
+            return f"write it without quotes: {value}"
+        return did_you_mean(value, self.choices) or self.hint
+
+
+def _reads_as_number(value: Any) -> bool:
+    if not isinstance(value, str):
+        return False
+    try:
+        float(value)
+    except ValueError:
+        return False
+    return True
+
+
+def one_of(*choices: str) -> Allowed:
+    return Allowed("one of " + ", ".join(map(quoted, choices)), choices)
+
+
+_FINITE = Field(strict=True, allow_inf_nan=False)
+
+Number = Annotated[float, _FINITE, Allowed("a number")]
+Positive = Annotated[float, _FINITE, Field(gt=0), Allowed("a number above 0")]
+AtLeastZero = Annotated[float, _FINITE, Field(ge=0), Allowed("a number of at least 0")]
+Share = Annotated[float, _FINITE, Field(ge=0, le=1), Allowed("a number from 0 to 1")]
+FieldOfView = Annotated[
+    float, _FINITE, Field(gt=0, lt=180), Allowed("a number above 0 and below 180")
+]
+
+Flag = Annotated[bool, Field(strict=True), Allowed("true or false")]
+Text = Annotated[str, Field(strict=True, pattern=r"\S"), Allowed("a text that says something")]
+Name = Annotated[
+    str, Field(strict=True, pattern=r"^\S(.*\S)?$"), Allowed("a name (a text of one line)")
+]
+
+# Lists arrive from TOML; tuples leave, because a scene does not change.
+Point = Annotated[tuple[Number, Number, Number], Allowed("three numbers, [x, y, z]")]
+Sizes = Annotated[tuple[Positive, Positive, Positive], Allowed("three numbers above 0")]
+Colour = Annotated[
+    tuple[Share, Share, Share], Allowed("a colour, [red, green, blue], each from 0 to 1")
+]
+Brightness = Annotated[
+    tuple[AtLeastZero, AtLeastZero, AtLeastZero],
+    Allowed("a colour, [red, green, blue], each at least 0"),
+]
+Falloff = Annotated[
+    tuple[AtLeastZero, AtLeastZero, AtLeastZero],
+    Allowed("three numbers of at least 0, [a0, a1, a2]"),
+]
+AxisName = Annotated[Literal["x", "y", "z"], one_of("x", "y", "z")]

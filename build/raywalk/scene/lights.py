@@ -1,0 +1,44 @@
+"""Lights: named point lights, and area lights as grids of point lights."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.scene.model import Light, Triple
+from raywalk.scene.schema import LightTable
+
+DEFAULT_SAMPLES = (4, 4)
+
+
+def point_lights(table: LightTable, name: str) -> list[Light]:
+    """The point lights that a [[lights]] table stands for, together as bright as it says."""
+    positions = sample_points(table)
+    count = len(positions)
+    return [
+        Light(
+            name=name if count == 1 else f"{name} {number}/{count}",
+            position=position,
+            colour=table.colour,
+            intensity=table.intensity / count,
+            attenuation=table.attenuation,
+        )
+        for number, position in enumerate(positions, start=1)
+    ]
+
+
+def sample_points(table: LightTable) -> list[Triple]:
+    """The light's place, or the centres of equal cells of its parallelogram, row by row."""
+    if table.edges is None:
+        return [table.position]
+    across, along = table.samples or DEFAULT_SAMPLES
+    corner, edge_a, edge_b = (np.array(v) for v in (table.position, *table.edges))
+    return [
+        _triple(corner + (i + 0.5) / across * edge_a + (j + 0.5) / along * edge_b)
+        for j in range(along)
+        for i in range(across)
+    ]
+
+
+def _triple(vector: np.ndarray) -> Triple:
+    x, y, z = map(float, vector)
+    return x, y, z

@@ -1,0 +1,143 @@
+"""Named materials: the built-in ones, and a scene's own with what they inherit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from raywalk.scene.model import Material
+from raywalk.scene.problems import Location, Problems
+from raywalk.scene.schema_objects import MaterialTable
+from raywalk.scene.wording import did_you_mean, joined, quoted, show
+
+# All glassy ones split by Fresnel and scatter nothing: what is not mirrored goes through.
+_CLEAR: dict[str, Any] = {"transmit": 1.0, "fresnel": True}
+
+BUILT_IN: dict[str, MaterialTable] = {
+    # The course's plastic: diffuse is to be given, everything else is the same for all colours.
+    "coloured": MaterialTable(
+        ambient=(0.1, 0.1, 0.1), diffuse=(1, 1, 1), specular=(1, 1, 0.5), shininess=100
+    ),
+    # The course's chalk: no highlight.
+    "white": MaterialTable(ambient=(0.1, 0.1, 0.1), diffuse=(1, 1, 1), specular=(0, 0, 0)),
+    # An ideal mirror has no colour of its own.
+    "mirror": MaterialTable(reflect=1.0),
+    # Schott N-BK7 crown glass, n_d = 1.5168 at 587.6 nm (Schott data sheet).
+    "glass": MaterialTable(ior=1.5168, **_CLEAR),
+    # Water at 20 C, n_D = 1.333 at 589 nm (IAPWS R9-97).
+    "water": MaterialTable(ior=1.333, **_CLEAR),
+    # Diamond, n_D = 2.417 at 589 nm (CRC Handbook of Chemistry and Physics).
+    "diamond": MaterialTable(ior=2.417, **_CLEAR),
+}
+
+
+class Materials:
+    """Looks up materials by name and notes once what is wrong with each.
+
+    own: a scene's [materials.*]; None for a table that was refused already.
+    """
+
+    def __init__(self, own: Mapping[str, MaterialTable | None], problems: Problems):
+        self._own = own
+        self._problems = problems
+        self._finished: dict[str, Material | None] = {}
+        for name in own:
+            self._finished[name] = self._read_own(name)
+
+    def find(self, name: str, at: Location) -> Material | None:
+        """The material of that name; None, with the problem noted, if there is none."""
+        if name in self._finished:
+            return self._finished[name]
+        if name in BUILT_IN:
+            return _finish(name, _given(BUILT_IN[name]))
+        self._note_unknown(name, at)
+        return None
+
+    def inline(self, table: MaterialTable, name: str, at: Location) -> Material | None:
+        """A material given in place, with a name for people to read."""
+        keys = self._with_inherited(table, at)
+        return None if keys is None else self._checked(name, keys, at)
+
+    def _read_own(self, name: str) -> Material | None:
+        at = ("materials", name)
+        if name in BUILT_IN:
+            self._problems.add(
+                at,
+                "is the name of a built-in material",
+                hint=f'choose another name and write like = "{name}"',
+            )
+        table = self._own[name]
+        keys = None if table is None else self._with_inherited(table, at, name)
+        return None if keys is None else self._checked(name, keys, at)
+
+    def _with_inherited(
+        self, table: MaterialTable, at: Location, own_name: str = ""
+    ) -> dict[str, Any] | None:
+        """The table's keys over those it inherits; None where the chain is broken."""
+        keys, chain, current = _given(table), [own_name], table
+        while current.like is not None:
+            name = current.like
+            if name in chain:
+                if name == own_name:  # else it is reported at a material of the circle
+                    self._problems.add(
+                        (*at, "like"), f"inherits from itself: {' -> '.join([*chain, name])}"
+                    )
+                return None
+            parent = self._own.get(name, BUILT_IN.get(name))
+            if parent is None:
+                if current is table and name not in self._own:
+                    self._note_unknown(name, (*at, "like"))
+                return None
+            keys = _given(parent) | keys
+            chain.append(name)
+            current = parent
+        return keys
+
+    def _checked(self, name: str, keys: dict[str, Any], at: Location) -> Material | None:
+        """The material, if light that meets it is neither lost nor won."""
+        material = _finish(name, keys)
+        problem = _physics_problem(material, "ior" in keys)
+        if problem is None:
+            return material
+        key, message, hint = problem
+        self._problems.add((*at, key), message, hint=hint)
+        return None
+
+    def _note_unknown(self, name: str, at: Location) -> None:
+        known = f"known: {joined(BUILT_IN)}"
+        if self._own:
+            known += f", and this scene's {joined(self._own)}"
+        self._problems.add(
+            at,
+            f"no material is named {quoted(name)}",
+            allowed=known,
+            hint=did_you_mean(name, [*BUILT_IN, *self._own]),
+        )
+
+
+def _physics_problem(material: Material, has_ior: bool) -> tuple[str, str, str] | None:
+    """Key, message and hint of what cannot be, if anything."""
+    total = material.reflect + material.transmit
+    if total > 1:
+        shares = f"reflect {show(material.reflect)} + transmit {show(material.transmit)}"
+        return (
+            "reflect",
+            f"{shares} = {total:.6g} is more than 1",
+            "light would be made from nothing",
+        )
+    if material.transmit > 0 and not has_ior:
+        message = f"missing: a material with transmit = {show(material.transmit)} bends light"
+        return "ior", message, 'window glass has 1.5; or write like = "glass"'
+    if material.fresnel and material.transmit == 0:
+        message = "needs transmit above 0: it moves light between reflect and transmit"
+        return "fresnel", message, ""
+    return None
+
+
+def _given(table: MaterialTable) -> dict[str, Any]:
+    """The keys the table gives, without `like`."""
+    return table.model_dump(exclude_none=True, exclude={"like"})
+
+
+def _finish(name: str, keys: dict[str, Any]) -> Material:
+    return Material(name, **keys)

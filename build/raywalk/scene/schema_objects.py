@@ -1,0 +1,266 @@
+"""The TOML of objects: materials, shapes, transforms."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, model_validator
+
+from raywalk.scene.fields import (
+    Allowed,
+    AxisName,
+    Colour,
+    Flag,
+    Maybe,
+    Name,
+    Number,
+    Point,
+    Positive,
+    Share,
+    Sizes,
+    Text,
+    refusal,
+)
+from raywalk.scene.table import Table
+from raywalk.scene.wording import TAG, did_you_mean, joined, show
+
+
+def by_form(value: Any) -> str:
+    """Which member of a union is meant: told by whether a table, list or single value is given."""
+    form = "table" if isinstance(value, dict) else "list" if isinstance(value, list) else "single"
+    return TAG + form
+
+
+_SINGLE, _LIST, _TABLE = Tag(TAG + "single"), Tag(TAG + "list"), Tag(TAG + "table")
+
+
+class MaterialTable(Table):
+    """A Blinn-Phong surface with shares for mirror and glass."""
+
+    like: Maybe[Name] = Field(
+        default=None,
+        description="a material, built-in or of this scene, that fills in the keys left out",
+    )
+    ambient: Maybe[Colour] = Field(default=None, description="light it gives without any lamp")
+    diffuse: Maybe[Colour] = Field(
+        default=None, description="share of light scattered to all sides"
+    )
+    specular: Maybe[Colour] = Field(default=None, description="colour of the highlight")
+    shininess: Maybe[Positive] = Field(
+        default=None, description="exponent of the highlight: the higher, the smaller (default 1)"
+    )
+    reflect: Maybe[Share] = Field(default=None, description="share of the mirror image (default 0)")
+    transmit: Maybe[Share] = Field(
+        default=None,
+        description="share of light let through; reflect + transmit is at most 1 (default 0)",
+    )
+    ior: Maybe[Positive] = Field(
+        default=None, description="index of refraction; required where transmit is above 0"
+    )
+    fresnel: Maybe[Flag] = Field(
+        default=None,
+        description="split reflect + transmit by angle, as glass does (default false)",
+    )
+
+
+def _axis_form(value: Any) -> str | None:
+    return by_form(value) if isinstance(value, str | list) else None
+
+
+def _scale_form(value: Any) -> str | None:
+    return None if isinstance(value, dict) else by_form(value)
+
+
+Axis = Annotated[
+    Annotated[AxisName, _SINGLE] | Annotated[Point, _LIST],
+    Discriminator(_axis_form),
+    Allowed('"x", "y", "z" or three numbers'),
+]
+Scale = Annotated[
+    Annotated[Number, _SINGLE] | Annotated[Point, _LIST],
+    Discriminator(_scale_form),
+    Allowed("a number, or three"),
+]
+
+
+class RotateTable(Table):
+    """A right-handed turn about an axis through the origin."""
+
+    axis: Axis = Field(description="the axis, through the origin")
+    degrees: Number = Field(description="the angle, in degrees")
+
+
+Row = Annotated[tuple[Number, Number, Number, Number], Allowed("a row of four numbers")]
+Matrix = Annotated[
+    tuple[Row, Row, Row] | tuple[Row, Row, Row, Row], Allowed("three or four rows of four numbers")
+]
+
+
+class TransformTable(Table):
+    """One step of a transform: exactly one of these keys."""
+
+    translate: Maybe[Point] = Field(default=None, description="a shift, in world units")
+    rotate: Maybe[RotateTable] = Field(default=None, description="a turn")
+    scale: Maybe[Scale] = Field(
+        default=None, description="a factor about the origin, the same or one per axis"
+    )
+    matrix: Maybe[Matrix] = Field(
+        default=None, description="rows of an affine matrix; a fourth row must be [0, 0, 0, 1]"
+    )
+
+    @model_validator(mode="after")
+    def _one_key(self) -> Self:
+        given = [key for key in type(self).model_fields if getattr(self, key) is not None]
+        if len(given) != 1:
+            found = joined(given) if given else "none"
+            raise refusal(
+                f"a step has exactly one key, here: {found}",
+                allowed="allowed: translate, rotate, scale or matrix",
+            )
+        return self
+
+
+class CheckerTable(Table):
+    """Squares of two colours on a plane."""
+
+    colours: Annotated[tuple[Colour, Colour], Allowed("two colours, [[r, g, b], [r, g, b]]")] = (
+        Field(description="diffuse colours of the even and the odd squares")
+    )
+    size: Positive = Field(default=1.0, description="side of a square, in world units")
+
+
+def _material_form(value: Any) -> str | None:
+    return by_form(value) if isinstance(value, str | dict) else None
+
+
+class ObjectTable(Table):
+    """What every object has, whatever its shape."""
+
+    name: Maybe[Name] = Field(
+        default=None, description='what a person calls it; default "sphere 1" and so on'
+    )
+    material: Annotated[
+        Annotated[Text, _SINGLE] | Annotated[MaterialTable, _TABLE],
+        Discriminator(_material_form),
+        Allowed("the name of a material, or a table with a material's keys"),
+    ] = Field(description="a material's name, or a table with the keys of one")
+    transform: Annotated[
+        tuple[TransformTable, ...],
+        Allowed("a list of steps", hint="such as [{ translate = [0, 1, 0] }, { scale = 2 }]"),
+    ] = Field(
+        default=(),
+        description="steps multiplied as written: the leftmost is applied last",
+    )
+
+    @property
+    def kind(self) -> str:
+        """The word for its shape: the value of `type`."""
+        return next(kind for kind, table in SHAPES.items() if isinstance(self, table))
+
+
+class SphereTable(ObjectTable):
+    type: Literal["sphere"]
+    center: Point = Field(description="its centre")
+    radius: Positive = Field(description="in world units")
+
+
+class EllipsoidTable(ObjectTable):
+    type: Literal["ellipsoid"]
+    center: Point = Field(description="its centre")
+    radii: Sizes = Field(description="half axes along x, y and z before the rotation")
+    rotation: Point = Field(
+        default=(0.0, 0.0, 0.0), description="degrees about x, then y, then z, through its centre"
+    )
+
+
+class PlaneTable(ObjectTable):
+    """Infinite; its inside is the half-space behind the normal."""
+
+    type: Literal["plane"]
+    point: Point = Field(description="any point on it; a checker is measured from here")
+    normal: Point = Field(description="the way it faces, of any length")
+    checker: Maybe[CheckerTable] = Field(default=None, description="squares of two colours")
+
+
+class CylinderTable(ObjectTable):
+    type: Literal["cylinder"]
+    start: Point = Field(description="centre of one end")
+    end: Point = Field(description="centre of the other end")
+    radius: Positive = Field(description="in world units")
+    capped: Flag = Field(default=True, description="closed by a disc at each end")
+
+
+class BoxTable(ObjectTable):
+    type: Literal["box"]
+    minimum: Point = Field(description="the corner of smallest x, y and z")
+    maximum: Point = Field(description="the corner of largest x, y and z")
+
+
+class DiscTable(ObjectTable):
+    type: Literal["disc"]
+    center: Point = Field(description="its centre")
+    normal: Point = Field(description="the way it faces, of any length")
+    radius: Positive = Field(description="in world units")
+
+
+class TriangleTable(ObjectTable):
+    type: Literal["triangle"]
+    a: Point = Field(description="a corner; the front is where a, b, c run anticlockwise")
+    b: Point = Field(description="the next corner")
+    c: Point = Field(description="the last corner")
+
+
+class MeshTable(ObjectTable):
+    type: Literal["mesh"]
+    model: Maybe[Name] = Field(
+        default=None, description="a name in models/models.toml, or give `file`"
+    )
+    file: Maybe[Name] = Field(
+        default=None, description="a .ply, .obj, .stl or .off file, relative to the scene file"
+    )
+    smooth: Flag = Field(
+        default=True, description="normals interpolated from the vertices, else one per triangle"
+    )
+    subdivide: Annotated[
+        int, Field(strict=True, ge=0, le=3), Allowed("a whole number from 0 to 3")
+    ] = Field(default=0, description="rounds of Loop subdivision: each makes four triangles of one")
+
+
+SHAPES: dict[str, type[ObjectTable]] = {
+    "sphere": SphereTable,
+    "ellipsoid": EllipsoidTable,
+    "plane": PlaneTable,
+    "cylinder": CylinderTable,
+    "box": BoxTable,
+    "disc": DiscTable,
+    "triangle": TriangleTable,
+    "mesh": MeshTable,
+}
+
+
+def _with_known_type(value: Any) -> Any:
+    """Refuse here what has no known type, so that the rest is read as one shape, not as eight."""
+    if not isinstance(value, dict):
+        raise refusal(f"{show(value)} is not a table")
+    kind = value.get("type")
+    if not isinstance(kind, str) or kind not in SHAPES:
+        message = "missing" if kind is None else f"{show(kind)} is not a shape"
+        known = f"known: {joined(SHAPES)}"
+        raise refusal(message, at="type", allowed=known, hint=did_you_mean(kind, SHAPES))
+    return value
+
+
+AnyObject = Annotated[
+    Annotated[
+        Annotated[SphereTable, Tag("as:sphere")]
+        | Annotated[EllipsoidTable, Tag("as:ellipsoid")]
+        | Annotated[PlaneTable, Tag("as:plane")]
+        | Annotated[CylinderTable, Tag("as:cylinder")]
+        | Annotated[BoxTable, Tag("as:box")]
+        | Annotated[DiscTable, Tag("as:disc")]
+        | Annotated[TriangleTable, Tag("as:triangle")]
+        | Annotated[MeshTable, Tag("as:mesh")],
+        Discriminator(lambda value: TAG + value["type"]),
+    ],
+    BeforeValidator(_with_known_type),
+]
