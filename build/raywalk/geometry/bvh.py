@@ -1,0 +1,166 @@
+"""A float64 bounding-volume tree over triangles: the judge where float32 Embree cannot be.
+
+Wide enough boxes and a watertight triangle test leave no hole, at vertices and edges
+either; it also gives all hits along a ray and counts the tests a ray made.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raywalk.geometry.triangle import height_over, shear, triangle_hit
+from raywalk.optics.compiled import kernel
+
+LEAF = 4  # triangles in a leaf at most
+STACK = 64  # median splits halve: 2^64 triangles would fit
+
+
+class Bvh(NamedTuple):
+    """Nodes in depth-first order; a node's first child follows it, `skip` is the second."""
+
+    low: np.ndarray  # (nodes, 3)
+    high: np.ndarray  # (nodes, 3)
+    second: np.ndarray  # (nodes,) int32: second child, -1 for a leaf
+    first: np.ndarray  # (nodes,) int32: a leaf's first place in `order`
+    count: np.ndarray  # (nodes,) int32: its triangles, 0 for an inner node
+    order: np.ndarray  # (triangles,) int32: triangle ids, leaf by leaf
+
+
+@kernel
+def build_bvh(corners):
+    """Bvh by median splits along the widest side of the centroids. corners: (n, 3, 3)."""
+    n = corners.shape[0]
+    nodes = max(1, 2 * n)
+    low, high = np.full((nodes, 3), np.inf), np.full((nodes, 3), -np.inf)
+    second = np.full(nodes, -1, np.int32)
+    first, count = np.zeros(nodes, np.int32), np.zeros(nodes, np.int32)
+    order = np.arange(n).astype(np.int32)
+    centroid = (corners[:, 0] + corners[:, 1] + corners[:, 2]) / 3.0
+    begin, end = np.zeros(STACK, np.int32), np.zeros(STACK, np.int32)
+    parent = np.full(STACK, -1, np.int32)
+    end[0], depth, made = n, 1, 0
+    while depth > 0:
+        depth -= 1
+        a, b, node = begin[depth], end[depth], made
+        made += 1
+        if parent[depth] >= 0:
+            second[parent[depth]] = node
+        enclose(corners, order[a:b], low[node], high[node])
+        if b - a <= LEAF:
+            first[node], count[node] = a, b - a
+            continue
+        axis = widest_axis(centroid, order[a:b])
+        order[a:b] = order[a:b][np.argsort(centroid[order[a:b], axis], kind="mergesort")]
+        middle = (a + b) // 2
+        begin[depth], end[depth], parent[depth] = middle, b, node
+        begin[depth + 1], end[depth + 1], parent[depth + 1] = a, middle, -1
+        depth += 2
+    return low[:made], high[:made], second[:made], first[:made], count[:made], order
+
+
+@kernel
+def enclose(corners, members, low, high):
+    """Box of some triangles, widened by a few roundings so that its test never cuts a hit off."""
+    for m in members:
+        for c in range(3):
+            for k in range(3):
+                low[k] = min(low[k], corners[m, c, k])
+                high[k] = max(high[k], corners[m, c, k])
+    for k in range(3):
+        slack = 1e-14 * max(abs(low[k]), abs(high[k]))  # 50 roundings; costs no speed
+        low[k] -= slack
+        high[k] += slack
+
+
+@kernel
+def widest_axis(centroid, members):
+    """Axis along which the members' centroids spread most."""
+    best, widest = 0, -1.0
+    for k in range(3):
+        smallest, largest = np.inf, -np.inf
+        for m in members:
+            smallest = min(smallest, centroid[m, k])
+            largest = max(largest, centroid[m, k])
+        if largest - smallest > widest:
+            best, widest = k, largest - smallest
+    return best
+
+
+@kernel
+def box_entry(low, high, o, d, t_max):
+    """Where a ray enters a box (0 if it starts inside); inf if it misses it before t_max."""
+    t_in, t_out = 0.0, t_max
+    for k in range(3):
+        if d[k] == 0.0:
+            if o[k] < low[k] or o[k] > high[k]:
+                return np.inf
+            continue
+        a, b = (low[k] - o[k]) / d[k], (high[k] - o[k]) / d[k]
+        if a > b:
+            a, b = b, a
+        # Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013: two ulps keep it watertight.
+        t_in, t_out = max(t_in, a - 4.5e-16 * abs(a)), min(t_out, b + 4.5e-16 * abs(b))
+    return t_in if t_in <= t_out else np.inf
+
+
+@kernel
+def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
+    """Nearest hit of one ray: (t, triangle, u, v, tests); triangle -1 if none before t_max.
+
+    own: triangle the ray starts on, else -1; bound: how far its origin may be off the
+    surface it starts on (triangles whose plane is nearer than that are left, not hit).
+    tests counts boxes and triangles. Ties go to the lowest triangle.
+    """
+    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    stack = np.empty(STACK, np.int32)
+    depth, node, tests = 0, 0, 0
+    best, who, u, v = t_max, -1, 0.0, 0.0
+    while True:
+        tests += 1
+        if box_entry(bvh.low[node], bvh.high[node], o, d, best) < np.inf:
+            if bvh.count[node] == 0:
+                stack[depth] = bvh.second[node]
+                depth += 1
+                node += 1
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.count[node]):
+                triangle = bvh.order[place]
+                tests += 1
+                t, a, b = triangle_hit(o, corners[triangle], kx, ky, kz, sx, sy, sz)
+                if not 0.0 < t <= best or triangle == own:
+                    continue
+                if t == best and not (0 <= who and triangle < who):
+                    continue
+                if bound > 0.0 and abs(height_over(o, corners[triangle])) <= bound:
+                    continue
+                best, who, u, v = t, triangle, a, b
+        if depth == 0:
+            return (best if who >= 0 else np.inf), who, u, v, tests
+        depth -= 1
+        node = stack[depth]
+
+
+@kernel
+def bvh_all(bvh, corners, o, d, found):
+    """All hits of one ray with t > 0, into found (room for them or cut); returns their number."""
+    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    stack = np.empty(STACK, np.int32)
+    depth, node, filled = 0, 0, 0
+    while True:
+        if box_entry(bvh.low[node], bvh.high[node], o, d, np.inf) < np.inf:
+            if bvh.count[node] == 0:
+                stack[depth] = bvh.second[node]
+                depth += 1
+                node += 1
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.count[node]):
+                t, _, _ = triangle_hit(o, corners[bvh.order[place]], kx, ky, kz, sx, sy, sz)
+                if 0.0 < t < np.inf and filled < found.shape[0]:
+                    found[filled] = t
+                    filled += 1
+        if depth == 0:
+            return filled
+        depth -= 1
+        node = stack[depth]

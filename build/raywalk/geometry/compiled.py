@@ -1,0 +1,168 @@
+"""A scene compiled for tracing: the only door between the tracer and all geometry."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
+from raywalk.geometry.primitives import Primitives, compile_primitives
+from raywalk.geometry.surface import Looks, primitive_surface
+from raywalk.scene.model import Mesh, Plane, Scene
+from raywalk.scene.placement import checker_axes
+
+
+class Rays(NamedTuple):
+    """Rays on their way. Directions are unit except in probes."""
+
+    origin: np.ndarray  # (n, 3) float64 world
+    direction: np.ndarray  # (n, 3) float64 world
+    leaving: np.ndarray  # (n,) int32: object whose surface a ray starts on, or NOWHERE
+    inner: np.ndarray  # (n,) bool: it starts to that object's inner side
+    triangle: np.ndarray  # (n,) int32: the mesh triangle it starts on, or -1
+
+    def take(self, chosen: np.ndarray) -> Rays:
+        """The rays at these indices (or where this mask holds)."""
+        return Rays(*(column[chosen] for column in self))
+
+
+class Hits(NamedTuple):
+    """What n rays met. Normals are unit and face the incoming ray."""
+
+    t: np.ndarray  # (n,) in units of the direction; inf if nothing is met
+    object: np.ndarray  # (n,) int32, NOWHERE if nothing is met
+    triangle: np.ndarray  # (n,) int32, of a mesh, else -1
+    point: np.ndarray  # (n, 3) on the surface
+    normal: np.ndarray  # (n, 3) shading normal
+    geometric: np.ndarray  # (n, 3) the surface's own normal
+    inside: np.ndarray  # (n,) bool: met from the inner side
+    material: np.ndarray  # (n,) int32, -1 if nothing is met
+
+
+def rays_from(origin: np.ndarray, direction: np.ndarray) -> Rays:
+    """Rays that start in free space, such as camera rays."""
+    count = len(origin)
+    nowhere = np.full(count, NOWHERE, np.int32)
+    return Rays(origin, direction, nowhere, np.zeros(count, bool), nowhere.copy())
+
+
+class CompiledScene:
+    """Ray queries on a scene. Immutable; queries may run in threads."""
+
+    def __init__(self, scene: Scene):
+        self.primitives: Primitives = compile_primitives(scene)
+        self.looks = _compile_looks(scene)
+        # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
+        self.meshes = _compile_meshes(scene)
+
+    def nearest(
+        self, rays: Rays, t_max: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """t (n,), object (n,), triangle (n,) and (u, v) (n, 2) of the nearest hit before t_max."""
+        limit = np.full(len(rays.origin), np.inf) if t_max is None else t_max
+        t, met = nearest_primitive(
+            self.primitives, rays.origin, rays.direction, rays.leaving, rays.inner, limit
+        )
+        triangle, uv = np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
+        for mesh in self.meshes:
+            own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
+            # Up to and including what was met before, so that a tie goes to the lower object.
+            reach = np.nextafter(np.minimum(limit, t), np.inf)
+            found, which, where = mesh.nearest(rays.origin, rays.direction, reach, own)
+            closer = (found < t) | ((found == t) & (which >= 0) & (mesh.index < met))
+            closer &= found < limit
+            t, met = np.where(closer, found, t), np.where(closer, mesh.index, met)
+            triangle = np.where(closer, which, triangle)
+            uv = np.where(closer[:, None], where, uv)
+        return t, met.astype(np.int32), triangle.astype(np.int32), uv
+
+    def hits(self, rays: Rays) -> Hits:
+        """The nearest hit of each ray with everything shading needs."""
+        t, met, triangle, uv = self.nearest(rays)
+        count = len(t)
+        point, normal = np.zeros((count, 3)), np.zeros((count, 3))
+        inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)
+        primitive_surface(
+            self.primitives, self.looks, rays.origin, rays.direction, t, met,
+            point, normal, inside, material,
+        )  # fmt: skip
+        geometric = normal
+        if self.meshes:
+            geometric = normal.copy()
+        for mesh in self.meshes:
+            mesh.surface(rays.direction, met, triangle, uv, point, normal, geometric, inside)
+            material[met == mesh.index] = self.looks.material[mesh.index]
+        return Hits(t, met, triangle, point, normal, geometric, inside, material)
+
+    def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Every hit of rays from free space, nearest first: start (n + 1,), t (h,), object (h,).
+
+        Ray k's hits stand at start[k]:start[k + 1]; where two lie at one distance, the lower
+        object comes first.
+        """
+        found = [all_primitives(self.primitives, rays.origin, rays.direction)]
+        for mesh in self.meshes:
+            ray, t = mesh.all_hits(rays.origin, rays.direction)
+            found.append((ray, t, np.full(len(t), mesh.index, np.int32)))
+        ray, t, met = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        order = np.lexsort([met, t, ray])
+        start = np.searchsorted(ray[order], np.arange(len(rays.origin) + 1))
+        return start.astype(np.int32), t[order], met[order]
+
+    def count_tests(self, rays: Rays, t_max: np.ndarray) -> np.ndarray:
+        """(n,) intersection tests a ray needs: every primitive, and each mesh's tree."""
+        tests = np.full(len(rays.origin), len(self.primitives.shape), np.int32)
+        for mesh in self.meshes:
+            own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
+            tests += mesh.count_tests(rays.origin, rays.direction, t_max, own)
+        return tests
+
+
+def _compile_looks(scene: Scene) -> Looks:
+    count = len(scene.objects)
+    checker, size, turn = np.full(count, -1, np.int32), np.ones(count), np.ones(count)
+    for k, obj in enumerate(scene.objects):
+        if obj.checker is None:
+            continue
+        assert isinstance(obj.shape, Plane)
+        normal = np.array(obj.shape.normal, float)
+        u, v = checker_axes(normal)
+        checker[k], size[k] = obj.checker.material, obj.checker.size
+        turn[k] = np.sign(v @ np.cross(u, normal))
+    material = np.array([obj.material for obj in scene.objects], np.int32)
+    return Looks(material, checker, size, turn)
+
+
+def _compile_meshes(scene: Scene) -> list:
+    indices = [k for k, obj in enumerate(scene.objects) if isinstance(obj.shape, Mesh)]
+    if not indices:
+        return []
+    from raywalk.geometry.mesh_file import load_triangles
+    from raywalk.geometry.mesh_target import MeshTarget
+
+    targets, problems = [], []
+    for k in indices:
+        obj = scene.objects[k]
+        try:
+            targets.append(MeshTarget(k, load_triangles(scene, obj)))
+        except SourceErrors as raised:
+            problems += raised.errors
+            continue
+        material = scene.materials[obj.material]
+        if material.transmit > 0 and not targets[-1].triangles.closed:
+            problems.append(_open_glass(scene, k))
+    if problems:
+        raise SourceErrors(problems)
+    return targets
+
+
+def _open_glass(scene: Scene, k: int) -> SourceError:
+    name = scene.objects[k].name
+    return SourceError(
+        scene.path,
+        f"objects[{k}].material",
+        f'"{name}" is an open mesh, and light would enter glass that it never leaves',
+        allowed="glass (transmit > 0) needs a closed mesh",
+    )

@@ -1,0 +1,243 @@
+"""The nearest triangle of one mesh: Embree proposes, float64 decides.
+
+Embree works on a float32 copy, centred and scaled to unit size, with rays that start
+where they enter its box: so neither the scene's scale nor its distance from the origin
+matters. What float32 cannot settle (a hit close to an edge, a miss that a nudged ray
+does not confirm, a proposal that float64 refuses) is traced again in the float64 tree.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
+from raywalk.geometry.mesh_file import Triangles
+from raywalk.geometry.nearest import POINT_ERROR
+from raywalk.geometry.triangle import shear, triangle_hit, triangle_normal
+from raywalk.optics.compiled import kernel
+
+# In the unit-sized copy, where float32 steps are 6e-8:
+LIFT = 4e-6  # how far a ray that leaves the mesh starts off it for Embree (70 steps)
+NUDGE = 4e-6  # how far a missing ray is turned to see whether it slipped through
+EDGE = 1e-4  # barycentric border in which float32 may name the neighbour
+
+
+class MeshTarget:
+    """One mesh object, ready for ray queries. Immutable; queries may run in threads."""
+
+    def __init__(self, index: int, triangles: Triangles):
+        from embreex import rtcore_scene
+        from embreex.mesh_construction import TriangleMesh
+
+        self.index = index  # of the object in Scene.objects
+        self.triangles = triangles
+        self.centre = triangles.centre
+        self.corners = triangles.corners
+        self.bvh = Bvh(*build_bvh(self.corners))
+        self.scale = 1.0 / float(np.abs(triangles.vertices[triangles.faces]).max())
+        self.size = 1.0 / self.scale
+        self._embree = rtcore_scene.EmbreeScene(robust=True)
+        unit = (self.corners * self.scale).astype(np.float32)
+        # Kept alive by the scene; everything is added before the first query, as Embree needs.
+        self._mesh = TriangleMesh(self._embree, unit)
+
+    def nearest(
+        self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """t (n,), triangle (n,) and barycentric (u, v) (n, 2) before t_max; inf and -1 if none.
+
+        origin, direction: (n, 3) float64 world; own: (n,) the triangle a ray starts on, or -1.
+        """
+        count = len(origin)
+        t, triangle = np.full(count, np.inf), np.full(count, -1, np.int32)
+        uv = np.zeros((count, 2))
+        inside = np.empty((count, 3), np.float64)
+        starts = np.empty((count, 3), np.float32)
+        crossing = enter_box(
+            self.bvh, self.corners, self.centre, self.scale, origin, direction, t_max, own,
+            inside, starts,
+        )  # fmt: skip
+        if not len(crossing):
+            return t, triangle, uv
+        proposed = self._propose(starts[: len(crossing)], direction[crossing])
+        redo = decide(
+            self.corners, inside, direction, t_max, own, crossing, proposed, t, triangle, uv
+        )
+        redo = np.concatenate([redo, self._slipped(starts, direction, crossing, proposed)])
+        settle(
+            self.bvh, self.corners, self.centre, inside, direction, t_max, own,
+            redo, t, triangle, uv,
+        )  # fmt: skip
+        return t, triangle, uv
+
+    def all_hits(self, origin: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Every hit of rays from free space: ray (h,) and t (h,), by ray, not in order of t."""
+        return every_hit(self.bvh, self.corners, origin - self.centre, direction)
+
+    def count_tests(
+        self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray
+    ) -> np.ndarray:
+        """(n,) boxes and triangles that the bounding-volume tree tests for each ray."""
+        return tests_made(
+            self.bvh, self.corners, origin - self.centre, direction, t_max, own, self.bound(origin)
+        )
+
+    def surface(
+        self, direction: np.ndarray, met: np.ndarray, triangle: np.ndarray, uv: np.ndarray,
+        point: np.ndarray, normal: np.ndarray, geometric: np.ndarray, inside: np.ndarray,
+    ) -> None:  # fmt: skip
+        """Fills the last four arguments for the rays that met this mesh."""
+        smooth = self.triangles.normals
+        mesh_surface(
+            self.corners, self.triangles.faces, np.zeros((0, 3)) if smooth is None else smooth,
+            self.centre, direction, met, self.index, triangle, uv,
+            point, normal, geometric, inside,
+        )  # fmt: skip
+
+    def bound(self, origin: np.ndarray) -> float:
+        """How far a point on this mesh may be off it, world units."""
+        reach = np.abs(origin).sum(axis=1).max(initial=0.0)
+        return float(POINT_ERROR * (reach + np.abs(self.centre).sum() + self.size))
+
+    def _propose(self, starts: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        toward = directions.astype(np.float32)
+        return np.asarray(self._embree.run(starts, toward, query="INTERSECT"))
+
+    def _slipped(
+        self, starts: np.ndarray, direction: np.ndarray, crossing: np.ndarray, proposed: np.ndarray
+    ) -> np.ndarray:
+        """Rays that missed while a ray turned by NUDGE hits: at a silhouette, or in a crack."""
+        missed = np.flatnonzero(proposed < 0)
+        if not len(missed):
+            return crossing[:0]
+        rays = crossing[missed]
+        turned = direction[rays] + NUDGE * direction[rays][:, [1, 2, 0]] * [1.0, -1.0, 1.0]
+        return rays[self._propose(starts[missed], turned) >= 0]
+
+
+@kernel
+def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local, starts):
+    """Indices of the rays that cross the mesh's box before t_max.
+
+    Fills local (n, 3), origins relative to the mesh's centre, and starts (crossing, 3), where
+    Embree's ray begins in the unit-sized copy: where it enters the box, or just off its triangle.
+    """
+    crossing = np.empty(origin.shape[0], np.int64)
+    filled = 0
+    for i in range(origin.shape[0]):
+        for k in range(3):
+            local[i, k] = origin[i, k] - centre[k]
+        entry = box_entry(bvh.low[0], bvh.high[0], local[i], direction[i], t_max[i])
+        if not entry < np.inf:
+            continue
+        lift = np.zeros(3)
+        if own[i] >= 0:
+            nx, ny, nz = triangle_normal(corners[own[i]])
+            along = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
+            side = LIFT if along > 0.0 else -LIFT
+            lift[0], lift[1], lift[2] = side * nx, side * ny, side * nz
+        for k in range(3):
+            starts[filled, k] = (local[i, k] + entry * direction[i, k]) * scale + lift[k]
+        crossing[filled] = i
+        filled += 1
+    return crossing[:filled]
+
+
+@kernel
+def decide(corners, local, direction, t_max, own, crossing, proposed, t, triangle, uv):
+    """Takes the proposals that float64 confirms well inside their triangle; returns the rest."""
+    redo = np.empty(crossing.shape[0], np.int64)
+    open_cases = 0
+    for place in range(crossing.shape[0]):
+        i, who = crossing[place], proposed[place]
+        if who < 0:
+            continue
+        d = direction[i]
+        kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+        distance, u, v = triangle_hit(local[i], corners[who], kx, ky, kz, sx, sy, sz)
+        clear = u > EDGE and v > EDGE and 1.0 - u - v > EDGE
+        if who == own[i] or not clear or not distance > 0.0:
+            redo[open_cases] = i
+            open_cases += 1
+        elif distance < t_max[i]:
+            t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
+    return redo[:open_cases]
+
+
+@kernel
+def settle(bvh, corners, centre, local, direction, t_max, own, redo, t, triangle, uv):
+    """Traces rays again in the float64 tree and overwrites their results."""
+    middle = abs(centre[0]) + abs(centre[1]) + abs(centre[2])
+    for i in redo:
+        bound = 0.0
+        if own[i] >= 0:
+            reach = abs(local[i, 0]) + abs(local[i, 1]) + abs(local[i, 2])
+            bound = POINT_ERROR * (reach + 2.0 * middle)
+        distance, who, u, v, _ = bvh_nearest(
+            bvh, corners, local[i], direction[i], t_max[i], own[i], bound
+        )
+        t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
+
+
+@kernel
+def every_hit(bvh, corners, local, direction):
+    """All hits of each ray: index (h,) and t (h,)."""
+    most = corners.shape[0]
+    found = np.empty(most)
+    total = 0
+    for i in range(local.shape[0]):
+        total += bvh_all(bvh, corners, local[i], direction[i], found)
+    ray, t = np.empty(total, np.int32), np.empty(total)
+    filled = 0
+    for i in range(local.shape[0]):
+        n = bvh_all(bvh, corners, local[i], direction[i], found)
+        ray[filled : filled + n], t[filled : filled + n] = i, found[:n]
+        filled += n
+    return ray, t
+
+
+@kernel
+def tests_made(bvh, corners, local, direction, t_max, own, bound):
+    """Boxes and triangles tested per ray."""
+    tests = np.empty(local.shape[0], np.int32)
+    for i in range(local.shape[0]):
+        at_surface = bound if own[i] >= 0 else 0.0
+        _, _, _, _, tests[i] = bvh_nearest(
+            bvh, corners, local[i], direction[i], t_max[i], own[i], at_surface
+        )
+    return tests
+
+
+@kernel
+def mesh_surface(
+    corners, faces, normals, centre, direction, met, index, triangle, uv,
+    point, normal, geometric, inside,
+):  # fmt: skip
+    """Fills point, shading normal, geometric normal and side of rays that met object `index`.
+
+    Both normals face the incoming ray; the side is the geometric one's. An interpolated
+    normal that still looks away at a silhouette is bent back until it is square to the ray.
+    normals: (v, 3), or (0, 3) for a flat mesh.
+    """
+    for i in range(direction.shape[0]):
+        if met[i] != index:
+            continue
+        corner, face, u, v = corners[triangle[i]], faces[triangle[i]], uv[i, 0], uv[i, 1]
+        w = 1.0 - u - v
+        for k in range(3):
+            point[i, k] = centre[k] + (w * corner[0, k] + u * corner[1, k] + v * corner[2, k])
+        gx, gy, gz = triangle_normal(corner)
+        d = direction[i]
+        inside[i] = gx * d[0] + gy * d[1] + gz * d[2] > 0.0
+        sign = -1.0 if inside[i] else 1.0
+        geometric[i, 0], geometric[i, 1], geometric[i, 2] = sign * gx, sign * gy, sign * gz
+        normal[i] = geometric[i]
+        if normals.shape[0] == 0:
+            continue
+        n = sign * (w * normals[face[0]] + u * normals[face[1]] + v * normals[face[2]])
+        away = n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
+        if away > 0.0:
+            n -= away * d
+        length = np.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
+        if length > 0.0:
+            normal[i] = n / length

@@ -1,0 +1,151 @@
+"""The nearest primitive along each ray, and all of them in order.
+
+Leaving a surface needs no epsilon. A ray that starts on a primitive, by identity or
+because its origin lies on that surface within the error bound of a hit point, is told
+apart by the side it leaves to: flat shapes and outward rays of convex ones cannot meet
+it again, inward rays meet it at t_out (Waechter and Binder, Ray Tracing Gems, 2019,
+ch. 6, and pbrt-v4 sec. 6.8 bound the error; identity makes the bound matter only
+where two surfaces touch).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from raywalk.geometry.solids import (
+    DISC,
+    PLANE,
+    TRIANGLE,
+    TUBE,
+    face_normal,
+    height,
+    solid_interval,
+    tube_interval,
+)
+from raywalk.optics.compiled import kernel
+
+NOWHERE = -1  # "leaves no surface", and "met no object"
+# A computed hit point is off its surface by at most this share of |p| + |centre|:
+# about a dozen roundings of 1.1e-16; measured 0 self-hits in 802,000 at 16 eps.
+POINT_ERROR = 16.0 * 2.220446049250313e-16
+
+
+@kernel
+def to_local(matrix, x, y, z):
+    """(3, 3) matrix times a vector given by components."""
+    return (
+        matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z,
+        matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z,
+        matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z,
+    )
+
+
+@kernel
+def flat_root(shape, ox, oy, oz, dx, dy, dz):
+    """(t, height of the origin) on a canonical plane, disc or triangle; t = inf if missed."""
+    if shape == PLANE:
+        return (-oy / dy if dy != 0.0 else math.inf), oy
+    if dz == 0.0:
+        return math.inf, oz
+    t = -oz / dz
+    x, y = ox + t * dx, oy + t * dy
+    if shape == DISC:
+        return (t if x * x + y * y <= 1.0 else math.inf), oz
+    return (t if x >= 0.0 and y >= 0.0 and x + y <= 1.0 else math.inf), oz
+
+
+@kernel
+def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound):
+    """Up to two parameters t > 0 (else inf) at which a ray meets a canonical primitive.
+
+    own: the ray starts on this primitive, to its inner side if `inner`.
+    bound: how far, in canonical units, the origin may be off a surface it lies on; 0 for
+    rays that start in free space.
+    """
+    if shape == PLANE or shape == DISC or shape == TRIANGLE:
+        if own:
+            return math.inf, math.inf
+        t, level = flat_root(shape, ox, oy, oz, dx, dy, dz)
+        if t > 0.0 and abs(level) > bound:
+            return t, math.inf
+        return math.inf, math.inf
+    if not own and bound > 0.0 and abs(height(shape, ox, oy, oz)) <= 2.0 * bound:
+        own = True  # touches another surface here: leave it as if it were its own
+        gx, gy, gz = face_normal(shape, ox, oy, oz)
+        inner = gx * dx + gy * dy + gz * dz < 0.0
+    if own and not inner:
+        return math.inf, math.inf
+    if shape == TUBE:
+        t_in, t_out = tube_interval(ox, oy, dx, dy)
+        if not abs(oz + t_in * dz) <= 1.0:
+            t_in = math.inf
+        if not abs(oz + t_out * dz) <= 1.0:
+            t_out = math.inf
+    else:
+        t_in, t_out = solid_interval(shape, ox, oy, oz, dx, dy, dz)
+        if not t_in <= t_out:
+            return math.inf, math.inf
+    if own or not t_in > 0.0:
+        t_in = math.inf
+    if not t_out > 0.0:
+        t_out = math.inf
+    return (t_in, t_out) if t_in <= t_out else (t_out, t_in)
+
+
+@kernel
+def primitive_roots(primitives, k, o, d, own, inner, on_surface):
+    """`roots` of row k for a world ray: moved to the centre first, then made canonical."""
+    cx, cy, cz = primitives.centre[k, 0], primitives.centre[k, 1], primitives.centre[k, 2]
+    matrix = primitives.to_local[k]
+    ox, oy, oz = to_local(matrix, o[0] - cx, o[1] - cy, o[2] - cz)
+    dx, dy, dz = to_local(matrix, d[0], d[1], d[2])
+    bound = 0.0
+    if on_surface:
+        reach = abs(o[0]) + abs(o[1]) + abs(o[2]) + abs(cx) + abs(cy) + abs(cz)
+        bound = POINT_ERROR * primitives.stretch[k] * reach
+    return roots(primitives.shape[k], ox, oy, oz, dx, dy, dz, own, inner, bound)
+
+
+@kernel
+def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
+    """Nearest primitive of n rays; ties go to the lowest object.
+
+    origin, direction: (n, 3); leaving: (n,) object a ray starts on, or NOWHERE;
+    inner: (n,) whether it leaves to that object's inner side; t_max: (n,) where to stop.
+    Returns t (n,) float64, inf where nothing is met before t_max, and object (n,) int32.
+    """
+    count = origin.shape[0]
+    t = np.full(count, np.inf)
+    met = np.full(count, NOWHERE, np.int32)
+    for i in range(count):
+        best, who = t_max[i], NOWHERE
+        for k in range(primitives.shape.shape[0]):
+            own = primitives.object[k] == leaving[i]
+            near, _ = primitive_roots(
+                primitives, k, origin[i], direction[i], own, inner[i], leaving[i] != NOWHERE
+            )
+            if near < best:
+                best, who = near, primitives.object[k]
+        if who != NOWHERE:
+            t[i], met[i] = best, who
+    return t, met
+
+
+@kernel
+def all_primitives(primitives, origin, direction):
+    """Every hit of n rays that start in free space: ray (h,), t (h,), object (h,), by ray."""
+    count, rows = origin.shape[0], primitives.shape.shape[0]
+    ray = np.empty(count * rows * 2, np.int32)
+    t = np.empty(count * rows * 2)
+    met = np.empty(count * rows * 2, np.int32)
+    filled = 0
+    for i in range(count):
+        for k in range(rows):
+            pair = primitive_roots(primitives, k, origin[i], direction[i], False, False, False)
+            for root in pair:
+                if root < np.inf:
+                    ray[filled], t[filled], met[filled] = i, root, primitives.object[k]
+                    filled += 1
+    return ray[:filled], t[:filled], met[:filled]

@@ -1,0 +1,78 @@
+"""One ray and one triangle, watertight: Woop, Benthin and Wald, JCGT 2(1), 2013.
+
+Space is sheared so that the ray runs along +z from the origin; neighbours that share
+an edge compute that edge's sign from the same numbers, so no ray slips between them.
+"""
+
+from __future__ import annotations
+
+import math
+
+from raywalk.optics.compiled import kernel
+
+
+@kernel
+def shear(dx, dy, dz):
+    """Axis order and shear constants (kx, ky, kz, sx, sy, sz) of a ray direction."""
+    ax, ay, az = abs(dx), abs(dy), abs(dz)
+    if ax >= ay and ax >= az:
+        kx, ky, kz, along, u, v = 1, 2, 0, dx, dy, dz
+    elif ay >= az:
+        kx, ky, kz, along, u, v = 2, 0, 1, dy, dz, dx
+    else:
+        kx, ky, kz, along, u, v = 0, 1, 2, dz, dx, dy
+    return kx, ky, kz, u / along, v / along, 1.0 / along
+
+
+@kernel
+def triangle_hit(o, corners, kx, ky, kz, sx, sy, sz):
+    """(t, u, v) with point = (1-u-v) a + u b + v c; t is inf where the ray's line misses.
+
+    o: (3,) origin; corners: (3, 3) float64 rows a, b, c, in the same frame. Either side hits.
+    Edges count as inside. A degenerate triangle is never hit.
+    """
+    az, bz, cz = corners[0, kz] - o[kz], corners[1, kz] - o[kz], corners[2, kz] - o[kz]
+    ax = corners[0, kx] - o[kx] - sx * az
+    ay = corners[0, ky] - o[ky] - sy * az
+    bx = corners[1, kx] - o[kx] - sx * bz
+    by = corners[1, ky] - o[ky] - sy * bz
+    cx = corners[2, kx] - o[kx] - sx * cz
+    cy = corners[2, ky] - o[ky] - sy * cz
+    wa = cx * by - cy * bx
+    wb = ax * cy - ay * cx
+    wc = bx * ay - by * ax
+    if (wa < 0.0 or wb < 0.0 or wc < 0.0) and (wa > 0.0 or wb > 0.0 or wc > 0.0):
+        return math.inf, 0.0, 0.0
+    total = wa + wb + wc
+    if total == 0.0:
+        return math.inf, 0.0, 0.0
+    # A weighted mean, not a plane equation: a sliver's normal is noise, its corners are not.
+    t = sz * (wa * az + wb * bz + wc * cz) / total
+    return t, wb / total, wc / total
+
+
+@kernel
+def triangle_normal(corners):
+    """Unit normal by the winding a, b, c (right hand rule)."""
+    ux, uy, uz = (
+        corners[1, 0] - corners[0, 0],
+        corners[1, 1] - corners[0, 1],
+        corners[1, 2] - corners[0, 2],
+    )
+    vx, vy, vz = (
+        corners[2, 0] - corners[0, 0],
+        corners[2, 1] - corners[0, 1],
+        corners[2, 2] - corners[0, 2],
+    )
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    length = math.sqrt(nx * nx + ny * ny + nz * nz)
+    return nx / length, ny / length, nz / length
+
+
+@kernel
+def height_over(o, corners):
+    """Signed distance of a point from the triangle's plane, positive on the normal's side."""
+    nx, ny, nz = triangle_normal(corners)
+    return (
+        nx * (o[0] - corners[0, 0]) + ny * (o[1] - corners[0, 1]) + nz * (o[2] - corners[0, 2])
+    )

@@ -1,0 +1,70 @@
+"""Blinn-Phong shading of many hits at once, fused per stage so that rows stay in cache."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from raywalk.optics.blinn_phong import diffuse_cosine, highlight, strength
+from raywalk.optics.compiled import kernel
+
+
+@kernel
+def towards_light(point, geometric, light):
+    """For n points and one light: unit direction (n, 3), distance (n,), facing (n,) bool.
+
+    facing: the light lies on the side of the surface that the ray came to. A light at the
+    very point has no direction and faces nothing.
+    """
+    count = point.shape[0]
+    direction, distance = np.zeros((count, 3)), np.zeros(count)
+    facing = np.zeros(count, np.bool_)
+    for i in range(count):
+        x, y, z = light[0] - point[i, 0], light[1] - point[i, 1], light[2] - point[i, 2]
+        away = math.sqrt(x * x + y * y + z * z)
+        distance[i] = away
+        if away == 0.0:
+            continue
+        direction[i, 0], direction[i, 1], direction[i, 2] = x / away, y / away, z / away
+        facing[i] = x * geometric[i, 0] + y * geometric[i, 1] + z * geometric[i, 2] > 0.0
+    return direction, distance, facing
+
+
+@kernel
+def light_factors(
+    normal, incoming, to_light, distance, shininess, intensity, attenuation, diffuse, specular
+):
+    """Fills diffuse and specular (n,): strength times cosine and times highlight.
+
+    incoming: (n, 3) direction of the ray that hit; shininess: (n,).
+    """
+    for i in range(normal.shape[0]):
+        n, d, l = normal[i], incoming[i], to_light[i]
+        if distance[i] == 0.0:
+            continue
+        reach = strength(distance[i], intensity, attenuation[0], attenuation[1], attenuation[2])
+        diffuse[i] = reach * diffuse_cosine(n[0], n[1], n[2], l[0], l[1], l[2])
+        specular[i] = reach * highlight(
+            n[0], n[1], n[2], l[0], l[1], l[2], -d[0], -d[1], -d[2], shininess[i]
+        )
+
+
+@kernel
+def local_colours(materials, lights, material, lit, diffuse, specular):
+    """(n, 3) ambient + sum over lights V (diffuse kd + specular ks) light colour.
+
+    material: (n,); lit (V), diffuse and specular: (n, l).
+    """
+    colour = np.empty((material.shape[0], 3))
+    for i in range(material.shape[0]):
+        m = material[i]
+        for c in range(3):
+            total = materials.ambient[m, c]
+            for k in range(lights.colour.shape[0]):
+                if lit[i, k]:
+                    shine = diffuse[i, k] * materials.diffuse[m, c]
+                    shine += specular[i, k] * materials.specular[m, c]
+                    total += shine * lights.colour[k, c]
+            colour[i, c] = total
+    return colour

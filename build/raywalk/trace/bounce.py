@@ -1,0 +1,66 @@
+"""The rays that mirrors and glass send on."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raywalk.geometry.compiled import Hits, Rays
+from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
+from raywalk.trace.media import cross_border
+from raywalk.trace.tables import Materials
+from raywalk.trace.tree import Kind
+
+
+class Bounced(NamedTuple):
+    """Rays of the next wave with their ties to this one."""
+
+    rays: Rays
+    parent: np.ndarray  # (n,) int32
+    branch: np.ndarray  # (n,) uint8
+    kind: np.ndarray  # (n,) uint8
+    weight: np.ndarray  # (n,)
+    media: np.ndarray  # (n, w) int16
+
+
+def bounce(
+    materials: Materials, ior_of: np.ndarray, rays: Rays, hits: Hits, media: np.ndarray
+) -> Bounced:
+    """Reflected rays first, then refracted ones, each in the order of their parents."""
+    mirror = materials.reflect[hits.material]
+    through, total = np.zeros(len(mirror)), np.zeros(len(mirror), bool)
+    n_from = n_to = np.ones(len(mirror))
+    after = media
+    glass = np.flatnonzero(materials.transmit[hits.material] > 0.0)
+    if len(glass):
+        n_from, n_to, after = n_from.copy(), n_to.copy(), media.copy()
+        n_from[glass], n_to[glass], after[glass] = cross_border(
+            media[glass], hits.object[glass], hits.inside[glass], ior_of
+        )
+        material = hits.material[glass]
+        mirror[glass], through[glass], total[glass] = glass_shares(
+            rays.direction[glass], hits.normal[glass], n_from[glass], n_to[glass],
+            materials.reflect[material], materials.transmit[material], materials.fresnel[material],
+        )  # fmt: skip
+    back, on = np.flatnonzero(mirror > 0.0), np.flatnonzero(through > 0.0)
+    reflected = mirror_directions(rays.direction[back], hits.normal[back], hits.geometric[back])
+    refracted = refracted_directions(
+        rays.direction[on], hits.normal[on], hits.geometric[on], n_from[on], n_to[on]
+    )
+    parent = np.concatenate([back, on])
+    return Bounced(
+        # A reflected ray stays on the side it came from, a refracted one changes it.
+        rays=Rays(
+            hits.point[parent], np.concatenate([reflected, refracted]), hits.object[parent],
+            np.concatenate([hits.inside[back], ~hits.inside[on]]), hits.triangle[parent],
+        ),
+        parent=parent.astype(np.int32),
+        branch=np.repeat(np.array([0, 1], np.uint8), [len(back), len(on)]),
+        kind=np.concatenate([
+            np.where(total[back], Kind.TOTAL, Kind.REFLECTED),
+            np.full(len(on), Kind.REFRACTED),
+        ]).astype(np.uint8),
+        weight=np.concatenate([mirror[back], through[on]]),
+        media=np.concatenate([media[back], after[on]]),
+    )  # fmt: skip

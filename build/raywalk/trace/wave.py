@@ -1,0 +1,51 @@
+"""One depth of a strip's rays: what was shot, what it met, what it brings back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from raywalk.geometry.compiled import Hits, Rays
+from raywalk.optics.compiled import kernel
+
+
+@dataclass(eq=False)
+class Lighting:
+    """What the hits of a wave know of each light; columns as in RayTree."""
+
+    visibility: np.ndarray  # (n, L) uint8
+    blocker: np.ndarray  # (n, L) int16
+    blocked_at: np.ndarray  # (n, L)
+    diffuse: np.ndarray  # (n, L)
+    specular: np.ndarray  # (n, L)
+    local: np.ndarray  # (n, 3)
+    local_weight: np.ndarray  # (n,)
+
+
+@dataclass(eq=False)
+class Wave:
+    """All rays of one depth. Reflected rays come first, then refracted ones."""
+
+    rays: Rays
+    parent: np.ndarray  # (n,) int32: row in the wave before
+    branch: np.ndarray  # (n,) uint8: 0 camera or reflected, 1 refracted; orders the paths
+    kind: np.ndarray  # (n,) uint8
+    weight: np.ndarray  # (n,)
+    media: np.ndarray  # (n, w) int16
+    hits: Hits
+    lighting: Lighting
+    colour: np.ndarray  # (n, 3), final once the waves behind have been gathered
+
+
+def take_rows(columns: Lighting, chosen: np.ndarray) -> Lighting:
+    """The same columns at some rows."""
+    return Lighting(*(getattr(columns, field.name)[chosen] for field in fields(columns)))
+
+
+@kernel
+def add_children(colour, parent, weight, child_colour):
+    """Adds weight * child colour to each child's parent, in the children's order."""
+    for i in range(parent.shape[0]):
+        for c in range(3):
+            colour[parent[i], c] += weight[i] * child_colour[i, c]

@@ -1,0 +1,126 @@
+"""The tracer: START HERE.
+
+A picture is traced strip by strip, a strip depth by depth. One depth, a wave, is:
+meet (what does each ray hit?), light (what does each light give there?), bounce (where
+do mirrors and glass send it on?). When no ray is left, colours are gathered back from
+the deepest wave to the camera rays. Rays that some frustum resolution needs are recorded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
+from raywalk.geometry.containment import objects_around
+from raywalk.geometry.extent import finite_sphere
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.scene.model import Scene
+from raywalk.trace.bounce import Bounced, bounce
+from raywalk.trace.camera import camera_directions
+from raywalk.trace.lighting import light_hits
+from raywalk.trace.media import stack_width, stacks_holding
+from raywalk.trace.placement_check import refuse_buried_camera
+from raywalk.trace.record import assemble, kept_pixels, record
+from raywalk.trace.tables import compile_lights, compile_materials
+from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace.wave import Wave, add_children
+
+# Rays in a strip: with all their columns they stay within a core's cache. 262,144 were up
+# to 54 % slower (ACCURACY.md, measured).
+STRIP = 16_384
+
+
+@dataclass(frozen=True, eq=False)
+class Traced:
+    """What one trace of a scene yields."""
+
+    picture: np.ndarray  # (size, size, 3) uint8, row 0 on top
+    tree: RayTree  # of the pixels that frustum resolutions use
+
+
+class Tracer:
+    """A scene ready to be traced, at any pixel of any picture size."""
+
+    def __init__(self, scene: Scene, depth: int | None = None):
+        self.scene = scene
+        self.depth = scene.render.depth if depth is None else depth
+        self.compiled = CompiledScene(scene)
+        self.materials = compile_materials(scene)
+        self.lights = compile_lights(scene)
+        self.ior_of = self.materials.ior[[obj.material for obj in scene.objects]]
+        self.scene_sphere = finite_sphere(scene, self.compiled)
+        around = objects_around(self.compiled, np.array(scene.camera.eye, float))
+        refuse_buried_camera(scene, around)
+        self.eye_media = [k for k in around if self.materials.transmit[scene.objects[k].material]]
+
+    def waves(self, pixels: np.ndarray, width: int, height: int) -> list[Wave]:
+        """Traces pixels (n,) (row * width + column) to the end; wave 0 holds their colours."""
+        waves = [self._wave(self._camera(pixels, width, height))]
+        while len(waves) <= self.depth:
+            last = waves[-1]
+            bounced = bounce(self.materials, self.ior_of, last.rays, last.hits, last.media)
+            if not len(bounced.parent):
+                break
+            waves.append(self._wave(bounced))
+        for before, after in zip(waves[-2::-1], waves[:0:-1], strict=True):
+            add_children(before.colour, after.parent, after.weight, after.colour)
+        return waves
+
+    def _camera(self, pixels: np.ndarray, width: int, height: int) -> Bounced:
+        direction = camera_directions(self.scene.camera, width, height, pixels)
+        origin = np.tile(np.array(self.scene.camera.eye, float), (len(pixels), 1))
+        count = len(pixels)
+        return Bounced(
+            rays=rays_from(origin, direction),
+            parent=np.full(count, -1, np.int32),
+            branch=np.zeros(count, np.uint8),
+            kind=np.full(count, Kind.CAMERA, np.uint8),
+            weight=np.ones(count),
+            media=stacks_holding(self.eye_media, stack_width(self.scene), count),
+        )
+
+    def _wave(self, shot: Bounced) -> Wave:
+        rays: Rays = shot.rays
+        hits = self.compiled.hits(rays)
+        lighting = light_hits(
+            self.scene, self.compiled, self.materials, self.lights, rays, hits
+        )
+        colour = lighting.local_weight[:, None] * lighting.local
+        colour[hits.object == NOWHERE] = self.scene.background
+        return Wave(*shot, hits=hits, lighting=lighting, colour=colour)
+
+
+def trace_scene(
+    scene: Scene, workers: int = 2, progress: Callable[[int, int], None] | None = None
+) -> Traced:
+    """The whole picture and the ray trees of all frustum resolutions.
+
+    progress is told (pixels done, pixels in all) after each strip. The result does not
+    depend on the number of workers.
+    """
+    tracer, size = Tracer(scene), scene.render.size
+    kept = kept_pixels(size, scene.render.resolutions)
+    strips = np.array_split(np.arange(size * size), max(1, -(-size * size // STRIP)))
+
+    def trace_strip(pixels: np.ndarray) -> tuple:
+        waves = tracer.waves(pixels, size, size)
+        return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept)
+
+    picture, records, done = np.empty((size * size, 3), np.uint8), [], 0
+    with ThreadPoolExecutor(workers) as pool:
+        for pixels, (colours, recorded) in zip(strips, pool.map(trace_strip, strips), strict=True):
+            picture[pixels] = colours
+            records.append(recorded)
+            done += len(pixels)
+            if progress:
+                progress(done, size * size)
+    return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size))
+
+
+def eight_bit(colour: np.ndarray) -> np.ndarray:
+    """Linear colours clamped to 0..1 and rounded to 0..255 (halves up), no gamma."""
+    return np.floor(255.0 * np.clip(colour, 0.0, 1.0) + 0.5).astype(np.uint8)
