@@ -122,7 +122,7 @@ class ObserverTable(Table):
 
 
 def _observer_form(value: Any) -> str | None:
-    return by_form(value) if isinstance(value, str | dict) else None
+    return by_form(value) if isinstance(value, str | dict | Table) else None
 
 
 Pixel = Annotated[tuple[Index, Index], Allowed("a pixel, [column, row] from the top left")]

@@ -27,8 +27,9 @@ from raywalk.scene.wording import TAG, did_you_mean, joined, show
 
 def by_form(value: Any) -> str:
     """Which member of a union is meant: told by whether a table, list or single value is given."""
-    form = "table" if isinstance(value, dict) else "list" if isinstance(value, list) else "single"
-    return TAG + form
+    if isinstance(value, dict | Table):
+        return TAG + "table"
+    return TAG + ("list" if isinstance(value, list | tuple) else "single")
 
 
 _SINGLE, _LIST, _TABLE = Tag(TAG + "single"), Tag(TAG + "list"), Tag(TAG + "table")
@@ -64,7 +65,7 @@ class MaterialTable(Table):
 
 
 def _axis_form(value: Any) -> str | None:
-    return by_form(value) if isinstance(value, str | list) else None
+    return by_form(value) if isinstance(value, str | list | tuple) else None
 
 
 def _scale_form(value: Any) -> str | None:
@@ -130,7 +131,7 @@ class CheckerTable(Table):
 
 
 def _material_form(value: Any) -> str | None:
-    return by_form(value) if isinstance(value, str | dict) else None
+    return by_form(value) if isinstance(value, str | dict | Table) else None
 
 
 class ObjectTable(Table):
