@@ -1,3 +1,3 @@
-"""Raywalk: an offline pipeline that traces teaching scenes and writes the site that replays them."""
+"""Raywalk: traces teaching scenes offline and writes the site that replays every ray."""
 
 __version__ = "0.1.0"

@@ -33,21 +33,25 @@ def towards_light(point, geometric, light):
 
 @kernel
 def light_factors(
-    normal, incoming, to_light, distance, shininess, intensity, attenuation, diffuse, specular
-):
+    materials, material, normal, incoming, to_light, distance, intensity, attenuation,
+    diffuse, specular,
+):  # fmt: skip
     """Fills diffuse and specular (n,): strength times cosine and times highlight.
 
-    incoming: (n, 3) direction of the ray that hit; shininess: (n,).
+    incoming: (n, 3) direction of the ray that hit. A factor whose material colour is black
+    is not worked out and stays 0: the power of a highlight is the dearest part of shading.
     """
     for i in range(normal.shape[0]):
-        n, d, l = normal[i], incoming[i], to_light[i]
+        n, d, l, m = normal[i], incoming[i], to_light[i], material[i]
         if distance[i] == 0.0:
             continue
         reach = strength(distance[i], intensity, attenuation[0], attenuation[1], attenuation[2])
-        diffuse[i] = reach * diffuse_cosine(n[0], n[1], n[2], l[0], l[1], l[2])
-        specular[i] = reach * highlight(
-            n[0], n[1], n[2], l[0], l[1], l[2], -d[0], -d[1], -d[2], shininess[i]
-        )
+        if materials.diffuse[m].any():
+            diffuse[i] = reach * diffuse_cosine(n[0], n[1], n[2], l[0], l[1], l[2])
+        if materials.specular[m].any():
+            specular[i] = reach * highlight(
+                n[0], n[1], n[2], l[0], l[1], l[2], -d[0], -d[1], -d[2], materials.shininess[m]
+            )
 
 
 @kernel

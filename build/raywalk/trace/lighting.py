@@ -38,12 +38,12 @@ def light_hits(
     if not len(asked):
         return out
     seen = Hits(*(column[asked] for column in hits))
-    incoming, shininess = rays.direction[asked], materials.shininess[seen.material]
+    incoming = rays.direction[asked]
     for k in range(many):
         to_light, distance, facing = towards_light(seen.point, seen.geometric, lights.position[k])
         diffuse, specular = np.zeros(len(asked)), np.zeros(len(asked))
         light_factors(
-            seen.normal, incoming, to_light, distance, shininess,
+            materials, seen.material, seen.normal, incoming, to_light, distance,
             lights.intensity[k], lights.attenuation[k], diffuse, specular,
         )  # fmt: skip
         if scene.render.shadows:

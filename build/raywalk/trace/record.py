@@ -44,7 +44,8 @@ def kept_pixels(size: int, resolutions: tuple[int, ...]) -> np.ndarray:
 def record(tracer: Tracer, waves: list[Wave], pixels: np.ndarray, kept: np.ndarray) -> Recorded:
     """The kept part of a strip's waves."""
     chosen = np.flatnonzero(kept[pixels])
-    recorded, hits = [], tracer.compiled.crossings(waves[0].rays.take(chosen))
+    recorded: list[dict[str, np.ndarray]] = []
+    hits = tracer.compiled.crossings(waves[0].rays.take(chosen))
     before = np.empty(0, np.int64)
     for depth, wave in enumerate(waves):
         if depth:

@@ -39,12 +39,14 @@ def compile_materials(scene: Scene) -> Materials:
     """Arrays of the scene's materials, and nothing as the last one."""
     rows = (*scene.materials, Material("nothing"))
     return Materials(
-        *(_triples([getattr(m, key) for m in rows]) for key in ("ambient", "diffuse", "specular")),
-        *(
-            np.array([getattr(m, key) for m in rows], float)
-            for key in ("shininess", "reflect", "transmit", "ior")
-        ),
-        np.array([m.fresnel for m in rows], bool),
+        ambient=_triples([m.ambient for m in rows]),
+        diffuse=_triples([m.diffuse for m in rows]),
+        specular=_triples([m.specular for m in rows]),
+        shininess=np.array([m.shininess for m in rows], float),
+        reflect=np.array([m.reflect for m in rows], float),
+        transmit=np.array([m.transmit for m in rows], float),
+        ior=np.array([m.ior for m in rows], float),
+        fresnel=np.array([m.fresnel for m in rows], bool),
     )
 
 

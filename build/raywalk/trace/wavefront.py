@@ -86,24 +86,27 @@ class Tracer:
     def _wave(self, shot: Bounced) -> Wave:
         rays: Rays = shot.rays
         hits = self.compiled.hits(rays)
-        lighting = light_hits(
-            self.scene, self.compiled, self.materials, self.lights, rays, hits
-        )
+        lighting = light_hits(self.scene, self.compiled, self.materials, self.lights, rays, hits)
         colour = lighting.local_weight[:, None] * lighting.local
         colour[hits.object == NOWHERE] = self.scene.background
         return Wave(*shot, hits=hits, lighting=lighting, colour=colour)
 
 
-def trace_scene(
-    scene: Scene, workers: int = 2, progress: Callable[[int, int], None] | None = None
+def trace_scene(scene: Scene, workers: int = 2) -> Traced:
+    """The whole picture and the ray trees of all frustum resolutions."""
+    return trace_picture(Tracer(scene), workers)
+
+
+def trace_picture(
+    tracer: Tracer, workers: int = 2, progress: Callable[[int, int], None] | None = None
 ) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions.
 
     progress is told (pixels done, pixels in all) after each strip. The result does not
     depend on the number of workers.
     """
-    tracer, size = Tracer(scene), scene.render.size
-    kept = kept_pixels(size, scene.render.resolutions)
+    render = tracer.scene.render
+    size, kept = render.size, kept_pixels(render.size, render.resolutions)
     strips = np.array_split(np.arange(size * size), max(1, -(-size * size // STRIP)))
 
     def trace_strip(pixels: np.ndarray) -> tuple:

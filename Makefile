@@ -1,0 +1,54 @@
+# Raywalk. `make` builds the site, `make test` tests it; `make help` lists the rest.
+
+PYTHON := .venv/bin/python
+# Files below .venv and node_modules that say "these locked packages are installed".
+PYTHON_READY := .venv/.ready
+TEST_READY := .venv/.ready-for-tests
+NODE_READY := node_modules/.ready
+
+# Several targets are also names of folders (build/ is our source, dist/ our output): without
+# .PHONY make would look at the folder's date and do nothing.
+.PHONY: all site test check serve clean distclean help
+.DEFAULT_GOAL := all
+
+all: site
+	@echo
+	@echo "Open dist/index.html in a browser: it needs no server. Or: make serve"
+
+site: $(PYTHON_READY) $(NODE_READY) ## trace the scenes and build the site into dist/
+	@$(PYTHON) -m raywalk site
+
+test: site $(TEST_READY) ## check types and style, run all tests, in a real browser too
+	@sh build/setup/browser.sh
+	@$(PYTHON) tests/run_all.py
+
+check: $(PYTHON_READY) ## validate the scenes without tracing them
+	@$(PYTHON) -m raywalk check
+
+serve: site ## serve dist/ at http://127.0.0.1:8000/
+	@$(PYTHON) -m raywalk serve
+
+clean: ## remove what was built; keeps installed packages
+	rm -rf dist dist.partial dist.old .work test-output
+
+distclean: clean ## remove installed packages too
+	rm -rf .venv node_modules
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r verb words; do \
+		printf 'make %-10s %s\n' "$$verb" "$$words"; done
+
+# --no-deps: the lock file already names everything, with hashes.
+$(PYTHON_READY): requirements.lock pyproject.toml build/setup/venv.sh
+	@sh build/setup/venv.sh
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements.lock
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(TEST_READY): $(PYTHON_READY) requirements-test.lock
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements-test.lock
+	@touch $@
+
+$(NODE_READY): package-lock.json
+	npm ci --no-audit --no-fund --loglevel=error
+	@touch $@

@@ -1,0 +1,61 @@
+"""raywalk check: validates scenes without tracing them."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.scene import read_scene, read_scenes
+from raywalk.scene.model import Mesh, Scene
+
+
+def add_to(commands: Any) -> None:
+    """Adds the command's arguments."""
+    parser = commands.add_parser("check", help="validate scenes")
+    parser.add_argument("scene", nargs="*", help="scene ids or files; all scenes if none is named")
+    parser.set_defaults(run=run)
+
+
+def run(chosen: Namespace) -> Iterator[str]:
+    """A line a scene that is in order. Raises SourceErrors with all that is not."""
+    scenes, problems = _read(chosen)
+    for scene in scenes:
+        try:
+            check_geometry(scene)
+        except SourceErrors as raised:
+            problems += raised.errors
+    if problems:
+        raise SourceErrors(problems)
+    for scene in scenes:
+        yield f"{scene.id}: {len(scene.objects)} objects, {len(scene.lights)} lights: in order"
+
+
+def check_geometry(scene: Scene) -> None:
+    """What only compiled geometry knows: unreadable meshes, open glass, buried cameras."""
+    if any(isinstance(obj.shape, Mesh) for obj in scene.objects):
+        from raywalk.trace.wavefront import Tracer  # numba and Embree: only where needed
+
+        Tracer(scene)
+
+
+def scene_file(named: str, folder: Path) -> Path:
+    """A scene's file from its id, its folder or the file itself."""
+    direct = Path(named)
+    if direct.is_file() or (direct / "scene.toml").is_file():
+        return direct
+    return folder / named / "scene.toml" if not direct.suffix else direct
+
+
+def _read(chosen: Namespace) -> tuple[list[Scene], list[SourceError]]:
+    if not chosen.scene:
+        return read_scenes(chosen.scenes), []
+    scenes, problems = [], []
+    for named in chosen.scene:
+        try:
+            scenes.append(read_scene(scene_file(named, chosen.scenes)))
+        except SourceErrors as raised:
+            problems += raised.errors
+    return scenes, problems

@@ -1,0 +1,38 @@
+"""raywalk probe: the nearest hits of given rays, in full float64."""
+
+from __future__ import annotations
+
+import json
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from raywalk.commands.check import scene_file
+from raywalk.scene import read_scene
+
+
+def add_to(commands: Any) -> None:
+    """Adds the command's arguments."""
+    parser = commands.add_parser("probe", help="nearest hits of given rays")
+    parser.add_argument("scene", help="a scene file, folder or id")
+    parser.add_argument("--rays", type=Path, required=True, help="JSON list of origin, direction")
+    parser.add_argument("--out", type=Path, help="where to write the hits; printed if left out")
+    parser.set_defaults(run=run)
+
+
+def run(chosen: Namespace) -> Iterator[str]:
+    """Writes the hits beside and renames, or yields them."""
+    from raywalk.trace.probe import probe, read_rays
+
+    scene = read_scene(scene_file(chosen.scene, chosen.scenes))
+    hits = probe(scene, *read_rays(chosen.rays))
+    text = json.dumps(hits, allow_nan=False)
+    if chosen.out is None:
+        yield text
+        return
+    beside = chosen.out.with_name(chosen.out.name + ".partial")
+    beside.write_text(text + "\n", encoding="utf-8")
+    beside.replace(chosen.out)
+    met = sum(hit is not None for hit in hits)
+    yield f"{len(hits)} rays, {met} hits: {chosen.out}"

@@ -1,0 +1,85 @@
+"""One scene's trace as files: pictures, trace files, facts for its page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from raywalk.geometry.display import display_triangles
+from raywalk.geometry.mesh_file import Triangles
+from raywalk.scene.model import Mesh, Scene
+from raywalk.trace.tree import RayTree, Visibility
+from raywalk.trace.wavefront import Tracer, trace_picture
+from raywalk.trace_file import level_of, write_level
+from raywalk.trace_file.png import write_png
+
+THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
+Progress = Callable[[int, int], None]
+
+
+def write_products(scene: Scene, folder: Path, progress: Progress | None = None) -> None:
+    """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, facts.json,
+    display.npz into a folder."""
+    tracer = Tracer(scene)
+    traced = trace_picture(tracer, progress=progress)
+    write_png(folder / "picture.png", traced.picture)
+    write_png(folder / "thumb.png", thumbnail(traced.picture))
+    for n in sorted(scene.render.resolutions):
+        write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
+    write_display(folder / "display.npz", scene, tracer)
+    facts = counts(traced.tree) | {"dropped": dropped_triangles(tracer)}
+    (folder / "facts.json").write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
+
+
+def thumbnail(picture: np.ndarray) -> np.ndarray:
+    """The picture at most THUMB wide, each pixel the mean of those it covers."""
+    side = min(THUMB, picture.shape[0])
+    return np.asarray(Image.fromarray(picture).resize((side, side), Image.Resampling.BOX))
+
+
+def counts(tree: RayTree) -> dict[str, Any]:
+    """What was kept: pixels, rays by kind, shadow rays, tests."""
+    shot = (tree.visibility == Visibility.BLOCKED) | (tree.visibility == Visibility.REACHED)
+    return {
+        "camera": tree.cameras,
+        "secondary": len(tree.kind) - tree.cameras,
+        "shadow": int(shot.sum()),
+        "deepest": int(tree.depth.max(initial=0)),
+        "tests": int(tree.tests.sum()),
+    }
+
+
+def dropped_triangles(tracer: Tracer) -> dict[str, dict[str, int]]:
+    """Unusable triangles by object and reason."""
+    objects = tracer.scene.objects
+    return {
+        objects[mesh.index].name: mesh.triangles.dropped
+        for mesh in tracer.compiled.meshes
+        if mesh.triangles.dropped
+    }
+
+
+def write_display(path: Path, scene: Scene, tracer: Tracer) -> None:
+    """What the page needs of geometry: the sphere round the scene, meshes to rasterise."""
+    centre, radius = tracer.scene_sphere
+    arrays: dict[str, np.ndarray] = {"centre": centre, "radius": np.array(radius)}
+    for k, obj in enumerate(scene.objects):
+        if isinstance(obj.shape, Mesh):
+            arrays |= _mesh_arrays(k, display_triangles(scene, obj))
+    np.savez(path, **arrays)  # type: ignore[arg-type]
+
+
+def _mesh_arrays(k: int, triangles: Triangles) -> dict[str, np.ndarray]:
+    arrays = {
+        f"{k}.centre": triangles.centre,
+        f"{k}.vertices": triangles.vertices,
+        f"{k}.faces": triangles.faces,
+    }
+    if triangles.normals is not None:
+        arrays[f"{k}.normals"] = triangles.normals
+    return arrays

@@ -1,0 +1,1 @@
+"""The site: pages, viewer bundle and scene data, published as plain files."""

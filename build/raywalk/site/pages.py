@@ -1,0 +1,65 @@
+"""The pages: a gallery, and one page a scene that tells its story without JavaScript."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
+
+from raywalk.scene.model import Scene
+from raywalk.site.lesson_text import lesson_html
+
+Figures = list[tuple[str, str]]  # label, value
+Assets = dict[str, str]  # viewer_js and style_css, relative to the site's root
+
+
+def write_pages(
+    out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets
+) -> None:
+    """index.html and scenes/<id>/index.html under `out`. Links are relative, for any sub-path."""
+    environment = Environment(
+        loader=FileSystemLoader(templates),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        undefined=StrictUndefined,  # a misspelt name fails the build, not the page
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    shared = {"scenes": [_card(scene) for scene in scenes], **assets}
+    _write(out / "index.html", environment, "gallery.html", root="", **shared)
+    for scene in scenes:
+        page = out / "scenes" / scene.id / "index.html"
+        told = _scene(scene, figures[scene.id])
+        _write(page, environment, "scene.html", root="../../", scene=told, **shared)
+
+
+def _write(page: Path, environment: Environment, template: str, **context: Any) -> None:
+    page.parent.mkdir(parents=True, exist_ok=True)
+    page.write_text(environment.get_template(template).render(context), encoding="utf-8")
+
+
+def _card(scene: Scene) -> dict[str, str]:
+    return {
+        "id": scene.id,
+        "key": scene.key,
+        "title": scene.title,
+        "teaches": scene.teaches,
+        "url": f"scenes/{scene.id}/index.html",
+        "thumb": f"scenes/{scene.id}/thumb.png",
+    }
+
+
+def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
+    return {
+        "id": scene.id,
+        "key": scene.key,
+        "title": scene.title,
+        "teaches": scene.teaches,
+        "picture": "picture.png",
+        "size": scene.render.size,
+        "levels": sorted(scene.render.resolutions),
+        "depth": scene.render.depth,
+        "shadows": scene.render.shadows,
+        "figures": figures,
+        "lesson": [{"html": lesson_html(step.text)} for step in scene.lesson],
+    }

@@ -1,0 +1,153 @@
+"""What the viewer is told of a scene: scene.js, as SceneData in viewer/trace/types.ts."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from raywalk.scene.model import (
+    Camera,
+    Cylinder,
+    Ellipsoid,
+    Light,
+    Material,
+    Mesh,
+    Plane,
+    Scene,
+    SceneObject,
+)
+from raywalk.scene.placement import checker_axes, placement
+from raywalk.site.lesson_text import lesson_html
+
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class DisplayMesh:
+    """Triangles to rasterise, relative to `centre` in world directions and scale."""
+
+    centre: np.ndarray  # (3,)
+    vertices: np.ndarray  # (v, 3)
+    faces: np.ndarray  # (f, 3)
+    normals: np.ndarray | None  # (v, 3) unit; None if flat
+
+
+@dataclass(frozen=True, eq=False)
+class Display:
+    """What only geometry knows of a scene, handed on for drawing it."""
+
+    centre: np.ndarray  # (3,) of a sphere round everything finite
+    radius: float
+    meshes: dict[str, DisplayMesh]  # by object name
+
+
+def scene_data(scene: Scene, display: Display) -> Json:
+    """SceneData as plain JSON values."""
+    return {
+        "format": 1,
+        "id": scene.id,
+        "key": scene.key,
+        "title": scene.title,
+        "teaches": scene.teaches,
+        "picture": "picture.png",
+        "size": scene.render.size,
+        "camera": _camera(scene.camera),
+        "background": list(scene.background),
+        "shadows": scene.render.shadows,
+        "depth": scene.render.depth,
+        "levels": sorted(scene.render.resolutions),
+        "start": _start(scene),
+        "bounds": {"center": display.centre.tolist(), "radius": display.radius},
+        "materials": [_material(m) for m in scene.materials],
+        "objects": [_object(obj, display) for obj in scene.objects],
+        "meshes": {name: _mesh(mesh) for name, mesh in display.meshes.items()},
+        "lights": [_light(light) for light in scene.lights],
+        "lesson": [{"html": lesson_html(step.text), "view": step.view} for step in scene.lesson],
+    }
+
+
+def _start(scene: Scene) -> Json:
+    """The first lesson step's ray, so that a visitor meets the scene where its story begins."""
+    view = scene.lesson[0].view if scene.lesson else {}
+    levels = sorted(scene.render.resolutions)
+    n = view.get("resolution") or min(levels, key=lambda level: (abs(level - 15), level))
+    pixel = view.get("pixel") if "resolution" in view else None
+    return {"resolution": n, "pixel": list(pixel or (n // 2, n // 2))}
+
+
+def _camera(camera: Camera) -> Json:
+    return {
+        "eye": list(camera.eye),
+        "target": list(camera.target),
+        "up": list(camera.up),
+        "fov": camera.fov,
+    }
+
+
+def _material(material: Material) -> Json:
+    return asdict(material)
+
+
+def _light(light: Light) -> Json:
+    return {
+        "name": light.name,
+        "position": list(light.position),
+        "colour": list(light.colour),
+        "intensity": light.intensity,
+    }
+
+
+def _object(obj: SceneObject, display: Display) -> Json:
+    word = type(obj.shape).__name__.lower()
+    linear, centre = placement(obj)
+    if isinstance(obj.shape, Mesh):
+        linear, centre = np.eye(3), display.meshes[obj.name].centre
+    data: Json = {
+        "name": obj.name,
+        "type": "sphere" if isinstance(obj.shape, Ellipsoid) else word,
+        "label": word,
+        "material": obj.material,
+        "transform": _column_major(linear, centre),
+    }
+    if isinstance(obj.shape, Cylinder) and not obj.shape.capped:
+        data["open"] = True
+    if isinstance(obj.shape, Mesh):
+        data["mesh"] = obj.name
+    if obj.checker and isinstance(obj.shape, Plane):
+        u, v = checker_axes(np.array(obj.shape.normal, float))
+        outer = obj.transform[:3, :3]
+        data["checker"] = {
+            "size": obj.checker.size,
+            "material": obj.checker.material,
+            "axes": [(outer @ u).tolist(), (outer @ v).tolist()],
+            "origin": centre.tolist(),
+        }
+    return data
+
+
+def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = linear, centre
+    return [float(value) for value in matrix.T.reshape(-1)]
+
+
+def _mesh(mesh: DisplayMesh) -> Json:
+    """Positions in 16 bits of the mesh's box, normals in 8: below a pixel on any screen."""
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    size = np.where(high > low, high - low, 1.0)
+    steps = np.rint((mesh.vertices - low) / size * 65535).astype("<u2")
+    data: Json = {
+        "box": [low.tolist(), (low + size).tolist()],
+        "positions": _base64(steps),
+        "indices": _base64(mesh.faces.astype("<u4")),
+    }
+    if mesh.normals is not None:
+        data["normals"] = _base64(np.rint(mesh.normals * 127).astype("i1"))
+    return data
+
+
+def _base64(values: np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")

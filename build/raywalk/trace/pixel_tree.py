@@ -1,0 +1,111 @@
+"""One pixel's ray tree as nested plain data, traced on the spot."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.scene.model import Scene
+from raywalk.trace.tree import Kind, Visibility
+from raywalk.trace.wave import Wave
+from raywalk.trace.wavefront import Tracer
+
+LIT = (Visibility.REACHED, Visibility.UNTESTED)
+
+
+def pixel_tree(
+    scene: Scene, width: int, height: int, column: int, row: int, depth: int | None = None
+) -> dict[str, Any]:
+    """{"colour": linear, unclamped, "tree": the camera ray with its children}.
+
+    A node's colour = local_weight * local + sum of weight * colour over its children; weight
+    is the share in the parent, 1 for the camera ray. A ray that leaves the scene has null
+    for object, t, point and normal, and the background as colour. Points without a colour of
+    their own (local_weight 0: mirrors, clear glass) ask no light: their lights are [].
+    """
+    tracer = Tracer(scene, depth)
+    waves = tracer.waves(np.array([row * width + column]), width, height)
+    nodes = [[_node(scene, wave, k) for k in range(len(wave.parent))] for wave in waves]
+    for before, wave, after in zip(nodes, waves[1:], nodes[1:], strict=False):
+        for parent, node in zip(wave.parent, after, strict=True):
+            before[parent]["children"].append(node)
+    _, t, met = tracer.compiled.crossings(waves[0].rays)
+    root = nodes[0][0]
+    root["hits"] = [
+        {"object": scene.objects[who].name, "t": float(at)} for who, at in zip(met, t, strict=True)
+    ]
+    return {"colour": root["colour"], "tree": root}
+
+
+def _node(scene: Scene, wave: Wave, k: int) -> dict[str, Any]:
+    hits, lighting = wave.hits, wave.lighting
+    gone = hits.object[k] == NOWHERE
+    return {
+        "kind": Kind(wave.kind[k]).name.lower(),
+        "object": None if gone else scene.objects[hits.object[k]].name,
+        "material": None if gone else scene.materials[hits.material[k]].name,
+        "origin": wave.rays.origin[k].tolist(),
+        "direction": wave.rays.direction[k].tolist(),
+        "t": None if gone else float(hits.t[k]),
+        "point": None if gone else hits.point[k].tolist(),
+        "normal": None if gone else hits.normal[k].tolist(),
+        "inside": bool(hits.inside[k]),
+        "weight": float(wave.weight[k]),
+        "local_weight": float(lighting.local_weight[k]),
+        "local": lighting.local[k].tolist(),
+        "lights": [] if lighting.local_weight[k] == 0.0 else _lights(scene, wave, k),
+        "colour": wave.colour[k].tolist(),
+        "children": [],
+    }
+
+
+def _lights(scene: Scene, wave: Wave, k: int) -> list[dict[str, Any]]:
+    lighting, listed = wave.lighting, []
+    for column, light in enumerate(scene.lights):
+        seen = Visibility(lighting.visibility[k, column])
+        blocker = int(lighting.blocker[k, column])
+        if seen == Visibility.BEHIND:
+            blocker = int(wave.hits.object[k])  # it turns its back on the light
+        listed.append({
+            "name": light.name,
+            "visible": seen in LIT,
+            "blocker": None if blocker == NOWHERE else scene.objects[blocker].name,
+            "faces_away": seen == Visibility.BEHIND,
+            "diffuse": float(lighting.diffuse[k, column]),
+            "specular": float(lighting.specular[k, column]),
+        })  # fmt: skip
+    return listed
+
+
+def as_text(answer: dict[str, Any]) -> str:
+    """The tree as indented lines, a ray each."""
+    lines = ["colour " + _numbers(answer["colour"])]
+    pending = [(answer["tree"], 0)]
+    while pending:
+        node, depth = pending.pop()
+        lines += [depth * "  " + line for line in _lines(node)]
+        pending += [(child, depth + 1) for child in reversed(node["children"])]
+    return "\n".join(lines)
+
+
+def _lines(node: dict[str, Any]) -> list[str]:
+    if node["object"] is None:
+        return [f"{node['kind']} ray leaves the scene: colour {_numbers(node['colour'])}"]
+    lines = [
+        f"{node['kind']} ray hits {node['object']} at t {node['t']:.6g}, "
+        f"point {_numbers(node['point'])}, normal {_numbers(node['normal'])}: "
+        f"colour {_numbers(node['colour'])}, weight {node['weight']:.6g}"
+    ]
+    for light in node["lights"]:
+        state = "lights it" if light["visible"] else f"is blocked by {light['blocker']}"
+        lines.append(
+            f"  {light['name']} {'is faced away from' if light['faces_away'] else state}: "
+            f"diffuse {light['diffuse']:.6g}, specular {light['specular']:.6g}"
+        )
+    return lines
+
+
+def _numbers(values: list[float]) -> str:
+    return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"

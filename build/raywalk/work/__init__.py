@@ -1,0 +1,1 @@
+"""What must be made again, and where what was made before is kept."""

@@ -1,0 +1,67 @@
+"""A store of finished work, addressed by what it was made from.
+
+An entry is a folder of files with a manifest of their hashes. It is written beside and
+renamed, so an interrupted build leaves no half entry; a damaged one is noticed and made
+again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+MANIFEST = "manifest.json"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A finished entry's folder, and whether it was found or had to be made."""
+
+    folder: Path
+    was_found: bool
+
+    def files(self) -> list[Path]:
+        """Its files without the manifest, in order."""
+        return sorted(path for path in self.folder.iterdir() if path.name != MANIFEST)
+
+
+class Store:
+    """Entries under one folder."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+
+    def entry(self, key: str, make: Callable[[Path], None]) -> Entry:
+        """The entry of a key; `make` fills a new folder with its files if there is none."""
+        place = self.folder / key
+        if _is_whole(place):
+            return Entry(place, was_found=True)
+        fresh = self.folder / f"{key}.{os.getpid()}.partial"
+        shutil.rmtree(fresh, ignore_errors=True)
+        fresh.mkdir(parents=True)
+        try:
+            make(fresh)
+            hashes = {path.name: _digest(path) for path in sorted(fresh.iterdir())}
+            (fresh / MANIFEST).write_text(json.dumps(hashes, indent=1), encoding="utf-8")
+            shutil.rmtree(place, ignore_errors=True)
+            fresh.rename(place)
+        finally:
+            shutil.rmtree(fresh, ignore_errors=True)
+        return Entry(place, was_found=False)
+
+
+def _is_whole(place: Path) -> bool:
+    try:
+        hashes = json.loads((place / MANIFEST).read_text(encoding="utf-8"))
+        return all(_digest(place / name) == digest for name, digest in hashes.items())
+    except (OSError, ValueError, AttributeError):
+        return False
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
