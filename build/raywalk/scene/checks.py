@@ -20,10 +20,11 @@ from raywalk.scene.model import (
 )
 from raywalk.scene.placement import placement
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema import CameraTable, StepTable
-from raywalk.scene.wording import joined, quoted, show
+from raywalk.scene.schema import CameraTable, LightTable, StepTable
+from raywalk.scene.wording import joined, plain, quoted
 
-# Sine of the angle between up and the line of sight below which up fixes no upright.
+# Sine of the angle below which two directions are one to the eye: up that runs along the
+# line of sight fixes no upright, an area light with such edges has no area.
 PARALLEL = 1e-9
 
 
@@ -42,17 +43,29 @@ def check_camera(table: CameraTable, problems: Problems) -> None:
     """The camera looks somewhere, and knows what is up."""
     sight = np.subtract(table.target, table.eye)
     if not sight.any():
-        problems.add(("camera", "target"), f"{show(table.target)} is where the eye is")
+        problems.add(("camera", "target"), f"{plain(table.target)} is where the eye is")
         return
     if not any(table.up):
-        problems.add(("camera", "up"), f"{show(table.up)} has no direction")
+        problems.add(("camera", "up"), f"{plain(table.up)} has no direction")
         return
     up = np.array(table.up) / np.abs(table.up).max()
     sight = sight / np.abs(sight).max()
     sine = np.linalg.norm(np.cross(up, sight)) / (np.linalg.norm(up) * np.linalg.norm(sight))
     if sine < PARALLEL:
-        message = f"{show(table.up)} runs along the line of sight: nothing says what is upright"
+        message = f"{plain(table.up)} runs along the line of sight: nothing says what is upright"
         problems.add(("camera", "up"), message, hint="choose up across the line of sight")
+
+
+def check_light(table: LightTable, at: Location, problems: Problems) -> None:
+    """The edges of an area light span an area."""
+    if table.edges is None:
+        return
+    lengths = [np.abs(edge).max() for edge in table.edges]
+    if all(lengths):
+        a, b = (np.array(edge) / size for edge, size in zip(table.edges, lengths, strict=True))
+        if np.linalg.norm(np.cross(a, b)) > PARALLEL:
+            return
+    problems.add((*at, "edges"), f"{plain(table.edges)} span no area")
 
 
 def check_closed(shape: Shape, material: Material, at: Location, problems: Problems) -> None:
@@ -64,7 +77,7 @@ def check_closed(shape: Shape, material: Material, at: Location, problems: Probl
         kind = "cylinder without caps" if isinstance(shape, Cylinder) else _word(shape)
         problems.add(
             (*at, "material"),
-            f"{quoted(material.name)} lets light through (transmit = {show(material.transmit)}), "
+            f"{quoted(material.name)} lets light through (transmit = {plain(material.transmit)}), "
             f"but a {kind} has no inside",
             hint="glass needs a closed shape: a sphere, ellipsoid, box, capped cylinder or "
             "closed mesh, or a plane as the border of a half-space",
@@ -79,7 +92,7 @@ def check_eye_outside(
     A transparent body is fine: the camera may be under water.
     """
     if material.transmit == 0 and is_strictly_inside(camera.eye, obj):
-        message = f"{show(camera.eye)} is inside {quoted(obj.name)}, which is opaque"
+        message = f"{plain(camera.eye)} is inside {quoted(obj.name)}, which is opaque"
         hint = "move the eye out, or give the object transmit above 0"
         problems.add(("camera", "eye"), message, hint=hint)
 
@@ -116,16 +129,16 @@ def check_view(
         )
         return
     if view.pixel is not None and view.resolution is None:
-        problems.add((*at, "pixel"), f"{show(view.pixel)} needs a resolution to be counted in")
+        problems.add((*at, "pixel"), f"{plain(view.pixel)} needs a resolution to be counted in")
     elif view.pixel is not None and view.resolution and max(view.pixel) >= view.resolution:
         problems.add(
             (*at, "pixel"),
-            f"{show(view.pixel)} is outside the frustum",
+            f"{plain(view.pixel)} is outside the frustum",
             allowed=f"allowed: columns and rows 0 to {view.resolution - 1}",
         )
     if not isinstance(view.observer, str | None) and view.observer.eye == view.observer.target:
         problems.add(
-            (*at, "observer", "target"), f"{show(view.observer.target)} is where the eye is"
+            (*at, "observer", "target"), f"{plain(view.observer.target)} is where the eye is"
         )
 
 

@@ -9,6 +9,7 @@ from raywalk.scene.checks import (
     check_camera,
     check_closed,
     check_eye_outside,
+    check_light,
     check_names,
     check_view,
 )
@@ -82,6 +83,8 @@ def _render(draft: Draft, problems: Problems) -> Render | None:
 
 def _lights(draft: Draft, problems: Problems) -> list[Light]:
     tables = draft.lights
+    for i, table in tables.items():
+        check_light(table, ("lights", i), problems)
     names = with_defaults((i, table.name, "light") for i, table in tables.items())
     check_names(names.items(), "lights", problems)
     return [light for i, table in tables.items() for light in point_lights(table, names[i])]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 from typing import Annotated, Any, Literal, TypeVar, get_args
 
 from pydantic import Field, GetCoreSchemaHandler, ValidationError
@@ -59,6 +60,9 @@ class Allowed:
         except ValidationError as error:
             if all(line["type"] == REFUSED for line in error.errors(include_url=False)):
                 raise  # a part of the value has been refused, and says so better
+            if isinstance(value, float) and not isfinite(value):
+                infinite = f"{show(value)} is not a finite number"
+                raise refusal(infinite, allowed=f"allowed: {self.words}") from None
             raise refusal(f"{show(value)} is not {self.words}", hint=self._hint(value)) from None
 
     def _hint(self, value: Any) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 from raywalk.scene.model import Material
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MaterialTable
-from raywalk.scene.wording import did_you_mean, joined, quoted, show
+from raywalk.scene.wording import did_you_mean, joined, plain, quoted
 
 # All glassy ones split by Fresnel and scatter nothing: what is not mirrored goes through.
 _CLEAR: dict[str, Any] = {"transmit": 1.0, "fresnel": True}
@@ -119,14 +119,14 @@ def _physics_problem(material: Material, has_ior: bool) -> tuple[str, str, str] 
     """Key, message and hint of what cannot be, if anything."""
     total = material.reflect + material.transmit
     if total > 1:
-        shares = f"reflect {show(material.reflect)} + transmit {show(material.transmit)}"
+        shares = f"reflect {plain(material.reflect)} + transmit {plain(material.transmit)}"
         return (
             "reflect",
             f"{shares} = {total:.6g} is more than 1",
             "light would be made from nothing",
         )
     if material.transmit > 0 and not has_ior:
-        message = f"missing: a material with transmit = {show(material.transmit)} bends light"
+        message = f"missing: a material with transmit = {plain(material.transmit)} bends light"
         return "ior", message, 'window glass has 1.5; or write like = "glass"'
     if material.fresnel and material.transmit == 0:
         message = "needs transmit above 0: it moves light between reflect and transmit"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, model_validator
 
 from raywalk.scene.fields import (
     Allowed,
@@ -20,9 +20,9 @@ from raywalk.scene.fields import (
     one_of,
     refusal,
 )
-from raywalk.scene.schema_objects import AnyObject, MaterialTable, by_form
-from raywalk.scene.table import Table
-from raywalk.scene.wording import TAG, show
+from raywalk.scene.schema_objects import AnyObject, MaterialTable
+from raywalk.scene.table import SINGLE, TABLE, Table, by_form
+from raywalk.scene.wording import plain
 
 VERSION = 1
 DEFAULT_RESOLUTIONS = (5, 7, 11, 15, 21, 33, 55, 77, 105)
@@ -34,7 +34,9 @@ Index = Annotated[int, Field(strict=True, ge=0), Allowed("a whole number of at l
 
 
 Depth = Annotated[int, Field(strict=True, ge=0, le=1000), Allowed("a whole number from 0 to 1000")]
-Resolutions = Annotated[tuple[Count, ...], Field(min_length=1), Allowed("a list of whole numbers")]
+Resolutions = Annotated[
+    tuple[Count, ...], Field(min_length=1), Allowed("a list of at least one whole number")
+]
 GlassShadows = Annotated[Literal["opaque", "pass"], one_of("opaque", "pass")]
 Edges = Annotated[tuple[Point, Point], Allowed("two edges, [[x, y, z], [x, y, z]]")]
 Samples = Annotated[tuple[Count, Count], Allowed("two whole numbers of at least 1")]
@@ -97,7 +99,7 @@ class LightTable(Table):
             raise refusal("only an area light has samples", at="samples", hint="give it edges")
         if self.samples and self.samples[0] * self.samples[1] > MOST_SAMPLES:
             raise refusal(
-                f"{show(self.samples)} makes {self.samples[0] * self.samples[1]} lights",
+                f"{plain(self.samples)} makes {self.samples[0] * self.samples[1]} lights",
                 at="samples",
                 allowed=f"allowed: at most {MOST_SAMPLES}",
             )
@@ -107,7 +109,7 @@ class LightTable(Table):
     def _fades(self) -> Self:
         if not any(self.attenuation):
             raise refusal(
-                f"{show(self.attenuation)} divides the light by 0",
+                f"{plain(self.attenuation)} divides the light by 0",
                 at="attenuation",
                 allowed="allowed: not all three 0; [1, 0, 0] for light that does not fade",
             )
@@ -133,7 +135,7 @@ Rays = Annotated[tuple[RayChoice, ...], Allowed('a list of "pixel", "row", "colu
 Tiles = Annotated[Literal["empty", "filled"], one_of("empty", "filled")]
 Place = Annotated[Literal["start", "camera"], one_of("start", "camera")]
 Observer = Annotated[
-    Annotated[Place, Tag(TAG + "single")] | Annotated[ObserverTable, Tag(TAG + "table")],
+    Annotated[Place, SINGLE] | Annotated[ObserverTable, TABLE],
     Discriminator(_observer_form),
     Allowed('"start", "camera" or a table of eye and target'),
 ]
@@ -168,10 +170,10 @@ Key = Annotated[Literal["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"], one_o
 
 
 class SceneFile(Table):
-    """A scene."""
+    """What is there, how it is lit, from where it is seen, and what is said about it."""
 
     version: Annotated[Literal[1], Allowed("a version this program reads, which is 1")] = Field(
-        description="of this format"
+        description="of this format, which is 1"
     )
     key: Maybe[Key] = Field(
         default=None, description="the key that selects the scene in the viewer"

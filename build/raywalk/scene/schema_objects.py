@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, model_validator
+from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from raywalk.scene.fields import (
     Allowed,
-    AxisName,
     Colour,
     Flag,
     Maybe,
     Name,
-    Number,
     Point,
     Positive,
     Share,
@@ -21,18 +19,9 @@ from raywalk.scene.fields import (
     Text,
     refusal,
 )
-from raywalk.scene.table import Table
+from raywalk.scene.schema_transforms import TransformTable
+from raywalk.scene.table import SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import TAG, did_you_mean, joined, show
-
-
-def by_form(value: Any) -> str:
-    """Which member of a union is meant: told by whether a table, list or single value is given."""
-    if isinstance(value, dict | Table):
-        return TAG + "table"
-    return TAG + ("list" if isinstance(value, list | tuple) else "single")
-
-
-_SINGLE, _LIST, _TABLE = Tag(TAG + "single"), Tag(TAG + "list"), Tag(TAG + "table")
 
 
 class MaterialTable(Table):
@@ -64,63 +53,6 @@ class MaterialTable(Table):
     )
 
 
-def _axis_form(value: Any) -> str | None:
-    return by_form(value) if isinstance(value, str | list | tuple) else None
-
-
-def _scale_form(value: Any) -> str | None:
-    return None if isinstance(value, dict) else by_form(value)
-
-
-Axis = Annotated[
-    Annotated[AxisName, _SINGLE] | Annotated[Point, _LIST],
-    Discriminator(_axis_form),
-    Allowed('"x", "y", "z" or three numbers'),
-]
-Scale = Annotated[
-    Annotated[Number, _SINGLE] | Annotated[Point, _LIST],
-    Discriminator(_scale_form),
-    Allowed("a number, or three"),
-]
-
-
-class RotateTable(Table):
-    """A right-handed turn about an axis through the origin."""
-
-    axis: Axis = Field(description="the axis, through the origin")
-    degrees: Number = Field(description="the angle, in degrees")
-
-
-Row = Annotated[tuple[Number, Number, Number, Number], Allowed("a row of four numbers")]
-Matrix = Annotated[
-    tuple[Row, Row, Row] | tuple[Row, Row, Row, Row], Allowed("three or four rows of four numbers")
-]
-
-
-class TransformTable(Table):
-    """One step of a transform: exactly one of these keys."""
-
-    translate: Maybe[Point] = Field(default=None, description="a shift, in world units")
-    rotate: Maybe[RotateTable] = Field(default=None, description="a turn")
-    scale: Maybe[Scale] = Field(
-        default=None, description="a factor about the origin, the same or one per axis"
-    )
-    matrix: Maybe[Matrix] = Field(
-        default=None, description="rows of an affine matrix; a fourth row must be [0, 0, 0, 1]"
-    )
-
-    @model_validator(mode="after")
-    def _one_key(self) -> Self:
-        given = [key for key in type(self).model_fields if getattr(self, key) is not None]
-        if len(given) != 1:
-            found = joined(given) if given else "none"
-            raise refusal(
-                f"a step has exactly one key, here: {found}",
-                allowed="allowed: translate, rotate, scale or matrix",
-            )
-        return self
-
-
 class CheckerTable(Table):
     """Squares of two colours on a plane."""
 
@@ -141,7 +73,7 @@ class ObjectTable(Table):
         default=None, description='what a person calls it; default "sphere 1" and so on'
     )
     material: Annotated[
-        Annotated[Text, _SINGLE] | Annotated[MaterialTable, _TABLE],
+        Annotated[Text, SINGLE] | Annotated[MaterialTable, TABLE],
         Discriminator(_material_form),
         Allowed("the name of a material, or a table with a material's keys"),
     ] = Field(description="a material's name, or a table with the keys of one")

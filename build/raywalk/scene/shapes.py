@@ -32,7 +32,7 @@ from raywalk.scene.schema_objects import (
     SphereTable,
     TriangleTable,
 )
-from raywalk.scene.wording import show
+from raywalk.scene.wording import plain
 
 # A triangle whose height is this share of its longest side is a line to float64.
 THINNEST = 1e-14
@@ -72,13 +72,13 @@ def shape_of(table: ObjectTable, models: Models, at: Location, problems: Problem
 def _facing(normal: Triple, shape: Flat, note: Note) -> Flat | None:
     if any(normal):
         return shape
-    note("normal", f"{show(normal)} has no direction", "a floor has [0, 1, 0]")
+    note("normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]")
     return None
 
 
 def _cylinder(table: CylinderTable, note: Note) -> Cylinder | None:
     if table.start == table.end:
-        note("end", f"{show(table.end)} is also the start: the cylinder has no length")
+        note("end", f"{plain(table.end)} is also the start: the cylinder has no length")
         return None
     return Cylinder(table.start, table.end, table.radius, table.capped)
 
@@ -88,8 +88,8 @@ def _box(table: BoxTable, note: Note) -> Box | None:
     for k in flat:
         note(
             "maximum",
-            f"{'xyz'[k]} = {show(table.maximum[k])} is not above the minimum's "
-            f"{show(table.minimum[k])}",
+            f"{'xyz'[k]} = {plain(table.maximum[k])} is not above the minimum's "
+            f"{plain(table.minimum[k])}",
         )
     return None if flat else Box(table.minimum, table.maximum)
 

@@ -8,13 +8,14 @@ from pydantic import (
     BaseModel,
     ConfigDict,
     ModelWrapValidatorHandler,
+    Tag,
     ValidationError,
     model_validator,
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from raywalk.scene.fields import REFUSED, refusal
-from raywalk.scene.wording import closest, did_you_mean, joined, show
+from raywalk.scene.wording import TAG, closest, did_you_mean, joined, show
 
 
 class Table(BaseModel):
@@ -69,3 +70,13 @@ def _keys(table: type[Table]) -> list[str]:
 def _purpose(table: type[Table], key: str) -> str:
     description = table.model_fields[key].description
     return f"{key}: {description}" if description else ""
+
+
+def by_form(value: Any) -> str:
+    """Which member of a union is meant: told by whether a table, list or single value is given."""
+    if isinstance(value, dict | Table):
+        return TAG + "table"
+    return TAG + ("list" if isinstance(value, list | tuple) else "single")
+
+
+SINGLE, LIST, TABLE = Tag(TAG + "single"), Tag(TAG + "list"), Tag(TAG + "table")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raywalk.scene.placement import rotation_matrix
-from raywalk.scene.schema_objects import RotateTable, TransformTable
+from raywalk.scene.schema_transforms import RotateTable, TransformTable
 
 # Below it, the smallest volume a matrix makes of its columns is rounding error.
 SINGULAR = 1e-12

@@ -31,6 +31,13 @@ def _toml(value: Any) -> str:
     return str(value)
 
 
+def plain(value: Any) -> str:
+    """A checked value, its numbers without the .0 that nobody wrote."""
+    if isinstance(value, tuple | list):
+        return "[" + ", ".join(map(plain, value)) + "]"
+    return f"{value:.12g}" if isinstance(value, float) else show(value)
+
+
 def quoted(text: str) -> str:
     return f'"{text}"'
 
@@ -43,7 +50,8 @@ def did_you_mean(word: Any, known: Iterable[str]) -> str:
 
 def closest(word: Any, known: Iterable[str]) -> str:
     """The known word most like this one, ignoring case; "" if none is like it."""
-    by_lower_case = {name.lower(): name for name in known}
+    # One letter is like any other: "did you mean "2"?" helps nobody.
+    by_lower_case = {name.lower(): name for name in known if len(name) > 1}
     matches = get_close_matches(str(word).lower(), by_lower_case, n=1)
     return by_lower_case[matches[0]] if matches else ""
 
