@@ -16,8 +16,9 @@ def with_defaults(items: Iterable[tuple[int, str | None, str]]) -> dict[int, str
     counts: dict[str, int] = {}
     names = {}
     for place, name, kind in items:
-        counts[kind] = counts.get(kind, 0) + 1
-        while not name and f"{kind} {counts[kind]}" in taken:
-            counts[kind] += 1
-        names[place] = name or f"{kind} {counts[kind]}"
+        counts[kind] = number = counts.get(kind, 0) + 1
+        while not name and f"{kind} {number}" in taken:
+            number += 1
+        names[place] = name or f"{kind} {number}"
+        taken.add(names[place])
     return names

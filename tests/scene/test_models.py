@@ -1,0 +1,43 @@
+"""The committed models are what models.toml says they are."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from raywalk.scene.models import find_catalogue, read_catalogue
+
+CATALOGUE = Path(__file__).parents[2] / "models/models.toml"
+NAMES = sorted(tomllib.loads(CATALOGUE.read_text(encoding="utf-8")))
+
+
+@pytest.fixture(params=NAMES)
+def entry(request):
+    models, problems = read_catalogue(CATALOGUE)
+    assert not problems.errors
+    return models.tables[request.param], models.path(request.param)
+
+
+def test_counts_are_those_of_the_file(entry):
+    """Provenance that nobody checks goes stale."""
+    trimesh = pytest.importorskip("trimesh")
+    table, path = entry
+    mesh = trimesh.load(path, process=False, force="mesh")
+    assert (len(mesh.faces), len(mesh.vertices)) == (table.triangles, table.vertices)
+
+
+def test_the_bunny_is_closed_and_faces_outward():
+    """Shadows, and glass one day, need an inside: every edge shared by two triangles."""
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.load(CATALOGUE.parent / "bunny.ply", process=False)
+    assert mesh.is_watertight and mesh.is_winding_consistent
+    assert mesh.volume > 0  # negative where the triangles face inward
+    assert mesh.euler_number == 2  # one piece without a hole
+
+
+def test_the_catalogue_is_found_from_any_folder_below(tmp_path):
+    """A scene of one's own, two folders deep, uses the models beside it."""
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models/models.toml").touch()
+    found = find_catalogue(tmp_path / "scenes/mine/scene.toml")
+    assert found == tmp_path / "models/models.toml"
