@@ -14,7 +14,7 @@ from raywalk.geometry.display import display_triangles
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.scene.model import Mesh, Scene
 from raywalk.trace.tree import RayTree, Visibility
-from raywalk.trace.wavefront import Tracer, trace_picture
+from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
 from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
 
@@ -25,7 +25,7 @@ Progress = Callable[[int, int], None]
 def write_products(scene: Scene, folder: Path, progress: Progress | None = None) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, facts.json,
     display.npz into a folder."""
-    tracer = Tracer(scene)
+    tracer = Tracer(scene, least_share=LEAST_SHARE)
     traced = trace_picture(tracer, progress=progress)
     write_png(folder / "picture.png", traced.picture)
     write_png(folder / "thumb.png", thumbnail(traced.picture))

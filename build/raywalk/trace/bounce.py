@@ -21,13 +21,18 @@ class Bounced(NamedTuple):
     branch: np.ndarray  # (n,) uint8
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
+    share: np.ndarray  # (n,) product of weights from the camera on: share in the pixel
     media: np.ndarray  # (n, w) int16
 
 
 def bounce(
-    materials: Materials, ior_of: np.ndarray, rays: Rays, hits: Hits, media: np.ndarray
-) -> Bounced:
-    """Reflected rays first, then refracted ones, each in the order of their parents."""
+    materials: Materials, ior_of: np.ndarray, rays: Rays, hits: Hits, media: np.ndarray,
+    share: np.ndarray, least: float,
+) -> Bounced:  # fmt: skip
+    """Reflected rays first, then refracted ones, each in the order of their parents.
+
+    A ray whose share in the pixel would be at most `least` is not sent.
+    """
     mirror = materials.reflect[hits.material]
     through, total = np.zeros(len(mirror)), np.zeros(len(mirror), bool)
     n_from = n_to = np.ones(len(mirror))
@@ -43,12 +48,13 @@ def bounce(
             rays.direction[glass], hits.normal[glass], n_from[glass], n_to[glass],
             materials.reflect[material], materials.transmit[material], materials.fresnel[material],
         )  # fmt: skip
-    back, on = np.flatnonzero(mirror > 0.0), np.flatnonzero(through > 0.0)
+    back, on = np.flatnonzero(mirror * share > least), np.flatnonzero(through * share > least)
     reflected = mirror_directions(rays.direction[back], hits.normal[back], hits.geometric[back])
     refracted = refracted_directions(
         rays.direction[on], hits.normal[on], hits.geometric[on], n_from[on], n_to[on]
     )
     parent = np.concatenate([back, on])
+    weight = np.concatenate([mirror[back], through[on]])
     return Bounced(
         # A reflected ray stays on the side it came from, a refracted one changes it.
         rays=Rays(
@@ -61,6 +67,7 @@ def bounce(
             np.where(total[back], Kind.TOTAL, Kind.REFLECTED),
             np.full(len(on), Kind.REFRACTED),
         ]).astype(np.uint8),
-        weight=np.concatenate([mirror[back], through[on]]),
+        weight=weight,
+        share=share[parent] * weight,
         media=np.concatenate([media[back], after[on]]),
     )  # fmt: skip

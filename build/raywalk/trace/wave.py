@@ -32,6 +32,7 @@ class Wave:
     branch: np.ndarray  # (n,) uint8: 0 camera or reflected, 1 refracted; orders the paths
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
+    share: np.ndarray  # (n,)
     media: np.ndarray  # (n, w) int16
     hits: Hits
     lighting: Lighting
