@@ -69,3 +69,12 @@ def test_shares_that_add_up_to_exactly_one_are_allowed(scene_from):
         share = f"reflect = 0.{percent:02}, transmit = {(100 - percent) / 100}"
         material = material_of(scene_from(SPHERE.format(f"{{ {share}, ior = 1.5 }}")))
         assert material.reflect + material.transmit == 1
+
+
+def test_an_own_material_hides_a_built_in_of_its_name_and_may_build_on_it(scene_from):
+    """An author who writes [materials.glass] means theirs; like = "glass" in it is the built-in."""
+    scene = scene_from(
+        '[materials.glass]\nlike = "glass"\nior = 1.7\n' + SPHERE.format('"glass"')
+    )
+    material = material_of(scene)
+    assert (material.ior, material.transmit, material.fresnel) == (1.7, 1, True)

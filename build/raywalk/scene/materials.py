@@ -34,6 +34,8 @@ BUILT_IN: dict[str, MaterialTable] = {
 class Materials:
     """Looks up materials by name and notes once what is wrong with each.
 
+    A scene's own material hides a built-in one of the same name.
+
     own: a scene's [materials.*]; None for a table that was refused already.
     """
 
@@ -60,12 +62,6 @@ class Materials:
 
     def _read_own(self, name: str) -> Material | None:
         at = ("materials", name)
-        if name in BUILT_IN:
-            self._problems.add(
-                at,
-                "is the name of a built-in material",
-                hint=f'choose another name and write like = "{name}"',
-            )
         table = self._own[name]
         keys = None if table is None else self._with_inherited(table, at, name)
         return None if keys is None else self._checked(name, keys, at)
@@ -77,6 +73,8 @@ class Materials:
         keys, chain, current = _given(table), [own_name], table
         while current.like is not None:
             name = current.like
+            if name == chain[-1] and name in BUILT_IN:  # an own "glass" may build on the built-in
+                return _given(BUILT_IN[name]) | keys
             if name in chain:
                 if name == own_name:  # else it is reported at a material of the circle
                     self._problems.add(
