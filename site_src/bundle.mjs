@@ -1,0 +1,63 @@
+/**
+ * node site_src/bundle.mjs --out DIR: the viewer as one classic script, DIR/viewer.js.
+ * Classic, not a module, because from file:// browsers refuse modules. Prints its size
+ * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
+ */
+import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+import { withoutUnusedShaders } from "./slim-three.mjs";
+import { raysLeftIn, withoutRays } from "./strip-rays.mjs";
+
+const GOAL_BYTES = 150 * 1024;
+const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
+
+/** Of three we ship what draws: no ray code, no shader of a material we do not use. */
+const leaveOut = {
+  name: "leave-out",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]node_modules[\\/]three[\\/].*\.js$/ }, async ({ path }) => ({
+      contents: withoutRays(withoutUnusedShaders(await readFile(path, "utf8"))),
+      loader: "js",
+    }));
+  },
+};
+
+/** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
+export async function bundleViewer({ plugins = [], minify = true } = {}) {
+  const result = await build({
+    entryPoints: [ENTRY],
+    bundle: true,
+    minify,
+    write: false,
+    format: "iife",
+    target: ["chrome100", "firefox113", "safari16.4"], // the first with DecompressionStream
+    legalComments: "none",
+    banner: { js: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */" },
+    logLevel: "warning",
+    plugins: [...plugins, leaveOut],
+  });
+  return result.outputFiles[0].text;
+}
+
+async function main() {
+  const at = process.argv.indexOf("--out");
+  const folder = process.argv[at + 1];
+  if (at < 0 || !folder) throw new Error("--out: no folder is named\n  usage: node site_src/bundle.mjs --out DIR");
+  const script = await bundleViewer();
+  const left = raysLeftIn(script);
+  if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
+  const size = gzipSync(script, { level: 9 }).length;
+  if (size > GOAL_BYTES) throw new Error(`viewer.js is ${size} bytes gzipped; its goal is ${GOAL_BYTES}`);
+  await mkdir(folder, { recursive: true });
+  await writeFile(join(folder, "viewer.js"), script);
+  console.log(`viewer.js ${(size / 1024).toFixed(1)} KB gzip`);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url))
+  main().catch((error) => {
+    console.error(error.message);
+    process.exitCode = 1;
+  });

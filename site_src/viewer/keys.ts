@@ -1,0 +1,49 @@
+/** Keys, as VIEWER.md's table has them. A key is left alone while something else wants it. */
+import type { RayChoice } from "./state/view-state";
+
+export interface KeyActs {
+  render: () => void;
+  rays: (choice: RayChoice) => void;
+  move: (right: number, down: number) => void;
+  level: (by: 1 | -1) => void;
+  sceneKey: (key: string) => void;
+  scene: (by: 1 | -1) => void;
+  camera: () => void;
+}
+
+const TYPING = "input, textarea, select, [contenteditable]:not([contenteditable=false])";
+const PRESSABLE = "button, a[href], summary";
+
+export function listenToKeys(acts: KeyActs) {
+  const table: Readonly<Record<string, () => void>> = {
+    " ": acts.render,
+    a: () => acts.rays("all"),
+    h: () => acts.rays("row"),
+    v: () => acts.rays("column"),
+    ArrowLeft: () => acts.move(-1, 0),
+    ArrowRight: () => acts.move(1, 0),
+    ArrowUp: () => acts.move(0, -1),
+    ArrowDown: () => acts.move(0, 1),
+    "+": () => acts.level(1),
+    "=": () => acts.level(1), // + without Shift on many keyboards
+    "-": () => acts.level(-1),
+    PageUp: () => acts.scene(-1),
+    PageDown: () => acts.scene(1),
+    r: acts.camera,
+  };
+
+  function press(event: KeyboardEvent) {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
+    const target = event.target instanceof Element ? event.target : null;
+    if (target?.closest(TYPING)) return;
+    if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const act = /^\d$/.test(key) ? () => acts.sceneKey(key) : table[key];
+    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahv\d]$/.test(key)))) return;
+    event.preventDefault();
+    act();
+  }
+
+  window.addEventListener("keydown", press);
+  return { dispose: () => window.removeEventListener("keydown", press) };
+}

@@ -1,0 +1,88 @@
+/**
+ * Scenes and traces, by classic scripts put into the page: from file:// a browser refuses fetch and
+ * modules, but runs these. Each calls raywalkReceive(name, base64 of gzip of JSON).
+ */
+import { decode } from "./trace/decode";
+import { unpack } from "./trace/unpack";
+import type { SceneData, Trace } from "./trace/types";
+
+export type Loss = "missing" | "damaged" | "old browser";
+
+/** What could not be loaded, and why. */
+export class LoadError extends Error {
+  constructor(
+    readonly what: string, // "<id>/scene" or "<id>/<n>"
+    readonly why: Loss,
+  ) {
+    super(`${what}: ${why}`);
+  }
+}
+
+declare global {
+  interface Window {
+    raywalkReceive: (name: string, base64: string) => void;
+  }
+}
+
+const KEPT_TRACES = 8; // a few megabytes each at most
+const KEPT_SCENES = 4;
+
+/** root: relative path from the page to the site's root, "" or ending in "/". */
+export function createLoader(root: string) {
+  const arrived = new Map<string, string>();
+  window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
+
+  function script(name: string): Promise<string> {
+    return new Promise((resolve, reject) => {
+      const element = document.createElement("script");
+      element.src = `${root}scenes/${name}.js`;
+      element.onload = () => {
+        const text = arrived.get(name);
+        arrived.delete(name);
+        element.remove();
+        text === undefined ? reject(new LoadError(name, "damaged")) : resolve(text);
+      };
+      element.onerror = () => {
+        element.remove();
+        reject(new LoadError(name, "missing"));
+      };
+      document.head.append(element);
+    });
+  }
+
+  async function load<T>(name: string, read: (json: unknown) => T): Promise<T> {
+    const text = await script(name);
+    if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
+    try {
+      return read(await unpack(text));
+    } catch {
+      throw new LoadError(name, "damaged");
+    }
+  }
+
+  /** Remembers the last few; what failed is asked for anew. */
+  function remembering<T>(size: number, read: (json: unknown) => T) {
+    const known = new Map<string, Promise<T>>();
+    return (name: string): Promise<T> => {
+      const value = known.get(name) ?? load(name, read);
+      known.delete(name);
+      known.set(name, value);
+      value.catch(() => known.delete(name));
+      for (const old of known.keys()) if (known.size > size) known.delete(old);
+      return value;
+    };
+  }
+
+  const scenes = remembering(KEPT_SCENES, sceneFrom);
+  const traces = remembering<Trace>(KEPT_TRACES, (json) => decode(json));
+  return {
+    scene: (id: string) => scenes(`${id}/scene`),
+    trace: (id: string, n: number) => traces(`${id}/${n}`),
+  };
+}
+
+function sceneFrom(json: unknown): SceneData {
+  const scene = json as SceneData;
+  if (scene?.format !== 1 || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
+  return scene;
+}

@@ -1,0 +1,297 @@
+/** The viewer: one state, one render. Reads as the table of contents of what a person can do. */
+import { createLoader, LoadError } from "./load";
+import { listenToKeys } from "./keys";
+import { contrastWith } from "./palette";
+import { createCard, type CardLine } from "./panels/card";
+import { createControls } from "./panels/controls";
+import { element } from "./panels/element";
+import { createLegend } from "./panels/legend";
+import { createLesson } from "./panels/lesson";
+import { createNotice } from "./panels/notice";
+import { createPage } from "./panels/page";
+import { createPicture } from "./panels/picture";
+import { createViewPad } from "./panels/view-pad";
+import { createStage } from "./stage/stage";
+import { followAddress, readAddress, writeAddress } from "./state/address";
+import { createBeat } from "./beat";
+import { createShown } from "./state/shown";
+import * as change from "./state/view-state";
+import type { ViewState } from "./state/view-state";
+import type { SceneData, Trace } from "./trace/types";
+import { TROUBLE } from "./words";
+
+const ADDRESS_AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
+const PATIENCE = 150; // ms before a missing trace shows
+
+function start() {
+  const body = document.body;
+  const root = body.dataset.root ?? "";
+  const home = body.dataset.scene ?? "";
+  const onDisk = location.protocol === "file:";
+  const find = <E extends HTMLElement>(selector: string) => document.querySelector<E>(selector)!;
+  const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.scenes a[data-scene]")];
+  const ids = links.map((link) => link.dataset.scene!);
+
+  const loader = createLoader(root);
+  const notice = createNotice(find("#notice"));
+  const page = createPage({ root, article: find("#page"), title: find("#title"), links });
+  const shown = createShown();
+  const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+
+  let state: ViewState | null = null;
+  let scene: SceneData | null = null;
+  let trace: Trace | null = null;
+  let missing = false;
+  let lit: CardLine | null = null;
+  let asked = 0; // the newest request for a scene or a trace; older ones that arrive late are dropped
+  let addressTimer = 0;
+  let renders = 0;
+
+  // ---- what a person can do ----
+  const set = (next: ViewState) => {
+    if (!state || next === state) return;
+    const levelChanged = next.n !== state.n;
+    state = next;
+    if (levelChanged) void loadTrace();
+    else changed();
+  };
+  const doing = (act: (now: ViewState, scene: SceneData) => ViewState) => state && scene && set(act(state, scene));
+  const acts = {
+    render: () => doing((now) => (current() ? change.pressRender(now) : now)),
+    speed: () => doing((now) => ({ ...now, speed: change.nextSpeed(now.speed) })),
+    rays: (choice: change.RayChoice) => doing((now) => change.toggleRays(now, choice)),
+    level: (by: 1 | -1) => doing((now, of) => change.stepLevel(now, of, by)),
+    move: (right: number, down: number) => doing((now) => change.move(now, right, down)),
+    pick: (column: number, row: number) =>
+      doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
+    observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
+    step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
+    light(line: CardLine | null) {
+      if (line?.ray === lit?.ray && line?.light === lit?.light) return;
+      lit = line;
+      card.light(line);
+      beat.draw();
+    },
+    scene(by: 1 | -1) {
+      const at = ids.indexOf(state?.scene ?? home);
+      openScene(ids[(at + by + ids.length) % ids.length]);
+    },
+    sceneKey(key: string) {
+      const link = links.find((each) => each.dataset.key === key);
+      if (link) openScene(link.dataset.scene!);
+    },
+  };
+
+  // ---- the page's parts ----
+  const first = readAddress(location.hash, location.search);
+  const stage = createStage(
+    {
+      move: acts.observer,
+      pick: acts.pick,
+      light: acts.light,
+      flat: (why) => {
+        notice.say(TROUBLE[why]);
+        body.dataset.renderer = "flat";
+      },
+    },
+    first.gl,
+  );
+  const pad = createViewPad({
+    turn: stage.turn,
+    shift: stage.shift,
+    come: stage.come,
+    start: () => acts.observer("start"),
+    camera: () => acts.observer("camera"),
+  });
+  const picture = createPicture(root, { pick: acts.pick, failed: () => notice.say(TROUBLE.pictureMissing) });
+  const card = createCard({ move: acts.move, light: acts.light });
+  const controls = createControls(acts);
+  const legend = createLegend();
+  const lesson = createLesson({ step: acts.step });
+  find("#viewer").append(
+    element(
+      "div",
+      "work",
+      element("section", "stage", stage.element, legend.element, pad.element),
+      lesson.element,
+      element("div", "player"), // kept for the step-by-step player
+      controls.element,
+    ),
+    element("div", "side", picture.element, card.element),
+  );
+  listenToKeys({ ...acts, camera: () => acts.observer("camera") });
+  // A button pressed by mouse gives the keys back; one pressed by keyboard keeps the focus.
+  body.addEventListener("click", (event) => {
+    const pressed = event.target instanceof Element ? event.target.closest<HTMLElement>("#viewer button") : null;
+    if (pressed && event.detail > 0) pressed.blur();
+  });
+  for (const link of document.querySelectorAll<HTMLAnchorElement>("nav.scenes a"))
+    link.addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button !== 0) return;
+      event.preventDefault();
+      if (link.dataset.scene) openScene(link.dataset.scene);
+      else acts.scene(link.rel === "prev" ? -1 : 1);
+      if (event.detail > 0) link.blur();
+    });
+
+  // ---- time ----
+  const beat = createBeat({
+    draw: render,
+    runs: () => state?.tiles === "filling",
+    step(seconds) {
+      if (state) state = change.advance(state, seconds);
+      if (state?.tiles === "filled") changed();
+    },
+    blinks: () => !!state && !state.still && !reducedMotion.matches,
+  });
+  reducedMotion.addEventListener("change", () => beat.draw());
+
+  /** The state has changed: draw it soon, write it into the address when it rests. */
+  function changed() {
+    beat.draw();
+    clearTimeout(addressTimer);
+    addressTimer = window.setTimeout(() => writeHash("replace"), ADDRESS_AFTER);
+  }
+
+  function addressOf(now: ViewState, of: SceneData): string {
+    const hash = writeAddress(now, of, onDisk && now.scene !== home);
+    const to = new URL(onDisk ? location.href : links[ids.indexOf(now.scene)].href);
+    to.hash = hash;
+    if (!onDisk) to.search = location.search;
+    return hash ? to.href : to.href.replace(/#$/, "");
+  }
+
+  function writeHash(how: "replace" | "push") {
+    clearTimeout(addressTimer);
+    if (!state || !scene) return;
+    const address = addressOf(state, scene);
+    if (address !== location.href) history[how === "push" ? "pushState" : "replaceState"](null, "", address);
+  }
+
+  // ---- loading ----
+  async function loadTrace() {
+    if (!state) return;
+    const mine = ++asked;
+    const { scene: id, n } = state;
+    const wait = window.setTimeout(() => beat.draw(), PATIENCE); // slow: say so, with an empty frustum
+    try {
+      const arrived = await loader.trace(id, n);
+      if (mine !== asked) return;
+      trace = arrived;
+      missing = false;
+      if (TROUBLE_OF_TRACE.has(notice.text())) notice.hide();
+    } catch (error) {
+      if (mine !== asked) return;
+      trace = null;
+      missing = true;
+      const sentence = troubleOfTrace(error, n);
+      TROUBLE_OF_TRACE.add(sentence);
+      notice.say(sentence);
+    } finally {
+      clearTimeout(wait);
+    }
+    lit = null;
+    changed();
+  }
+
+  /** The scene its address asks for, in this page. */
+  async function show(id: string, fields: ReadonlyMap<string, string>, kept: Pick<ViewState, "speed" | "still" | "gl">) {
+    const mine = ++asked;
+    const arrived = await loader.scene(id);
+    if (mine !== asked) return;
+    const followed = followAddress(fields, arrived, kept);
+    scene = arrived;
+    state = followed.state;
+    trace = null;
+    missing = false;
+    lit = null;
+    notice.hide();
+    body.classList.add("live");
+    await loadTrace();
+    if (followed.damaged.length) notice.say(TROUBLE.address(followed.damaged));
+    // The neighbours of the picture the user may go to next are fetched only when asked for.
+  }
+
+  async function openScene(id: string) {
+    if (!state || id === state.scene) return;
+    const kept = state;
+    const fields = new Map(kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
+    try {
+      await show(id, fields, kept);
+      writeHash("push");
+    } catch {
+      // Its own page says everything that is known without its data.
+      location.assign(links[ids.indexOf(id)].href);
+    }
+  }
+
+  async function followPage() {
+    const { fields, scene: named, still, gl } = readAddress(location.hash, location.search);
+    const id = named && ids.includes(named) ? named : onDisk ? home : sceneOfPath();
+    try {
+      await show(id, fields, { speed: 1, still, gl: gl && first.gl });
+      if (named && !ids.includes(named)) notice.say(TROUBLE.unknownScene(named));
+    } catch (error) {
+      body.classList.remove("live");
+      notice.say(troubleOfScene(error));
+    }
+  }
+
+  function sceneOfPath(): string {
+    const here = location.pathname.replace(/index\.html$/, "");
+    return links.find((link) => new URL(link.href).pathname.replace(/index\.html$/, "") === here)?.dataset.scene ?? home;
+  }
+
+  /** The trace of what the state shows; null while another one is on its way. */
+  const current = () => (trace && trace.scene === state?.scene && trace.n === state.n ? trace : null);
+
+  // ---- one render ----
+  function render() {
+    if (!state || !scene) return;
+    renders++;
+    const trace = current();
+    const view = shown.of(state, scene, trace);
+    const ring = beat.isDark() ? null : contrastWith(view.ringOn);
+    stage.show({ ...view, scene, trace, state, lit, ring });
+    legend.show(view.kinds);
+    picture.show(state, scene, trace);
+    card.show(state, scene, trace, missing);
+    controls.show(state, scene);
+    lesson.show(state, scene);
+    page.show(scene, trace);
+  }
+
+  window.addEventListener("popstate", () => void followPage());
+  window.addEventListener("pagehide", () => writeHash("replace"));
+  const ready = followPage();
+  exposeForTests(ready);
+
+  function exposeForTests(ready: Promise<void>) {
+    const read = {
+      state: () => structuredClone(state),
+      ready,
+      stats: () => {
+        const { tiles, chosen, thin, kinds } = state && scene ? shown.of(state, scene, current()) : NOTHING;
+        const counts = { tilesShown: tiles, chosen: chosen.length, thin: thin.length, kinds: [...kinds] };
+        return { ...stage.stats(), ...counts, renders, lit, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
+      },
+      loseContext: stage.loseContext,
+    };
+    Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });
+  }
+}
+
+const NOTHING = { tiles: 0, chosen: [], thin: [], kinds: [] };
+const TROUBLE_OF_TRACE = new Set<string>();
+
+function troubleOfTrace(error: unknown, n: number): string {
+  if (error instanceof LoadError && error.why === "old browser") return TROUBLE.noUnpacking;
+  return error instanceof LoadError && error.why === "missing" ? TROUBLE.traceMissing(n) : TROUBLE.traceDamaged(n);
+}
+
+function troubleOfScene(error: unknown): string {
+  if (error instanceof LoadError && error.why === "old browser") return TROUBLE.noUnpacking;
+  return error instanceof LoadError && error.why === "missing" ? TROUBLE.sceneMissing : TROUBLE.sceneDamaged;
+}
+
+start();

@@ -1,0 +1,41 @@
+/** What the colours and dashes of the lines on the stage mean: only the kinds that are there. */
+import { LINES } from "../palette";
+import { LINE_KINDS, type LineKind } from "../state/lines";
+import { LINE_WORDS } from "../words";
+import { element } from "./element";
+
+const SVG = "http://www.w3.org/2000/svg";
+const LONG = 34; // pixels of sample line
+
+function sample(kind: LineKind): SVGElement {
+  const make = (tag: string, attributes: Record<string, string | number>) => {
+    const made = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+    return made;
+  };
+  const { colour, dash } = LINES[kind];
+  const svg = make("svg", { width: LONG + 8, height: 12, viewBox: `0 0 ${LONG + 8} 12`, "aria-hidden": "true" });
+  svg.append(
+    make("line", { x1: 0, y1: 6, x2: LONG, y2: 6, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
+    make("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, fill: colour }),
+  );
+  return svg;
+}
+
+export function createLegend() {
+  const root = element("ul", "legend");
+  const items = LINE_KINDS.map((kind) => {
+    const item = element("li", "", LINE_WORDS[kind]);
+    item.prepend(sample(kind));
+    item.dataset.kind = kind;
+    root.append(item);
+    return { kind, item };
+  });
+  return {
+    element: root,
+    show(kinds: ReadonlySet<LineKind>) {
+      for (const { kind, item } of items) item.hidden = !kinds.has(kind);
+    },
+    dispose: () => root.remove(),
+  };
+}

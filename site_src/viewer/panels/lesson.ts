@@ -1,0 +1,50 @@
+/** The sentence under the stage: what the scene teaches, or the lesson's current step. */
+import type { ViewState } from "../state/view-state";
+import type { SceneData } from "../trace/types";
+import { LESSON_WORDS as WORDS } from "../words";
+import { button, element } from "./element";
+
+export function createLesson(acts: { step: (step: number | null) => void }) {
+  const text = element("div", "lesson-text");
+  text.setAttribute("aria-live", "polite");
+  const place = element("span", "lesson-place numbers");
+  const previous = button("\u2039", WORDS.previous, () => go(-1), { className: "sign" });
+  const next = button("\u203a", WORDS.next, () => go(1), { className: "sign" });
+  const end = button("\u00d7", WORDS.end, () => acts.step(null), { className: "sign quiet" });
+  const start = button(WORDS.start, WORDS.start, () => acts.step(0), { className: "primary start-lesson" });
+  const steps = element("div", "lesson-steps", previous, place, next, end);
+  const root = element("section", "lesson", text, element("div", "lesson-buttons", start, steps));
+  root.setAttribute("aria-label", WORDS.region);
+  let now: { state: ViewState; scene: SceneData } | null = null;
+  let shown = "";
+
+  function go(by: number) {
+    const step = (now?.state.step ?? 0) + by;
+    if (now?.scene.lesson[step]) acts.step(step);
+  }
+
+  return {
+    element: root,
+    show(state: ViewState, scene: SceneData) {
+      now = { state, scene };
+      const { step } = state;
+      const running = step !== null;
+      start.hidden = running || scene.lesson.length === 0;
+      steps.hidden = !running;
+      root.classList.toggle("running", running);
+      if (running) {
+        place.textContent = WORDS.place(step, scene.lesson.length);
+        previous.setAttribute("aria-disabled", String(step === 0));
+        next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1));
+      }
+      const key = `${scene.id} ${step}`;
+      if (shown === key) return;
+      shown = key;
+      // The pipeline has sanitised a step's HTML.
+      if (running) text.innerHTML = scene.lesson[step].html;
+      else text.replaceChildren(element("p", "teaches", scene.teaches));
+      text.scrollTop = 0;
+    },
+    dispose: () => root.remove(),
+  };
+}

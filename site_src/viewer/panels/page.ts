@@ -1,0 +1,70 @@
+/** The page round the viewer: the header's title, the scene links, and the plain article that is there
+ *  without JavaScript and is what gets printed. */
+import type { SceneData, Trace } from "../trace/types";
+import { KIND_NAMES, LINE_KINDS } from "../state/lines";
+import { FIGURE_WORDS as WORDS, LINE_WORDS, PICTURE_WORDS } from "../words";
+import { element } from "./element";
+
+export interface PageParts {
+  root: string; // relative path to the site's root
+  article: HTMLElement;
+  title: HTMLElement;
+  links: readonly HTMLAnchorElement[]; // data-scene names each one's scene
+}
+
+/** Whole numbers as people write them: 11 025. */
+const count = (value: number) => String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+
+function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
+  const figures: [string, string][] = [
+    [WORDS.size[0], WORDS.size[1](scene.size)],
+    [WORDS.levels[0], WORDS.levels[1](scene.levels)],
+    [WORDS.depth[0], WORDS.depth[1](scene.depth)],
+    [WORDS.shadows[0], WORDS.shadows[1](scene.shadows)],
+  ];
+  if (!trace) return figures;
+  const of = (kind: string) => trace.kind.reduce((sum, k) => sum + (KIND_NAMES[k] === kind ? 1 : 0), 0);
+  const kinds = LINE_KINDS.slice(0, 4).map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
+  return [...figures, [WORDS.rays(trace.n), kinds.map(([kind, rays]) => `${count(rays)} ${LINE_WORDS[kind]}`).join(", ")]];
+}
+
+export function createPage({ root, article, title, links }: PageParts) {
+  let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
+
+  function write(scene: SceneData, trace: Trace | null) {
+    const picture = element("img", "plain-picture");
+    picture.src = `${root}scenes/${scene.id}/${scene.picture}`;
+    picture.alt = PICTURE_WORDS.alt(scene.title);
+    const lesson = element("ol", "plain-lesson");
+    for (const { html } of scene.lesson) {
+      const item = element("li");
+      item.innerHTML = html; // sanitised by the pipeline
+      lesson.append(item);
+    }
+    const figures = element("dl", "figures");
+    for (const [name, value] of figuresOf(scene, trace))
+      figures.append(element("div", "", element("dt", "", name), element("dd", "numbers", value)));
+    article.replaceChildren(
+      element("h1", "", scene.title),
+      element("p", "teaches", scene.teaches),
+      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", WORDS.title), figures)),
+    );
+  }
+
+  return {
+    show(scene: SceneData, trace: Trace | null) {
+      if (written !== scene.id) {
+        written = scene.id;
+        write(scene, trace);
+      }
+      const heading = [scene.key, scene.title].filter(Boolean).join(" \u00b7 ");
+      if (title.textContent !== heading) {
+        title.textContent = heading;
+        document.title = `${scene.title} \u00b7 Raywalk`;
+      }
+      for (const link of links)
+        if (link.dataset.scene === scene.id) link.setAttribute("aria-current", "page");
+        else link.removeAttribute("aria-current");
+    },
+  };
+}

@@ -1,0 +1,86 @@
+/** The finished picture with the tile grid and the selected pixel on it. */
+import { contrastWith } from "../palette";
+import { tileColour, type ViewState } from "../state/view-state";
+import type { SceneData, Trace } from "../trace/types";
+import { PICTURE_WORDS } from "../words";
+import { element } from "./element";
+
+const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
+const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
+
+export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; failed: () => void }) {
+  const image = element("img");
+  const marks = element("canvas", "marks");
+  const frame = element("div", "picture-frame", image, marks);
+  const whole = element("section", "picture", frame);
+  whole.setAttribute("aria-label", PICTURE_WORDS.region);
+  const brush = marks.getContext("2d")!;
+  let now: { state: ViewState; trace: Trace | null } | null = null;
+  let shownScene = "";
+
+  function draw() {
+    if (!now) return;
+    const { state, trace } = now;
+    const size = frame.clientWidth;
+    const ratio = Math.min(2, window.devicePixelRatio);
+    if (marks.width !== Math.round(size * ratio)) marks.width = marks.height = Math.round(size * ratio);
+    brush.setTransform(ratio, 0, 0, ratio, 0, 0);
+    brush.clearRect(0, 0, size, size);
+    const tile = size / state.n;
+    if (tile >= GRID_FROM) {
+      brush.lineWidth = 1;
+      brush.strokeStyle = "rgba(255,255,255,.11)";
+      brush.beginPath();
+      for (let k = 1; k < state.n; k++) {
+        const at = Math.round(k * tile) + 0.5;
+        brush.moveTo(at, 0);
+        brush.lineTo(at, size);
+        brush.moveTo(0, at);
+        brush.lineTo(size, at);
+      }
+      brush.stroke();
+    }
+    const wide = Math.max(tile, LEAST_MARK);
+    const [x, y] = state.pixel.map((k) => (k + 0.5) * tile - wide / 2);
+    const inner = contrastWith(trace && tileColour(trace, state.pixel[1] * state.n + state.pixel[0]));
+    brush.lineWidth = 4;
+    brush.strokeStyle = inner === "#000000" ? "#FFFFFF" : "#000000";
+    brush.strokeRect(x, y, wide, wide);
+    brush.lineWidth = 2;
+    brush.strokeStyle = inner;
+    brush.strokeRect(x, y, wide, wide);
+  }
+
+  function pick(event: PointerEvent) {
+    if (!now || !event.buttons) return;
+    const box = marks.getBoundingClientRect();
+    const at = (share: number) => Math.max(0, Math.min(now!.state.n - 1, Math.floor(share * now!.state.n)));
+    acts.pick(at((event.clientX - box.left) / box.width), at((event.clientY - box.top) / box.height));
+  }
+  marks.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    marks.setPointerCapture(event.pointerId);
+    pick(event);
+  });
+  marks.addEventListener("pointermove", pick);
+  image.addEventListener("error", () => acts.failed());
+  const watcher = new ResizeObserver(draw);
+  watcher.observe(frame);
+
+  return {
+    element: whole,
+    show(state: ViewState, scene: SceneData, trace: Trace | null) {
+      now = { state, trace };
+      if (shownScene !== scene.id) {
+        shownScene = scene.id;
+        image.src = `${root}scenes/${scene.id}/${scene.picture}`;
+        image.alt = PICTURE_WORDS.alt(scene.title);
+      }
+      draw();
+    },
+    dispose() {
+      watcher.disconnect();
+      whole.remove();
+    },
+  };
+}

@@ -1,0 +1,139 @@
+/** The scene as flat pieces for the renderer without WebGL: polygons and ellipses, far ones first. */
+import { meshOf } from "../state/mesh";
+import { isWithin, planeOf, toWorld } from "../state/placing";
+import type { Projection } from "../state/projection";
+import { add, cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
+import type { MaterialData, ObjectData, SceneData } from "../trace/types";
+
+export type Piece =
+  | { kind: "polygon"; points: Vec3[]; colour: Vec3; alpha: number; depth: number }
+  | { kind: "ball"; center: Vec3; axes: readonly [Vec3, Vec3, Vec3]; colour: Vec3; alpha: number; depth: number };
+
+interface Face {
+  points: Vec3[];
+  normal: Vec3;
+  twoSided: boolean;
+}
+
+const MOST_FACES = 12000; // of a mesh; of a heavier one every k-th is drawn
+const WALL_CELLS = 22;
+const FINEST = 1 / 8; // of a cell, along another wall
+const WALL_REACH = 2.1; // of the scene's radius, as on the WebGL stage
+const CALM: Vec3 = [0.26, 0.28, 0.32];
+
+/** A body's colour on this stage: its own, or a steel and a pale blue for mirror and glass. */
+export function bodyColour(material: MaterialData): { colour: Vec3; alpha: number } {
+  if (material.transmit > 0.3) return { colour: [0.75, 0.88, 0.95], alpha: 0.3 };
+  if (material.reflect > 0.5) return { colour: [0.66, 0.7, 0.75], alpha: 1 };
+  return { colour: material.diffuse, alpha: 1 };
+}
+
+const BOX_FACES: readonly (readonly [Vec3, Vec3, Vec3])[] = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vec3[]).flatMap((n, k, all) =>
+  [1, -1].map((s) => [scale(n, s), all[(k + 1) % 3], all[(k + 2) % 3]] as const),
+);
+
+function faceOf(points: Vec3[], twoSided: boolean): Face {
+  const normal = cross(sub(points[1], points[0]), sub(points[2], points[0]));
+  const size = length(normal);
+  return { points, normal: size > 0 ? scale(normal, 1 / size) : [0, 0, 1], twoSided };
+}
+
+const ring = (count: number) => Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count);
+
+function facesOf(object: ObjectData, scene: SceneData): Face[] {
+  const world = (p: Vec3) => toWorld(object.transform, p);
+  if (object.type === "box")
+    return BOX_FACES.map(([n, u, v]) =>
+      faceOf([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => world(add(n, add(scale(u, a), scale(v, b))))), true),
+    );
+  if (object.type === "triangle") return [faceOf(([[0, 0, 0], [1, 0, 0], [0, 1, 0]] as Vec3[]).map(world), true)];
+  const circle = (z: number) => ring(28).map((angle): Vec3 => [Math.cos(angle), Math.sin(angle), z]);
+  if (object.type === "disc") return [faceOf(circle(0).map(world), true)];
+  if (object.type === "cylinder") {
+    const [low, high] = [circle(-1), circle(1)];
+    const sides = low.map((_, k) => {
+      const next = (k + 1) % low.length;
+      return faceOf([low[k], low[next], high[next], high[k]].map(world), object.open === true);
+    });
+    return object.open ? sides : [...sides, faceOf([...low].reverse().map(world), false), faceOf(high.map(world), false)];
+  }
+  const data = object.mesh ? scene.meshes[object.mesh] : undefined;
+  if (!data) return [];
+  const { positions, indices } = meshOf(data);
+  const step = Math.ceil(indices.length / 3 / MOST_FACES);
+  const faces: Face[] = [];
+  for (let k = 0; k < indices.length; k += 3 * step)
+    faces.push(faceOf([0, 1, 2].map((c) => world(positions.subarray(3 * indices[k + c], 3 * indices[k + c] + 3) as unknown as Vec3)), false));
+  return faces;
+}
+
+/** A wall as a patchwork that fades outwards and ends at the other walls. */
+function wallPieces(object: ObjectData, scene: SceneData, eye: Vec3): Piece[] {
+  const { point, normal } = planeOf(object);
+  const from = scene.camera.eye;
+  const facing = dot(sub(from, point), normal) < 0 ? scale(normal, -1) : normal;
+  if (dot(sub(eye, point), facing) <= 0) return [];
+  const { center, radius } = scene.bounds;
+  const middle = sub(center, scale(normal, dot(sub(center, point), normal)));
+  const across = unit(cross(Math.abs(facing[1]) < 0.9 ? [0, 1, 0] : [0, 0, 1], facing));
+  const down = cross(facing, across);
+  const others = scene.objects.filter((each) => each.type === "plane" && each !== object).map(planeOf);
+  const isSeen = (p: Vec3) =>
+    others.every((other) => dot(sub(p, other.point), other.normal) * dot(sub(from, other.point), other.normal) >= -1e-6);
+  const share = (k: number) => ((2 * k) / WALL_CELLS - 1) * WALL_REACH * radius;
+  const at = (u: number, v: number) => add(middle, add(scale(across, share(u)), scale(down, share(v))));
+  const pieces: Piece[] = [];
+  /** One patch; where another wall crosses it, in smaller patches. */
+  function patch(u: number, v: number, wide: number) {
+    const corners = [at(u, v), at(u + wide, v), at(u + wide, v + wide), at(u, v + wide)];
+    const seen = corners.filter(isSeen).length;
+    if (seen === 0) return;
+    if (seen < 4 && wide > FINEST) {
+      for (const [a, b] of [[0, 0], [1, 0], [0, 1], [1, 1]]) patch(u + (a * wide) / 2, v + (b * wide) / 2, wide / 2);
+      return;
+    }
+    const center = at(u + wide / 2, v + wide / 2);
+    const out = length(sub(center, middle)) / (WALL_REACH * radius);
+    const alpha = Math.min(1, Math.max(0, (1 - out) / 0.5));
+    if (alpha === 0) return;
+    const { checker } = object;
+    const square = checker && checker.axes.reduce((sum, axis) => sum + Math.floor(dot(sub(center, checker.origin), axis) / checker.size), 0);
+    const material = scene.materials[checker && square! % 2 !== 0 ? checker.material : object.material];
+    const colour = material.diffuse.map((c, k) => c * CALM[k]) as unknown as Vec3;
+    pieces.push({ kind: "polygon", points: corners, colour, alpha, depth: Infinity });
+  }
+  for (let u = 0; u < WALL_CELLS; u++) for (let v = 0; v < WALL_CELLS; v++) patch(u, v, 1);
+  return pieces;
+}
+
+/** Built once a scene: faces in the world. */
+export function shapesOf(scene: SceneData) {
+  const bodies = scene.objects
+    .filter((object) => object.type !== "plane" && object.type !== "sphere")
+    .map((object) => ({ object, faces: facesOf(object, scene), room: isWithin(object, scene.camera.eye) }));
+
+  /** All pieces as this observer sees them, far ones first. */
+  return (eye: Vec3, projection: Projection): Piece[] => {
+    const depth = (p: Vec3) => dot(sub(p, eye), projection.forward);
+    const solid: Piece[] = [];
+    for (const object of scene.objects) {
+      if (object.type !== "sphere" || isWithin(object, scene.camera.eye)) continue;
+      const m = object.transform;
+      const center = m.slice(12, 15) as unknown as Vec3;
+      const axes = [m.slice(0, 3), m.slice(4, 7), m.slice(8, 11)] as unknown as [Vec3, Vec3, Vec3];
+      solid.push({ kind: "ball", center, axes, ...bodyColour(scene.materials[object.material]), depth: depth(center) });
+    }
+    for (const { object, faces, room } of bodies) {
+      const { colour, alpha } = bodyColour(scene.materials[object.material]);
+      for (const { points, normal, twoSided } of faces) {
+        const towards = dot(normal, unit(sub(eye, points[0])));
+        const outward = room ? dot(normal, sub(scene.camera.eye, points[0])) * towards < 0 : towards < 0 && !twoSided;
+        if (outward) continue;
+        const shade = 0.35 + 0.65 * Math.abs(towards); // faces turned to the observer are brighter: paint, not light
+        solid.push({ kind: "polygon", points, colour: scale(colour, shade), alpha, depth: Math.max(...points.map(depth)) });
+      }
+    }
+    solid.sort((a, b) => b.depth - a.depth);
+    return [...scene.objects.filter((o) => o.type === "plane").flatMap((o) => wallPieces(o, scene, eye)), ...solid];
+  };
+}

@@ -1,0 +1,176 @@
+/** The same stage drawn with Canvas2D, for browsers that give no WebGL: far things first, rays on top. */
+import { LINES, STAGE } from "../palette";
+import { onPlane, planeCorners } from "../state/frustum";
+import type { Line } from "../state/lines";
+import type { Observer } from "../state/observer";
+import { clipToFront, type Projection } from "../state/projection";
+import { dot, length, sub, type Vec3 } from "../state/vectors";
+import { tileColour } from "../state/view-state";
+import type { SceneData } from "../trace/types";
+import { shapesOf, type Piece } from "./flat-shapes";
+import type { StageRenderer, StageView } from "./renderer";
+
+const GRID_FROM = 5; // pixels a tile: below, grid lines would cover the tiles
+
+const css = (colour: Vec3, alpha = 1, light = 1) =>
+  `rgba(${colour.map((c) => Math.round(255 * Math.min(1, Math.max(0, c * light)))).join(",")},${alpha.toFixed(3)})`;
+
+type Brush = CanvasRenderingContext2D;
+
+function path(brush: Brush, projection: Projection, points: readonly Vec3[]): boolean {
+  const seen = points.map(projection.project);
+  if (seen.some((p) => p.depth <= 0)) return false;
+  brush.beginPath();
+  seen.forEach((p, k) => (k ? brush.lineTo(p.x, p.y) : brush.moveTo(p.x, p.y)));
+  brush.closePath();
+  return true;
+}
+
+/** A stretched ball's outline: the ellipse its three axes span on the screen. */
+function drawBall(brush: Brush, projection: Projection, { center, axes, colour, alpha }: Extract<Piece, { kind: "ball" }>) {
+  const middle = projection.project(center);
+  if (middle.depth <= Math.max(...axes.map(length))) return;
+  const scale = projection.focal / middle.depth;
+  const [xs, ys] = [axes.map((a) => scale * dot(a, projection.right)), axes.map((a) => -scale * dot(a, projection.up))];
+  const sum = (a: number[], b: number[]) => a.reduce((total, v, k) => total + v * b[k], 0);
+  const [xx, xy, yy] = [sum(xs, xs), sum(xs, ys), sum(ys, ys)];
+  const spread = Math.hypot((xx - yy) / 2, xy);
+  const [long, short] = [Math.sqrt((xx + yy) / 2 + spread), Math.sqrt(Math.max(0, (xx + yy) / 2 - spread))];
+  const paint = brush.createRadialGradient(-0.35 * long, -0.4 * long, 0, 0, 0, 1.15 * long);
+  paint.addColorStop(0, css(colour.map((c) => 0.25 + 0.75 * c) as unknown as Vec3, alpha));
+  paint.addColorStop(0.35, css(colour, alpha, 0.9));
+  paint.addColorStop(1, css(colour, Math.min(1, 1.6 * alpha), 0.25));
+  const turned = 0.5 * Math.atan2(2 * xy, xx - yy);
+  brush.save();
+  brush.translate(middle.x, middle.y);
+  brush.beginPath();
+  brush.ellipse(0, 0, long, short, turned, 0, 2 * Math.PI);
+  brush.fillStyle = paint;
+  brush.fill();
+  brush.restore();
+}
+
+function drawTiles(brush: Brush, projection: Projection, { plane, state, trace, tiles, ring }: StageView) {
+  const { n } = state;
+  const corners = (column: number, row: number) =>
+    [[0, 0], [1, 0], [1, 1], [0, 1]].map(([c, r]) => onPlane(plane, column + c, row + r, n));
+  for (let k = 0; trace && k < tiles; k++) {
+    if (!path(brush, projection, corners(k % n, Math.floor(k / n)))) continue;
+    brush.fillStyle = brush.strokeStyle = `rgb(${tileColour(trace, k).join()})`;
+    brush.fill();
+    brush.stroke(); // closes the hairline gaps between neighbours
+  }
+  const outline = planeCorners(plane).map(projection.project);
+  const tilePixels = Math.hypot(outline[2].x - outline[0].x, outline[2].y - outline[0].y) / n / Math.SQRT2;
+  brush.strokeStyle = tiles === n * n ? STAGE.gridFilled : STAGE.gridEmpty;
+  brush.globalAlpha = 0.45;
+  for (let k = 0; tilePixels >= GRID_FROM && k <= n; k++) {
+    if (path(brush, projection, [onPlane(plane, k, 0, n), onPlane(plane, k, n, n)])) brush.stroke();
+    if (path(brush, projection, [onPlane(plane, 0, k, n), onPlane(plane, n, k, n)])) brush.stroke();
+  }
+  brush.globalAlpha = 1;
+  brush.strokeStyle = STAGE.gridEmpty;
+  if (path(brush, projection, planeCorners(plane))) brush.stroke();
+  if (!ring || !path(brush, projection, corners(...state.pixel))) return;
+  brush.strokeStyle = ring;
+  brush.lineWidth = 2.5;
+  brush.stroke();
+  brush.lineWidth = 1;
+}
+
+function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick<Line, "kind" | "from" | "to">, width: number, near: number) {
+  const seen = [projection.project(from), projection.project(to)];
+  const kept = clipToFront(seen[0], seen[1], from, to, near);
+  if (!kept) return;
+  const [a, b] = kept.map(projection.project);
+  const { colour, dash } = LINES[kind];
+  brush.strokeStyle = brush.fillStyle = colour;
+  brush.lineWidth = width;
+  brush.setLineDash(dash[0] === 1 ? [] : [...dash]);
+  brush.beginPath();
+  brush.moveTo(a.x, a.y);
+  brush.lineTo(b.x, b.y);
+  brush.stroke();
+  brush.setLineDash([]);
+  const [dx, dy] = [b.x - a.x, b.y - a.y];
+  const long = Math.hypot(dx, dy);
+  const head = 4 * Math.sqrt(width);
+  if (width < 1 || long < 4 * head) return;
+  const [ux, uy] = [(dx / long) * head, (dy / long) * head];
+  const [x, y] = [a.x + 0.56 * dx, a.y + 0.56 * dy];
+  brush.beginPath();
+  brush.moveTo(x + ux, y + uy);
+  brush.lineTo(x - ux - 0.8 * uy, y - uy + 0.8 * ux);
+  brush.lineTo(x - ux + 0.8 * uy, y - uy - 0.8 * ux);
+  brush.fill();
+}
+
+function drawDot(brush: Brush, projection: Projection, at: Vec3, radius: number, colour: string) {
+  const { x, y, depth } = projection.project(at);
+  if (depth <= 0) return;
+  brush.beginPath();
+  brush.arc(x, y, radius, 0, 2 * Math.PI);
+  brush.fillStyle = colour;
+  brush.fill();
+}
+
+export function createFlatRenderer(): StageRenderer {
+  const canvas = document.createElement("canvas");
+  canvas.dataset.flat = "yes";
+  const brush = canvas.getContext("2d")!;
+  let known: { scene: SceneData; pieces: ReturnType<typeof shapesOf> } | null = null;
+  let size = { width: 1, height: 1, ratio: 1 };
+
+  function drawBodies(view: StageView, observer: Observer, projection: Projection) {
+    if (known?.scene !== view.scene) known = { scene: view.scene, pieces: shapesOf(view.scene) };
+    const pieces = known.pieces(observer.eye, projection);
+    const planeDepth = projection.project(onPlane(view.plane, 0.5, 0.5, 1)).depth;
+    let tilesDone = false;
+    for (const piece of pieces) {
+      if (!tilesDone && piece.depth < planeDepth) {
+        drawTiles(brush, projection, view);
+        tilesDone = true;
+      }
+      if (piece.kind === "ball") drawBall(brush, projection, piece);
+      else if (path(brush, projection, piece.points)) {
+        brush.fillStyle = brush.strokeStyle = css(piece.colour, piece.alpha);
+        brush.fill();
+        if (piece.alpha === 1) brush.stroke();
+      }
+    }
+    if (!tilesDone) drawTiles(brush, projection, view);
+  }
+
+  return {
+    canvas,
+    draw(view, observer, projection) {
+      brush.setTransform(size.ratio, 0, 0, size.ratio, 0, 0);
+      brush.clearRect(0, 0, size.width, size.height);
+      brush.lineWidth = 1;
+      drawBodies(view, observer, projection);
+      const near = view.scene.bounds.radius / 300;
+      const { eye } = view.plane;
+      brush.strokeStyle = STAGE.frustum;
+      for (const corner of planeCorners(view.plane))
+        if (length(sub(observer.eye, eye)) > near && path(brush, projection, [eye, corner])) brush.stroke();
+      brush.globalAlpha = view.thin.length > 1000 ? 0.25 : 0.6;
+      for (const line of view.thin) drawLine(brush, projection, line, 0.9, near);
+      brush.globalAlpha = 1;
+      for (const line of view.chosen) {
+        const lit = view.lit?.ray === line.ray && view.lit.light === line.light;
+        drawLine(brush, projection, line, lit ? 5 : 3, near);
+      }
+      const chosen = new Set(view.chosen);
+      for (const line of [...view.thin, ...view.chosen])
+        if (line.light < 0 && !line.leaves) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);
+      for (const light of view.scene.lights) drawDot(brush, projection, light.position, 8, STAGE.lamp);
+      if (length(sub(observer.eye, eye)) > near) drawDot(brush, projection, eye, 7, STAGE.camera);
+    },
+    resize(width, height, ratio) {
+      size = { width, height, ratio };
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    },
+    dispose: () => canvas.remove(),
+  };
+}

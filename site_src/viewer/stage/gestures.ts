@@ -1,0 +1,82 @@
+/** What fingers, a mouse or a wheel do on the stage, told in the stage's own terms. */
+export interface GestureActs {
+  /** May this point be selected? Then dragging from it selects on; elsewhere it turns the view. */
+  isOnTiles: (x: number, y: number) => boolean;
+  pick: (x: number, y: number) => void;
+  hover: (x: number, y: number) => void;
+  leave: () => void;
+  orbit: (dx: number, dy: number) => void;
+  pan: (dx: number, dy: number) => void;
+  zoom: (factor: number) => void;
+}
+
+const WHEEL_PER_PIXEL = 0.0016;
+const WHEEL_LINE = 16; // pixels, for mice that count lines
+
+interface Touch {
+  x: number;
+  y: number;
+}
+
+export function listenToGestures(element: HTMLElement, acts: GestureActs) {
+  const down = new Map<number, Touch>();
+  let doing: "pick" | "orbit" | "pan" | "two" | null = null;
+  const at = (event: PointerEvent): Touch => {
+    const box = element.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  const spread = () => {
+    const [a, b] = [...down.values()];
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.max(1, Math.hypot(a.x - b.x, a.y - b.y)) };
+  };
+
+  function press(event: PointerEvent) {
+    if (event.button > 2) return;
+    const here = at(event);
+    element.setPointerCapture(event.pointerId);
+    down.set(event.pointerId, here);
+    if (down.size >= 2) doing = "two";
+    else if (event.shiftKey || event.button === 1) doing = "pan";
+    else doing = event.button === 0 && acts.isOnTiles(here.x, here.y) ? "pick" : "orbit";
+    if (doing === "pick") acts.pick(here.x, here.y);
+  }
+
+  function drag(event: PointerEvent) {
+    const here = at(event);
+    const before = down.get(event.pointerId);
+    if (!before) return acts.hover(here.x, here.y);
+    if (doing === "two" && down.size >= 2) {
+      const was = spread();
+      down.set(event.pointerId, here);
+      const is = spread();
+      acts.pan(is.x - was.x, is.y - was.y);
+      return acts.zoom(was.apart / is.apart);
+    }
+    down.set(event.pointerId, here);
+    if (doing === "pick") acts.pick(here.x, here.y);
+    if (doing === "orbit") acts.orbit(here.x - before.x, here.y - before.y);
+    if (doing === "pan") acts.pan(here.x - before.x, here.y - before.y);
+  }
+
+  function release(event: PointerEvent) {
+    down.delete(event.pointerId);
+    if (down.size === 0) doing = null;
+  }
+
+  function wheel(event: WheelEvent) {
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === 1 ? WHEEL_LINE : 1) * (event.ctrlKey ? 6 : 1); // ctrl: a pinch on a trackpad
+    acts.zoom(Math.exp(pixels * WHEEL_PER_PIXEL));
+  }
+
+  const off = new AbortController();
+  const { signal } = off;
+  element.addEventListener("pointerdown", press, { signal });
+  element.addEventListener("pointermove", drag, { signal });
+  element.addEventListener("pointerup", release, { signal });
+  element.addEventListener("pointercancel", release, { signal });
+  element.addEventListener("pointerleave", () => acts.leave(), { signal });
+  element.addEventListener("wheel", wheel, { signal, passive: false });
+  element.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
+  return { dispose: () => off.abort() };
+}

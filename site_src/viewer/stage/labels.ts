@@ -1,0 +1,75 @@
+/** Words beside things on the stage. They step aside for one another; the least important give way. */
+export interface Label {
+  key: string;
+  text: string;
+  x: number; // CSS pixels: what the label belongs to
+  y: number;
+  kind: "sign" | "hit"; // hit: coordinates, in figures of equal width
+}
+
+interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+const GAP = 12; // from the thing to its label
+const CHAR = { sign: 7.4, hit: 7.8 }; // width of a character at most
+const HEIGHT = 22;
+
+const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/** Right, left, below, above: the first that is free and inside. */
+function place(label: Label, width: number, height: number, taken: readonly Box[]): Box | null {
+  const w = label.text.length * CHAR[label.kind] + 8;
+  const spots = [
+    [label.x + GAP, label.y - HEIGHT / 2],
+    [label.x - GAP - w, label.y - HEIGHT / 2],
+    [label.x - w / 2, label.y + GAP],
+    [label.x - w / 2, label.y - GAP - HEIGHT],
+    [label.x + GAP, label.y + GAP],
+    [label.x + GAP, label.y - GAP - HEIGHT],
+  ];
+  const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + HEIGHT }));
+  const inside = (b: Box) => b.left >= 4 && b.top >= 4 && b.right <= width - 4 && b.bottom <= height - 4;
+  return boxes.find((box) => inside(box) && !taken.some((other) => overlap(box, other))) ?? null;
+}
+
+export function createLabels() {
+  const element = document.createElement("div");
+  element.className = "labels";
+  element.setAttribute("aria-hidden", "true"); // the card says the same in words
+  const spans = new Map<string, HTMLSpanElement>();
+
+  function spanOf(label: Label) {
+    const known = spans.get(label.key);
+    if (known) return known;
+    const span = document.createElement("span");
+    spans.set(label.key, span);
+    element.append(span);
+    return span;
+  }
+
+  return {
+    element,
+    /** Most important first; taken: places that are not free. */
+    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = []) {
+      const used = [...taken];
+      const alive = new Set(labels.map((label) => label.key));
+      for (const [key, span] of spans) if (!alive.has(key)) span.remove(), spans.delete(key);
+      for (const label of labels) {
+        const span = spanOf(label);
+        if (span.textContent !== label.text) span.textContent = label.text;
+        span.className = label.kind;
+        const box = place(label, width, height, used);
+        span.hidden = !box;
+        if (!box) continue;
+        used.push(box);
+        span.style.transform = `translate(${Math.round(box.left)}px, ${Math.round(box.top)}px)`;
+        span.style.width = `${Math.round(box.right - box.left)}px`;
+        span.style.textAlign = box.right < label.x ? "right" : box.left > label.x ? "left" : "center";
+      }
+    },
+  };
+}

@@ -1,0 +1,28 @@
+/** What a stage shows, and what each of its two renderers (WebGL, Canvas2D) can do. */
+import type { PicturePlane } from "../state/frustum";
+import type { Line } from "../state/lines";
+import type { Observer } from "../state/observer";
+import type { Projection } from "../state/projection";
+import type { ViewState } from "../state/view-state";
+import type { SceneData, Trace } from "../trace/types";
+import type { LitLine } from "./line-set";
+
+export interface StageView {
+  scene: SceneData;
+  plane: PicturePlane;
+  trace: Trace | null; // null while it loads or if it is missing
+  state: ViewState;
+  tiles: number; // filled, in scan order
+  chosen: readonly Line[]; // of the selected pixel, or of the one being rendered
+  thin: readonly Line[]; // of a row, a column or all
+  lit: LitLine | null;
+  ring: string | null; // outline of the selected tile; null while it blinks off
+}
+
+export interface StageRenderer {
+  canvas: HTMLCanvasElement;
+  draw: (view: StageView, observer: Observer, projection: Projection) => void;
+  /** CSS pixels, and device pixels in each. */
+  resize: (width: number, height: number, ratio: number) => void;
+  dispose: () => void;
+}

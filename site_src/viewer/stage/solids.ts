@@ -1,0 +1,110 @@
+/** The scene's objects, lit by its lights. World units, +y up. */
+import {
+  AmbientLight,
+  BackSide,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Matrix4,
+  Mesh,
+  PointLight,
+  SphereGeometry,
+  type Side,
+} from "three";
+import { meshOf } from "../state/mesh";
+import { isWithin, planeOf, toWorld } from "../state/placing";
+import { cross, dot, sub } from "../state/vectors";
+import type { ObjectData, SceneData } from "../trace/types";
+import { createLooks } from "./looks";
+import { createWall } from "./wall";
+
+const ROUND = 64; // segments round a sphere: no corner shows at full screen
+const SHADOW_PIXELS = 1024;
+
+function geometryOf(object: ObjectData, scene: SceneData): BufferGeometry {
+  if (object.type === "sphere") return new SphereGeometry(1, ROUND, ROUND / 2);
+  if (object.type === "cylinder") return new CylinderGeometry(1, 1, 2, ROUND, 1, object.open).rotateX(Math.PI / 2);
+  if (object.type === "box") return new BoxGeometry(2, 2, 2);
+  if (object.type === "disc") return new CircleGeometry(1, ROUND);
+  const geometry = new BufferGeometry();
+  if (object.type === "triangle") {
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), 3));
+    geometry.computeVertexNormals();
+    return geometry;
+  }
+  const data = object.mesh ? scene.meshes[object.mesh] : undefined;
+  if (!data) return geometry;
+  const { positions, normals, indices } = meshOf(data);
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  return geometry;
+}
+
+/** Which faces to draw. A room round the camera shows its inside only, so that an observer outside
+ *  looks in; a lone triangle is a piece of wall and turns towards the camera. */
+function sideOf(object: ObjectData, scene: SceneData): Side {
+  const eye = scene.camera.eye;
+  if (isWithin(object, eye)) return BackSide;
+  if (object.type === "triangle") {
+    const [a, b, c] = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]] as const).map((p) => toWorld(object.transform, p));
+    return dot(cross(sub(b, a), sub(c, a)), sub(eye, a)) < 0 ? BackSide : FrontSide;
+  }
+  return object.type === "sphere" || object.type === "box" || (object.type === "cylinder" && !object.open) ? FrontSide : DoubleSide;
+}
+
+function lightsOf(scene: SceneData) {
+  const group = new Group();
+  // A little light from everywhere, so that shapes keep their form in the shade.
+  group.add(new AmbientLight(0xffffff, 0.22 * Math.PI));
+  for (const { position, colour, intensity } of scene.lights) {
+    const light = new PointLight(0xffffff, intensity * Math.PI, 0, 0); // three divides by pi
+    light.color.setRGB(...colour);
+    light.position.set(...position);
+    light.castShadow = scene.shadows;
+    light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    light.shadow.camera.near = scene.bounds.radius / 40; // nearer, and depths far away run together
+    light.shadow.camera.far = scene.bounds.radius * 6;
+    light.shadow.bias = -0.0003;
+    light.shadow.normalBias = scene.bounds.radius / 400;
+    group.add(light);
+  }
+  return group;
+}
+
+export function createSolids(scene: SceneData) {
+  const object = new Group();
+  const looks = createLooks();
+  const lights = lightsOf(scene);
+  object.add(lights);
+  const walls = scene.objects.filter((each) => each.type === "plane");
+  for (const each of scene.objects) {
+    const material = scene.materials[each.material];
+    if (each.type === "plane") {
+      object.add(createWall(each, scene, looks, walls.filter((other) => other !== each).map(planeOf)));
+      continue;
+    }
+    const geometry = geometryOf(each, scene);
+    const mesh = new Mesh(geometry, looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal")));
+    mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));
+    mesh.castShadow = !looks.isClear(material);
+    mesh.receiveShadow = true;
+    if (looks.isClear(material)) mesh.renderOrder = 2;
+    object.add(mesh);
+  }
+  return {
+    object,
+    dispose() {
+      object.traverse((each) => {
+        if (each instanceof Mesh) each.geometry.dispose();
+        if (each instanceof PointLight) each.dispose();
+      });
+      looks.dispose();
+    },
+  };
+}

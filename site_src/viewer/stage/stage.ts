@@ -1,0 +1,163 @@
+/** The stage: a renderer, the labels over it, and what the hand does on it. */
+import { onPlane } from "../state/frustum";
+import { createProjection, type Projection } from "../state/projection";
+import { observerOf, orbit, pan, zoom, type Observer, type ObserverChoice } from "../state/observer";
+import { length, sub, triple } from "../state/vectors";
+import { STAGE_WORDS } from "../words";
+import { createFlatRenderer } from "./flat";
+import { listenToGestures } from "./gestures";
+import { createLabels, type Label } from "./labels";
+import type { LitLine } from "./line-set";
+import type { StageRenderer, StageView } from "./renderer";
+import { createWebglRenderer } from "./webgl";
+
+export interface StageActs {
+  move: (observer: ObserverChoice) => void;
+  pick: (column: number, row: number) => void;
+  light: (line: LitLine | null) => void;
+  /** WebGL is refused or was lost; the flat renderer has taken over. */
+  flat: (why: "refused" | "lost") => void;
+}
+
+const ORBIT_DEGREES = 0.35; // a pixel of dragging
+const NEAR_A_LINE = 9; // pixels
+
+export function createStage(acts: StageActs, withGl: boolean) {
+  const element = document.createElement("div");
+  element.className = "stage-view";
+  element.tabIndex = 0;
+  element.setAttribute("role", "application");
+  element.setAttribute("aria-label", STAGE_WORDS.label);
+  const labels = createLabels();
+  let view: StageView | null = null;
+  let observer: Observer | null = null;
+  let projection: Projection | null = null;
+  let size = { width: 1, height: 1 };
+  let frames = 0;
+
+  let renderer: StageRenderer = (withGl && createWebglRenderer(fallBack)) || createFlatRenderer();
+  let isFlat = !withGl || renderer.canvas.dataset.flat === "yes";
+  if (withGl && isFlat) queueMicrotask(() => acts.flat("refused"));
+  element.append(renderer.canvas, labels.element);
+
+  function fallBack() {
+    renderer.canvas.remove();
+    renderer = createFlatRenderer();
+    isFlat = true;
+    element.prepend(renderer.canvas);
+    measure();
+    acts.flat("lost");
+  }
+
+  function measure() {
+    size = { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
+    renderer.resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
+    draw();
+  }
+
+  function labelsOf({ scene, trace, chosen, state }: StageView): Label[] {
+    const label = (key: string, text: string, at: readonly [number, number, number], kind: Label["kind"]): Label[] => {
+      const seen = projection!.project(at);
+      const inside = seen.depth > 0 && seen.x > 0 && seen.y > 0 && seen.x < size.width && seen.y < size.height;
+      return inside ? [{ key, text, x: seen.x, y: seen.y, kind }] : [];
+    };
+    if (state.observer === "camera" && view!.tiles > 0) return []; // the tiles hide what they would name
+    const first = chosen.find((line) => line.light < 0);
+    const lit = view!.lit ? view!.lit.ray : first?.ray;
+    const hit = trace && lit !== undefined && chosen.length && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
+    return [
+      ...(hit ? label("hit", STAGE_WORDS.point(hit), hit, "hit") : []),
+      ...(state.observer === "camera" ? [] : label("camera", STAGE_WORDS.camera, scene.camera.eye, "sign")),
+      ...scene.lights.flatMap((light) => label(`light ${light.name}`, light.name, light.position, "sign")),
+    ];
+  }
+
+  function draw() {
+    if (!view) return;
+    observer = observerOf(view.state.observer, view.scene, view.plane, size.width / size.height);
+    projection = createProjection(observer, size.width, size.height);
+    renderer.draw(view, observer, projection);
+    labels.show(labelsOf(view), size.width, size.height);
+    frames++;
+  }
+
+  function tileAt(x: number, y: number): readonly [number, number] | null {
+    const share = view && projection!.onPicturePlane(view.plane, x, y);
+    if (!share) return null;
+    const at = share.map((s) => Math.floor(s * view!.state.n));
+    return [at[0], at[1]];
+  }
+  const isTile = (tile: readonly [number, number] | null) => !!tile && tile.every((k) => k >= 0 && k < view!.state.n);
+
+  /** The selected pixel's line nearest to a place on the stage, measured on the screen. */
+  function lineAt(x: number, y: number): LitLine | null {
+    let nearest = NEAR_A_LINE;
+    let found: LitLine | null = null;
+    for (const line of view?.chosen ?? []) {
+      const [a, b] = [projection!.project(line.from), projection!.project(line.to)];
+      if (a.depth <= 0 || b.depth <= 0) continue;
+      const [dx, dy] = [b.x - a.x, b.y - a.y];
+      const along = Math.max(0, Math.min(1, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
+      const away = Math.hypot(a.x + along * dx - x, a.y + along * dy - y);
+      if (away < nearest) [nearest, found] = [away, { ray: line.ray, light: line.light }];
+    }
+    return found;
+  }
+
+  const shorter = () => Math.min(size.width, size.height);
+  const turn = (right: number, up: number) => observer && acts.move(orbit(observer, right, up));
+  const shift = (right: number, up: number) => observer && acts.move(pan(observer, right, up));
+  const come = (factor: number) => observer && acts.move(zoom(observer, factor, view!.scene.bounds.radius));
+  const gestures = listenToGestures(element, {
+    isOnTiles: (x, y) => isTile(tileAt(x, y)),
+    pick(x, y) {
+      const tile = tileAt(x, y);
+      const within = (k: number) => Math.max(0, Math.min(view!.state.n - 1, k));
+      if (tile) acts.pick(within(tile[0]), within(tile[1]));
+    },
+    hover(x, y) {
+      const onTile = isTile(tileAt(x, y));
+      element.classList.toggle("on-tiles", onTile);
+      acts.light(onTile ? null : lineAt(x, y));
+    },
+    leave: () => acts.light(null),
+    orbit: (dx, dy) => turn(-dx * ORBIT_DEGREES, dy * ORBIT_DEGREES),
+    pan: (dx, dy) => shift(-dx / shorter(), dy / shorter()),
+    zoom: come,
+  });
+  const watcher = new ResizeObserver(measure);
+  watcher.observe(element);
+
+  return {
+    element,
+    show(next: StageView) {
+      view = next;
+      draw();
+    },
+    /** Degrees; shares of the stage; a factor on the distance. */
+    turn,
+    shift,
+    come,
+    /** For tests: what is drawn where. */
+    stats: () => ({
+      frames,
+      renderer: isFlat ? "flat" : "webgl",
+      width: size.width,
+      height: size.height,
+      eye: observer?.eye ?? null,
+      target: observer?.target ?? null,
+      reach: observer ? length(sub(observer.eye, observer.target)) : 0,
+      /** Stage pixel of a tile's middle. */
+      tile: (column: number, row: number) =>
+        projection!.project(onPlane(view!.plane, column + 0.5, row + 0.5, view!.state.n)),
+    }),
+    /** For tests: as if the driver took the context away. */
+    loseContext: () => renderer.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext(),
+    dispose() {
+      watcher.disconnect();
+      gestures.dispose();
+      renderer.dispose();
+      element.remove();
+    },
+  };
+}

@@ -1,0 +1,115 @@
+/** The picture plane's n x n tiles as one quad. An empty tile is see-through, a filled one has exactly
+ *  the picture's colour; the selected one has a ring. */
+import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, Group, Mesh, NearestFilter, ShaderMaterial, Vector2 } from "three";
+import { STAGE } from "../palette";
+import { planeCorners, type PicturePlane } from "../state/frustum";
+import type { Trace } from "../trace/types";
+
+const VERTEX = `
+varying vec2 at;
+void main() { at = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
+
+// Lengths on the tiles are measured in screen pixels, so that lines stay thin at any distance.
+const FRAGMENT = `
+uniform sampler2D colours;
+uniform float n;
+uniform vec2 selected;
+uniform vec3 ring, gridEmpty, gridFilled;
+uniform float ringShown;
+varying vec2 at;
+void main() {
+  vec2 cell = at * n;
+  vec2 perPixel = max(fwidth(cell), vec2(1e-6));
+  vec4 tile = texture2D(colours, (min(floor(cell), n - 1.0) + 0.5) / n);
+  bool filled = tile.a > 0.5;
+  vec2 toEdge = (0.5 - abs(fract(cell) - 0.5)) / perPixel;
+  float tilePixels = 1.0 / max(perPixel.x, perPixel.y);
+  vec2 lines = (1.0 - smoothstep(0.2, 1.1, toEdge)) * smoothstep(2.0, 7.0, 1.0 / perPixel); // seen edge-on they would merge
+  float line = max(lines.x, lines.y);
+  vec2 border = min(cell, n - cell) / perPixel;
+  float frame = 1.0 - smoothstep(0.6, 1.6, min(border.x, border.y));
+  vec2 q = (abs(cell - selected - 0.5) - 0.5) / perPixel;
+  vec2 thick = clamp(0.16 / perPixel, 1.2, 4.0);
+  float outside = tilePixels < 9.0 ? 2.0 : 0.0; // round a tiny tile, not in it
+  bool onRing = ringShown > 0.5 && max(q.x, q.y) < outside && (q.x > -thick.x || q.y > -thick.y);
+#ifdef FILLED
+  if (!filled && !onRing) discard;
+  vec3 c = filled ? mix(tile.rgb, gridFilled, 0.55 * line) : ring;
+  gl_FragColor = vec4(onRing ? ring : c, 1.0);
+#else
+  if (filled || onRing) discard;
+  gl_FragColor = vec4(gridEmpty, max(max(0.05, 0.42 * line), 0.85 * frame));
+#endif
+}`;
+
+export function createTiles(plane: PicturePlane) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(planeCorners(plane).flat()), 3));
+  geometry.setAttribute("uv", new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  const uniforms = {
+    colours: { value: null as DataTexture | null },
+    n: { value: 1 },
+    selected: { value: new Vector2() },
+    ring: { value: new Color() },
+    ringShown: { value: 1 },
+    gridEmpty: { value: new Color(STAGE.gridEmpty) },
+    gridFilled: { value: new Color(STAGE.gridFilled) },
+  };
+  // Filled tiles hide what is behind them, empty ones must not: two passes over the same quad.
+  const material = (filled: boolean) =>
+    new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms,
+      defines: filled ? { FILLED: 1 } : {},
+      side: DoubleSide,
+      transparent: !filled,
+      depthWrite: filled,
+    });
+  const object = new Group();
+  const [solid, empty] = [true, false].map((filled) => new Mesh(geometry, material(filled)));
+  empty.renderOrder = 5;
+  object.add(solid, empty);
+  let shown = { trace: null as Trace | null, n: 0, count: -1 };
+
+  function paint(trace: Trace | null, n: number, count: number) {
+    if (shown.trace === trace && shown.n === n && shown.count === count) return;
+    if (shown.n !== n) {
+      uniforms.colours.value?.dispose();
+      const texture = new DataTexture(new Uint8Array(4 * n * n), n, n);
+      texture.magFilter = texture.minFilter = NearestFilter;
+      uniforms.colours.value = texture;
+      uniforms.n.value = n;
+    }
+    const texture = uniforms.colours.value!;
+    const data = texture.image.data as Uint8Array;
+    data.fill(0);
+    if (trace)
+      for (let k = 0; k < count; k++) {
+        data[4 * k] = trace.tiles[3 * k];
+        data[4 * k + 1] = trace.tiles[3 * k + 1];
+        data[4 * k + 2] = trace.tiles[3 * k + 2];
+        data[4 * k + 3] = 255;
+      }
+    texture.needsUpdate = true;
+    shown = { trace, n, count };
+  }
+
+  return {
+    object,
+    /** count: tiles filled, in scan order. ring: colour of the selected tile's outline, null while it blinks off. */
+    show(trace: Trace | null, n: number, count: number, selected: readonly [number, number], ring: string | null) {
+      paint(trace, n, count);
+      uniforms.selected.value.set(...selected);
+      uniforms.ringShown.value = ring ? 1 : 0;
+      if (ring) uniforms.ring.value.set(ring);
+    },
+    dispose() {
+      geometry.dispose();
+      solid.material.dispose();
+      empty.material.dispose();
+      uniforms.colours.value?.dispose();
+    },
+  };
+}

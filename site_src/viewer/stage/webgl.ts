@@ -1,0 +1,111 @@
+/** The stage drawn with three. One frame for each call of draw: nothing runs by itself. */
+import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { LINES, STAGE } from "../palette";
+import type { Line } from "../state/lines";
+import { dot, length, sub } from "../state/vectors";
+import { createCameraSign } from "./camera-sign";
+import { createDots, type Dot } from "./dots";
+import { createLineSet } from "./line-set";
+import type { StageRenderer, StageView } from "./renderer";
+import { createSolids } from "./solids";
+import { createTiles } from "./tiles";
+
+const hitDots = (lines: readonly Line[]): Dot[] =>
+  lines.filter((line) => line.light < 0 && !line.leaves).map((line) => ({ at: line.to, colour: LINES[line.kind].colour }));
+
+/** What stays while the scene stays. */
+function createSet(view: StageView) {
+  const world = new Scene();
+  const solids = createSolids(view.scene);
+  const tiles = createTiles(view.plane);
+  const sign = createCameraSign(view.plane, view.scene.bounds.radius);
+  const lamps = createDots(34, 0.55);
+  lamps.show(view.scene.lights.map((light) => ({ at: light.position, colour: STAGE.lamp })));
+  const chosen = createLineSet(true);
+  const thin = createLineSet(false);
+  const hits = createDots(9);
+  const thinHits = createDots(5);
+  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits];
+  world.add(...parts.map((part) => part.object));
+  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown } = {};
+  return {
+    world,
+    show(now: StageView, fromEye: boolean) {
+      tiles.show(now.trace, now.state.n, now.tiles, now.state.pixel, now.ring);
+      sign.show(!fromEye);
+      if (shown.chosen !== now.chosen || shown.lit !== now.lit) {
+        chosen.show(now.chosen, now.lit);
+        hits.show(hitDots(now.chosen));
+      }
+      if (shown.thin !== now.thin) {
+        thin.show(now.thin, null);
+        thinHits.show(hitDots(now.thin));
+      }
+      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit });
+    },
+    resize(width: number, height: number, ratio: number) {
+      for (const lines of [chosen, thin]) lines.resize(width, height);
+      for (const dots of [lamps, hits, thinHits]) dots.resize(ratio);
+    },
+    dispose: () => parts.forEach((part) => part.dispose()),
+  };
+}
+
+/** null where the browser gives no WebGL. */
+export function createWebglRenderer(onLost: () => void): StageRenderer | null {
+  const canvas = document.createElement("canvas");
+  const options = { alpha: true, antialias: true, powerPreference: "low-power" } as const;
+  const context = canvas.getContext("webgl2", options) as WebGL2RenderingContext | null;
+  if (!context) return null;
+  // Before three hears of it: another renderer takes over, nothing is to be restored.
+  canvas.addEventListener("webglcontextlost", (event) => (event.stopImmediatePropagation(), onLost()));
+  ColorManagement.enabled = false; // the course's colours are display values
+  const renderer = new WebGLRenderer({ canvas, context, ...options });
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  renderer.localClippingEnabled = true;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  renderer.shadowMap.autoUpdate = false; // nothing moves but the observer
+  const camera = new PerspectiveCamera();
+  let size = { width: 1, height: 1, ratio: 1 };
+  let set: (ReturnType<typeof createSet> & { of: StageView["scene"] }) | null = null;
+
+  function setFor(view: StageView) {
+    if (set?.of === view.scene) return set;
+    set?.dispose();
+    set = { ...createSet(view), of: view.scene };
+    set.resize(size.width, size.height, size.ratio);
+    renderer.shadowMap.needsUpdate = true;
+    return set;
+  }
+
+  return {
+    canvas,
+    draw(view, observer, projection) {
+      const { center, radius } = view.scene.bounds;
+      const now = setFor(view);
+      const depth = dot(sub(center, observer.eye), projection.forward);
+      camera.position.set(...observer.eye);
+      camera.up.set(...observer.up);
+      camera.lookAt(...observer.target);
+      camera.fov = (Math.atan(size.height / 2 / projection.focal) * 360) / Math.PI;
+      camera.aspect = size.width / size.height;
+      camera.near = Math.max(radius / 300, depth - 8 * radius);
+      camera.far = Math.max(depth, 0) + 8 * radius;
+      camera.updateProjectionMatrix();
+      now.show(view, length(sub(observer.eye, view.plane.eye)) < radius / 50);
+      renderer.render(now.world, camera);
+    },
+    resize(width, height, ratio) {
+      size = { width, height, ratio };
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+      set?.resize(width, height, ratio);
+    },
+    dispose() {
+      set?.dispose();
+      renderer.dispose();
+      canvas.remove();
+    },
+  };
+}

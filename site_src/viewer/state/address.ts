@@ -1,0 +1,87 @@
+/** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is at its start is left out. */
+import type { SceneData, View } from "../trace/types";
+import { applyView, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
+import { length, sub, type Vec3 } from "./vectors";
+
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "step", "speed", "still", "gl"];
+
+/** Six numbers, eye then target; enough digits that the same view comes back. */
+const place = (eye: Vec3, target: Vec3) => [...eye, ...target].map((v) => String(Number(v.toPrecision(5)))).join(",");
+
+/** withScene: from file:// the page stays, so the scene goes into the address too. */
+export function writeAddress(state: ViewState, scene: SceneData, withScene: boolean): string {
+  const start = startState(scene, state);
+  const parts: string[] = [];
+  const put = (key: string, value: string | number) => parts.push(`${key}=${value}`);
+  if (withScene) put("scene", state.scene);
+  if (state.n !== start.n) put("n", state.n);
+  if (state.pixel.join() !== start.pixel.join() || state.n !== start.n) put("p", state.pixel.join());
+  if (state.rays.join() !== start.rays.join()) put("rays", state.rays.join() || "none");
+  if (state.tiles !== "empty") put("tiles", "filled");
+  if (state.observer === "camera") put("cam", "camera");
+  else if (state.observer !== "start") put("cam", place(state.observer.eye, state.observer.target));
+  if (state.step !== null) put("step", state.step + 1);
+  if (state.speed !== 1) put("speed", state.speed);
+  if (state.still) put("still", 1);
+  if (!state.gl) put("gl", "none");
+  return parts.join("&");
+}
+
+/** What an address asks for before its scene is known. */
+export function readAddress(hash: string, query: string): { fields: Map<string, string>; scene: string | null; still: boolean; gl: boolean } {
+  const fields = new Map([...new URLSearchParams(hash.replace(/^#/, ""))]);
+  return {
+    fields,
+    scene: fields.get("scene") ?? null,
+    still: fields.get("still") === "1",
+    gl: fields.get("gl") !== "none" && new URLSearchParams(query).get("gl") !== "none",
+  };
+}
+
+function whole(text: string): number {
+  return /^\d{1,6}$/.test(text) ? Number(text) : Number.NaN;
+}
+
+function readObserver(text: string): View["observer"] | null {
+  if (text === "start" || text === "camera") return text;
+  const v = text.split(",").map((each) => (each.trim() === "" ? Number.NaN : Number(each)));
+  if (v.length !== 6 || !v.every(Number.isFinite)) return null;
+  const [eye, target] = [v.slice(0, 3), v.slice(3)] as unknown as [Vec3, Vec3];
+  const arm = sub(eye, target);
+  // Straight above or below its target the observer has no upright.
+  return length(arm) > 1e-6 && Math.hypot(arm[0], arm[2]) > 1e-6 ? { eye, target } : null;
+}
+
+/** The state an address asks for, and the keys it names that cannot be followed (then those parts
+ *  stay at the scene's start). */
+export function followAddress(
+  fields: ReadonlyMap<string, string>,
+  scene: SceneData,
+  kept: Pick<ViewState, "speed" | "still" | "gl">,
+): { state: ViewState; damaged: string[] } {
+  const damaged = [...fields.keys()].filter((key) => !KNOWN.includes(key));
+  const read = <T>(key: string, parse: (text: string) => T | null): T | undefined => {
+    const text = fields.get(key);
+    if (text === undefined) return undefined;
+    const value = parse(text);
+    if (value === null) damaged.push(key);
+    return value ?? undefined;
+  };
+  const view: { -readonly [K in keyof View]: View[K] } = {};
+  view.resolution = read("n", (text) => (scene.levels.includes(whole(text)) ? whole(text) : null));
+  const n = view.resolution ?? scene.start.resolution;
+  view.pixel = read("p", (text) => {
+    const p = text.split(",").map(whole);
+    return p.length === 2 && p.every((k) => k < n) ? ([p[0], p[1]] as const) : null;
+  });
+  view.rays = read("rays", (text) => {
+    const asked = text === "none" ? [] : text.split(",");
+    return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
+  });
+  view.tiles = read("tiles", (text) => (text === "empty" || text === "filled" ? text : null));
+  view.observer = read("cam", readObserver) ?? undefined;
+  const step = read("step", (text) => (scene.lesson[whole(text) - 1] ? whole(text) - 1 : null)) ?? null;
+  const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;
+  const state = applyView(scene, startState(scene, { ...kept, speed }), view);
+  return { state: { ...state, step }, damaged };
+}

@@ -1,0 +1,117 @@
+/** Rays as straight lines: which belong to which pixel, where each begins and ends. */
+import { KIND, VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import { along, triple, type Vec3 } from "./vectors";
+import type { ViewState } from "./view-state";
+
+export type LineKind = "camera" | "reflected" | "refracted" | "total" | "reached" | "blocked";
+export const LINE_KINDS: readonly LineKind[] = ["camera", "reflected", "refracted", "total", "reached", "blocked"];
+
+export const KIND_NAMES: Readonly<Record<number, LineKind>> = {
+  [KIND.camera]: "camera",
+  [KIND.reflected]: "reflected",
+  [KIND.refracted]: "refracted",
+  [KIND.total]: "total",
+};
+
+export interface Line {
+  kind: LineKind;
+  from: Vec3;
+  to: Vec3;
+  ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
+  light: number; // of a shadow ray, else -1
+  leaves: boolean; // a ray that leaves the scene ends nowhere: no dot at its end
+}
+
+interface PixelIndex {
+  start: Int32Array; // rays of pixel p: order[start[p]] .. order[start[p + 1]]
+  order: Int32Array;
+}
+
+const indices = new WeakMap<Trace, PixelIndex>();
+
+/** Counting sort by pixel: keeps the trace's order, so a parent comes before its children. */
+function indexOf(trace: Trace): PixelIndex {
+  const known = indices.get(trace);
+  if (known) return known;
+  const start = new Int32Array(trace.n * trace.n + 1);
+  for (let k = 0; k < trace.count; k++) start[trace.pixel[k] + 1]++;
+  for (let p = 0; p < trace.n * trace.n; p++) start[p + 1] += start[p];
+  const next = start.slice();
+  const order = new Int32Array(trace.count);
+  for (let k = 0; k < trace.count; k++) order[next[trace.pixel[k]]++] = k;
+  const index = { start, order };
+  indices.set(trace, index);
+  return index;
+}
+
+/** The rays of a pixel, each followed by what it led to (depth first). */
+export function treeOf(trace: Trace, pixel: number): number[] {
+  const { start, order } = indexOf(trace);
+  const children = new Map<number, number[]>();
+  for (let at = start[pixel]; at < start[pixel + 1]; at++) {
+    const parent = trace.parent[order[at]];
+    children.set(parent, [...(children.get(parent) ?? []), order[at]]);
+  }
+  const walk = (ray: number): number[] => [ray, ...(children.get(ray) ?? []).flatMap(walk)];
+  return (children.get(-1) ?? []).flatMap(walk);
+}
+
+export function originOf(trace: Trace, scene: SceneData, ray: number): Vec3 {
+  return trace.parent[ray] < 0 ? scene.camera.eye : triple(trace.point, trace.parent[ray]);
+}
+
+function shadowLine(trace: Trace, scene: SceneData, ray: number, light: number): Line | null {
+  const at = ray * trace.lights + light;
+  const seen = trace.visibility[at];
+  if (seen !== VISIBILITY.reached && seen !== VISIBILITY.blocked) return null;
+  const from = triple(trace.point, ray);
+  const position = scene.lights[light].position;
+  const to = seen === VISIBILITY.blocked ? along(from, position, trace.blockedAt[at]) : position;
+  return { kind: seen === VISIBILITY.blocked ? "blocked" : "reached", from, to, ray, light, leaves: false };
+}
+
+/** Every line of a pixel: its rays, and the shadow rays from their hits. */
+export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
+  const { start, order } = indexOf(trace);
+  const lines: Line[] = [];
+  for (let at = start[pixel]; at < start[pixel + 1]; at++) {
+    const ray = order[at];
+    lines.push({
+      kind: KIND_NAMES[trace.kind[ray]],
+      from: originOf(trace, scene, ray),
+      to: triple(trace.point, ray),
+      ray,
+      light: -1,
+      leaves: trace.object[ray] < 0,
+    });
+    for (let light = 0; light < trace.lights; light++) {
+      const line = shadowLine(trace, scene, ray, light);
+      if (line) lines.push(line);
+    }
+  }
+  return lines;
+}
+
+/** Pixels of the selected row, of the column, or of all: the ones drawn thin. */
+export function thinPixels({ rays, n, pixel }: Pick<ViewState, "rays" | "n" | "pixel">): number[] {
+  if (rays.includes("all")) return Array.from({ length: n * n }, (_, k) => k);
+  const wanted = new Set<number>();
+  if (rays.includes("row")) for (let k = 0; k < n; k++) wanted.add(pixel[1] * n + k);
+  if (rays.includes("column")) for (let k = 0; k < n; k++) wanted.add(k * n + pixel[0]);
+  return [...wanted];
+}
+
+/** Kinds of line among these pixels, for the legend. */
+export function kindsAmong(trace: Trace, pixels: Iterable<number>): Set<LineKind> {
+  const { start, order } = indexOf(trace);
+  const kinds = new Set<LineKind>();
+  for (const pixel of pixels)
+    for (let at = start[pixel]; at < start[pixel + 1]; at++) {
+      const ray = order[at];
+      kinds.add(KIND_NAMES[trace.kind[ray]]);
+      for (let k = ray * trace.lights; k < (ray + 1) * trace.lights; k++)
+        if (trace.visibility[k] === VISIBILITY.reached) kinds.add("reached");
+        else if (trace.visibility[k] === VISIBILITY.blocked) kinds.add("blocked");
+    }
+  return kinds;
+}

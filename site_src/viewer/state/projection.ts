@@ -1,0 +1,69 @@
+/** From the world to the stage's pixels, as the observer sees it, and from a pixel to a tile. */
+import type { PicturePlane } from "./frustum";
+import type { Observer } from "./observer";
+import { cross, dot, sub, unit, type Vec3 } from "./vectors";
+
+export interface ScreenPoint {
+  x: number; // CSS pixels from the left
+  y: number; // from the top
+  depth: number; // world units in front of the observer; negative behind
+}
+
+export interface Projection {
+  width: number;
+  height: number;
+  /** CSS pixels that one world unit takes at depth 1. */
+  focal: number;
+  right: Vec3;
+  up: Vec3;
+  forward: Vec3;
+  project: (point: Vec3) => ScreenPoint;
+  /** Share across and down the picture plane (0..1 when on it) under a stage pixel; null if not seen there. */
+  onPicturePlane: (plane: PicturePlane, x: number, y: number) => readonly [number, number] | null;
+}
+
+export function createProjection(observer: Observer, width: number, height: number): Projection {
+  const forward = unit(sub(observer.target, observer.eye));
+  const right = unit(cross(forward, observer.up));
+  const up = cross(right, forward);
+  const focal = Math.min(width, height) / 2 / Math.tan((observer.fov * Math.PI) / 360);
+  // Homogeneous stage coordinates (x w, y w, w) of a direction from the eye: linear, so also of a plane's axes.
+  const homogeneous = (d: Vec3): Vec3 => {
+    const w = dot(d, forward);
+    return [(width / 2) * w + focal * dot(d, right), (height / 2) * w - focal * dot(d, up), w];
+  };
+  return {
+    width,
+    height,
+    focal,
+    right,
+    up,
+    forward,
+    project(point) {
+      const [x, y, w] = homogeneous(sub(point, observer.eye));
+      return { x: x / w, y: y / w, depth: w };
+    },
+    onPicturePlane(plane, x, y) {
+      // (x, y, 1) ~ a A + b D + c O; Cramer's rule gives a : b : c.
+      const A = homogeneous(plane.across);
+      const D = homogeneous(plane.down);
+      const O = homogeneous(sub(plane.origin, observer.eye));
+      const at: Vec3 = [x, y, 1];
+      const c = dot(A, cross(D, at));
+      const share = [dot(at, cross(D, O)) / c, dot(A, cross(at, O)) / c] as const;
+      const depth = share[0] * A[2] + share[1] * D[2] + O[2];
+      return Number.isFinite(share[0]) && Number.isFinite(share[1]) && depth > 0 ? share : null;
+    },
+  };
+}
+
+/** The nearest the observer's near plane may be cut: keep the part of a segment in front of it. */
+export function clipToFront(a: ScreenPoint, b: ScreenPoint, from: Vec3, to: Vec3, near: number): readonly [Vec3, Vec3] | null {
+  if (a.depth < near && b.depth < near) return null;
+  const at = (near - a.depth) / (b.depth - a.depth);
+  const cut: Vec3 = [0, 1, 2].map((k) => from[k] + (to[k] - from[k]) * at) as unknown as Vec3;
+  if (a.depth < near) return [cut, to];
+  if (b.depth < near) return [from, cut];
+  return [from, to];
+}
+

@@ -1,0 +1,123 @@
+/** Everything that decides what is on the page, as one object, and the ways it changes. */
+import type { SceneData, Trace, View } from "../trace/types";
+import type { ObserverChoice } from "./observer";
+
+export type RayChoice = "pixel" | "row" | "column" | "all";
+export const RAY_CHOICES: readonly RayChoice[] = ["pixel", "row", "column", "all"];
+export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4, 8];
+
+export interface ViewState {
+  scene: string;
+  n: number; // tiles across and down
+  pixel: readonly [number, number]; // column, row from the top left
+  /** The selected place in the picture, 0..1 across and down: kept when n changes, so that going
+   *  to another resolution and back ends on the same ray. */
+  place: readonly [number, number];
+  rays: readonly RayChoice[];
+  tiles: "empty" | "filling" | "filled";
+  drawn: number; // tiles shown so far while filling; may be a fraction
+  speed: number;
+  observer: ObserverChoice;
+  step: number | null; // of the lesson
+  still: boolean; // no clock: no blinking, tiles fill at once
+  gl: boolean; // false: draw without WebGL
+}
+
+const FILL_SECONDS = 10; // a whole picture at speed 1, whatever the resolution
+
+const middle = (pixel: readonly [number, number], n: number): readonly [number, number] => [
+  (pixel[0] + 0.5) / n,
+  (pixel[1] + 0.5) / n,
+];
+
+export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "still" | "gl">): ViewState {
+  const { resolution, pixel } = scene.start;
+  return {
+    scene: scene.id,
+    n: resolution,
+    pixel,
+    place: middle(pixel, resolution),
+    rays: ["pixel"],
+    tiles: "empty",
+    drawn: 0,
+    observer: "start",
+    step: null,
+    ...kept,
+  };
+}
+
+export function select(state: ViewState, column: number, row: number): ViewState {
+  const wrap = (k: number) => ((k % state.n) + state.n) % state.n;
+  const pixel = [wrap(column), wrap(row)] as const;
+  return { ...state, pixel, place: middle(pixel, state.n) };
+}
+
+export const move = (state: ViewState, right: number, down: number): ViewState =>
+  select(state, state.pixel[0] + right, state.pixel[1] + down);
+
+export function setLevel(state: ViewState, n: number): ViewState {
+  if (n === state.n) return state;
+  const at = (share: number) => Math.min(n - 1, Math.floor(share * n));
+  const tiles = state.tiles === "filling" ? "filled" : state.tiles;
+  return { ...state, n, pixel: [at(state.place[0]), at(state.place[1])], tiles };
+}
+
+/** The neighbouring frustum resolution; the same state at either end. */
+export function stepLevel(state: ViewState, scene: SceneData, by: 1 | -1): ViewState {
+  return setLevel(state, scene.levels[scene.levels.indexOf(state.n) + by] ?? state.n);
+}
+
+export function toggleRays(state: ViewState, choice: RayChoice): ViewState {
+  const on = new Set(state.rays);
+  if (!on.delete(choice)) on.add(choice);
+  return { ...state, rays: RAY_CHOICES.filter((each) => on.has(each)) };
+}
+
+/** Space: start filling; while filling, to the end; when full, empty again. */
+export function pressRender(state: ViewState): ViewState {
+  if (state.tiles === "empty") return { ...state, tiles: state.still ? "filled" : "filling", drawn: 0 };
+  return { ...state, tiles: state.tiles === "filling" ? "filled" : "empty", drawn: 0 };
+}
+
+/** seconds: time that has passed. */
+export function advance(state: ViewState, seconds: number): ViewState {
+  if (state.tiles !== "filling") return state;
+  const total = state.n * state.n;
+  const drawn = state.drawn + (seconds * state.speed * total) / FILL_SECONDS;
+  return drawn >= total ? { ...state, tiles: "filled", drawn: 0 } : { ...state, drawn };
+}
+
+/** Tiles that show their colour, in scan order from the top left. */
+export const tilesShown = ({ tiles, drawn, n }: ViewState): number =>
+  tiles === "filled" ? n * n : tiles === "empty" ? 0 : Math.floor(drawn);
+
+export const nextSpeed = (speed: number): number => SPEEDS[(SPEEDS.indexOf(speed) + 1) % SPEEDS.length];
+
+/** A lesson step's or an address's view; what it does not name is as at the scene's start. */
+export function applyView(scene: SceneData, state: ViewState, view: View): ViewState {
+  const start = startState(scene, state);
+  const n = view.resolution ?? start.n;
+  const from = view.pixel ? select({ ...start, n }, ...view.pixel) : setLevel(start, n);
+  return {
+    ...from,
+    n,
+    rays: view.rays ?? start.rays,
+    tiles: view.tiles ?? start.tiles,
+    observer: view.observer ?? start.observer,
+    step: state.step,
+  };
+}
+
+export function goToStep(scene: SceneData, state: ViewState, step: number | null): ViewState {
+  if (step === null || !scene.lesson[step]) return { ...state, step: null };
+  return applyView(scene, { ...state, step }, scene.lesson[step].view);
+}
+
+export const pixelIndex = ({ pixel, n }: Pick<ViewState, "pixel" | "n">): number => pixel[1] * n + pixel[0];
+
+/** 8-bit colour of a tile as the picture has it. */
+export const tileColour = (trace: Trace, pixel: number): readonly [number, number, number] => [
+  trace.tiles[3 * pixel],
+  trace.tiles[3 * pixel + 1],
+  trace.tiles[3 * pixel + 2],
+];
