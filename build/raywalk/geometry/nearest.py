@@ -95,17 +95,27 @@ def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound):
 
 
 @kernel
-def primitive_roots(primitives, k, o, d, own, inner, on_surface):
-    """`roots` of row k for a world ray: moved to the centre first, then made canonical."""
+def primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface):
+    """`roots` of row k for a world ray: moved to the centre first, then made canonical.
+
+    Indexed element by element: views of rows would cost more than the arithmetic.
+    """
     cx, cy, cz = primitives.centre[k, 0], primitives.centre[k, 1], primitives.centre[k, 2]
-    matrix = primitives.to_local[k]
-    ox, oy, oz = to_local(matrix, o[0] - cx, o[1] - cy, o[2] - cz)
-    dx, dy, dz = to_local(matrix, d[0], d[1], d[2])
     bound = 0.0
     if on_surface:
-        reach = abs(o[0]) + abs(o[1]) + abs(o[2]) + abs(cx) + abs(cy) + abs(cz)
+        reach = abs(ox) + abs(oy) + abs(oz) + abs(cx) + abs(cy) + abs(cz)
         bound = POINT_ERROR * primitives.stretch[k] * reach
-    return roots(primitives.shape[k], ox, oy, oz, dx, dy, dz, own, inner, bound)
+    m, shape = primitives.to_local, primitives.shape[k]
+    x, y, z = ox - cx, oy - cy, oz - cz
+    ly = m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z
+    ry = m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz
+    if shape == PLANE:  # of an endless plane only its height matters
+        return roots(shape, 0.0, ly, 0.0, 0.0, ry, 0.0, own, inner, bound)
+    lx = m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z
+    lz = m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z
+    rx = m[k, 0, 0] * dx + m[k, 0, 1] * dy + m[k, 0, 2] * dz
+    rz = m[k, 2, 0] * dx + m[k, 2, 1] * dy + m[k, 2, 2] * dz
+    return roots(shape, lx, ly, lz, rx, ry, rz, own, inner, bound)
 
 
 @kernel
@@ -120,11 +130,13 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
     t = np.full(count, np.inf)
     met = np.full(count, NOWHERE, np.int32)
     for i in range(count):
-        best, who = t_max[i], NOWHERE
+        ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        best, who, start = t_max[i], NOWHERE, leaving[i]
         for k in range(primitives.shape.shape[0]):
-            own = primitives.object[k] == leaving[i]
+            own = primitives.object[k] == start
             near, _ = primitive_roots(
-                primitives, k, origin[i], direction[i], own, inner[i], leaving[i] != NOWHERE
+                primitives, k, ox, oy, oz, dx, dy, dz, own, inner[i], start != NOWHERE
             )
             if near < best:
                 best, who = near, primitives.object[k]
@@ -142,8 +154,10 @@ def all_primitives(primitives, origin, direction):
     met = np.empty(count * rows * 2, np.int32)
     filled = 0
     for i in range(count):
+        ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
         for k in range(rows):
-            pair = primitive_roots(primitives, k, origin[i], direction[i], False, False, False)
+            pair = primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, False, False, False)
             for root in pair:
                 if root < np.inf:
                     ray[filled], t[filled], met[filled] = i, root, primitives.object[k]

@@ -41,17 +41,20 @@ def light_factors(
     incoming: (n, 3) direction of the ray that hit. A factor whose material colour is black
     is not worked out and stays 0: the power of a highlight is the dearest part of shading.
     """
+    # Element by element: views of rows would cost more than the arithmetic.
     for i in range(normal.shape[0]):
-        n, d, l, m = normal[i], incoming[i], to_light[i], material[i]
         if distance[i] == 0.0:
             continue
+        m = material[i]
+        nx, ny, nz = normal[i, 0], normal[i, 1], normal[i, 2]
+        lx, ly, lz = to_light[i, 0], to_light[i, 1], to_light[i, 2]
         reach = strength(distance[i], intensity, attenuation[0], attenuation[1], attenuation[2])
-        if materials.diffuse[m].any():
-            diffuse[i] = reach * diffuse_cosine(n[0], n[1], n[2], l[0], l[1], l[2])
-        if materials.specular[m].any():
-            specular[i] = reach * highlight(
-                n[0], n[1], n[2], l[0], l[1], l[2], -d[0], -d[1], -d[2], materials.shininess[m]
-            )
+        if materials.diffuse[m, 0] + materials.diffuse[m, 1] + materials.diffuse[m, 2] > 0.0:
+            diffuse[i] = reach * diffuse_cosine(nx, ny, nz, lx, ly, lz)
+        if materials.specular[m, 0] + materials.specular[m, 1] + materials.specular[m, 2] > 0.0:
+            ex, ey, ez = -incoming[i, 0], -incoming[i, 1], -incoming[i, 2]
+            shine = highlight(nx, ny, nz, lx, ly, lz, ex, ey, ez, materials.shininess[m])
+            specular[i] = reach * shine
 
 
 @kernel
