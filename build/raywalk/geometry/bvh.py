@@ -24,7 +24,7 @@ class Bvh(NamedTuple):
     high: np.ndarray  # (nodes, 3)
     second: np.ndarray  # (nodes,) int32: second child, -1 for a leaf
     first: np.ndarray  # (nodes,) int32: a leaf's first place in `order`
-    count: np.ndarray  # (nodes,) int32: its triangles, 0 for an inner node
+    held: np.ndarray  # (nodes,) int32: its triangles, 0 for an inner node
     order: np.ndarray  # (triangles,) int32: triangle ids, leaf by leaf
 
 
@@ -120,12 +120,12 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
     while True:
         tests += 1
         if box_entry(bvh.low[node], bvh.high[node], o, d, best) < np.inf:
-            if bvh.count[node] == 0:
+            if bvh.held[node] == 0:
                 stack[depth] = bvh.second[node]
                 depth += 1
                 node += 1
                 continue
-            for place in range(bvh.first[node], bvh.first[node] + bvh.count[node]):
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 tests += 1
                 t, a, b = triangle_hit(o, corners[triangle], kx, ky, kz, sx, sy, sz)
@@ -150,12 +150,12 @@ def bvh_all(bvh, corners, o, d, found):
     depth, node, filled = 0, 0, 0
     while True:
         if box_entry(bvh.low[node], bvh.high[node], o, d, np.inf) < np.inf:
-            if bvh.count[node] == 0:
+            if bvh.held[node] == 0:
                 stack[depth] = bvh.second[node]
                 depth += 1
                 node += 1
                 continue
-            for place in range(bvh.first[node], bvh.first[node] + bvh.count[node]):
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 t, _, _ = triangle_hit(o, corners[bvh.order[place]], kx, ky, kz, sx, sy, sz)
                 if 0.0 < t < np.inf and filled < found.shape[0]:
                     found[filled] = t

@@ -2,8 +2,8 @@
 
 Embree works on a float32 copy, centred and scaled to unit size, with rays that start
 where they enter its box: so neither the scene's scale nor its distance from the origin
-matters. What float32 cannot settle (a hit close to an edge, a miss that a nudged ray
-does not confirm, a proposal that float64 refuses) is traced again in the float64 tree.
+matters. What float32 cannot settle (a hit close to an edge, a grazed triangle, surfaces
+almost touching, a proposal that float64 refuses) is traced again in the float64 tree.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
+from raywalk.geometry.float32_copy import STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.nearest import POINT_ERROR
 from raywalk.geometry.triangle import shear, triangle_hit, triangle_normal
 from raywalk.optics.compiled import kernel
 
 # In the unit-sized copy, where float32 steps are 6e-8:
-LIFT = 4e-6  # how far a ray that leaves the mesh starts off it for Embree (70 steps)
-NUDGE = 4e-6  # how far a missing ray is turned to see whether it slipped through
-EDGE = 1e-4  # barycentric border in which float32 may name the neighbour
+LIFT = 1e-6  # how far a ray that leaves the mesh starts off it for Embree
+EARLIER = 2e-6  # how far before its origin, or the mesh's box, any other ray starts
 
 
 class MeshTarget:
@@ -37,9 +37,10 @@ class MeshTarget:
         self.scale = 1.0 / float(np.abs(triangles.vertices[triangles.faces]).max())
         self.size = 1.0 / self.scale
         self._embree = rtcore_scene.EmbreeScene(robust=True)
-        unit = (self.corners * self.scale).astype(np.float32)
+        unit, self._stands_for = covers(self.corners * self.scale)
         # Kept alive by the scene; everything is added before the first query, as Embree needs.
         self._mesh = TriangleMesh(self._embree, unit)
+        self._trusted = trusted_above(self.corners, self.scale, self.bvh)
 
     def nearest(
         self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray
@@ -61,9 +62,9 @@ class MeshTarget:
             return t, triangle, uv
         proposed = self._propose(starts[: len(crossing)], direction[crossing])
         redo = decide(
-            self.corners, inside, direction, t_max, own, crossing, proposed, t, triangle, uv
-        )
-        redo = np.concatenate([redo, self._slipped(starts, direction, crossing, proposed)])
+            self.corners, self._trusted, inside, direction, t_max, own,
+            crossing, proposed, t, triangle, uv,
+        )  # fmt: skip
         settle(
             self.bvh, self.corners, self.centre, inside, direction, t_max, own,
             redo, t, triangle, uv,
@@ -101,18 +102,8 @@ class MeshTarget:
 
     def _propose(self, starts: np.ndarray, directions: np.ndarray) -> np.ndarray:
         toward = directions.astype(np.float32)
-        return np.asarray(self._embree.run(starts, toward, query="INTERSECT"))
-
-    def _slipped(
-        self, starts: np.ndarray, direction: np.ndarray, crossing: np.ndarray, proposed: np.ndarray
-    ) -> np.ndarray:
-        """Rays that missed while a ray turned by NUDGE hits: at a silhouette, or in a crack."""
-        missed = np.flatnonzero(proposed < 0)
-        if not len(missed):
-            return crossing[:0]
-        rays = crossing[missed]
-        turned = direction[rays] + NUDGE * direction[rays][:, [1, 2, 0]] * [1.0, -1.0, 1.0]
-        return rays[self._propose(starts[missed], turned) >= 0]
+        met = np.asarray(self._embree.run(starts, toward, query="INTERSECT"))
+        return np.where(met < 0, np.int32(-1), self._stands_for[met])
 
 
 @kernel
@@ -120,48 +111,77 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
     """Indices of the rays that cross the mesh's box before t_max.
 
     Fills local (n, 3), origins relative to the mesh's centre, and starts (crossing, 3), where
-    Embree's ray begins in the unit-sized copy: where it enters the box, or just off its triangle.
+    Embree's ray begins in the unit-sized copy: just off the triangle it leaves, else a little
+    before its origin or the box, so that rounding takes it behind no triangle.
     """
     crossing = np.empty(origin.shape[0], np.int64)
     filled = 0
     for i in range(origin.shape[0]):
         for k in range(3):
             local[i, k] = origin[i, k] - centre[k]
-        entry = box_entry(bvh.low[0], bvh.high[0], local[i], direction[i], t_max[i])
+        d = direction[i]
+        entry = box_entry(bvh.low[0], bvh.high[0], local[i], d, t_max[i])
         if not entry < np.inf:
             continue
         lift = np.zeros(3)
         if own[i] >= 0:
             nx, ny, nz = triangle_normal(corners[own[i]])
-            along = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
+            along = nx * d[0] + ny * d[1] + nz * d[2]
             side = LIFT if along > 0.0 else -LIFT
             lift[0], lift[1], lift[2] = side * nx, side * ny, side * nz
+        else:
+            entry -= EARLIER / (scale * np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]))
         for k in range(3):
-            starts[filled, k] = (local[i, k] + entry * direction[i, k]) * scale + lift[k]
+            starts[filled, k] = (local[i, k] + entry * d[k]) * scale + lift[k]
         crossing[filled] = i
         filled += 1
     return crossing[:filled]
 
 
 @kernel
-def decide(corners, local, direction, t_max, own, crossing, proposed, t, triangle, uv):
-    """Takes the proposals that float64 confirms well inside their triangle; returns the rest."""
+def decide(corners, trusted, local, direction, t_max, own, crossing, proposed, t, triangle, uv):
+    """Takes the proposals that float32 cannot have got wrong; returns the rays left open.
+
+    trusted: (triangles, 3) barycentric coordinates above which a hit is certain.
+    """
     redo = np.empty(crossing.shape[0], np.int64)
     open_cases = 0
     for place in range(crossing.shape[0]):
         i, who = crossing[place], proposed[place]
+        d = direction[i]
+        if own[i] >= 0 and not starts_clear(corners[own[i]], trusted[own[i]], local[i]):
+            redo[open_cases] = i
+            open_cases += 1
+            continue
         if who < 0:
             continue
-        d = direction[i]
         kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
         distance, u, v = triangle_hit(local[i], corners[who], kx, ky, kz, sx, sy, sz)
-        clear = u > EDGE and v > EDGE and 1.0 - u - v > EDGE
-        if who == own[i] or not clear or not distance > 0.0:
+        least = trusted[who]
+        clear = 1.0 - u - v > least[0] and u > least[1] and v > least[2]
+        if who == own[i] or not clear or not distance > 0.0 or is_grazed(corners[who], d):
             redo[open_cases] = i
             open_cases += 1
         elif distance < t_max[i]:
             t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
     return redo[:open_cases]
+
+
+@kernel
+def is_grazed(corner, d):
+    """Whether a direction runs so flat along a triangle that float32 loses the depth of a hit."""
+    nx, ny, nz = triangle_normal(corner)
+    along = nx * d[0] + ny * d[1] + nz * d[2]
+    return along * along < STEEPEST * STEEPEST * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+
+
+@kernel
+def starts_clear(corner, least, at):
+    """Whether a point of a triangle lies where nothing else is so close that LIFT could skip it."""
+    nx, ny, nz = triangle_normal(corner)
+    kx, ky, kz, sx, sy, sz = shear(nx, ny, nz)
+    _, u, v = triangle_hit(at, corner, kx, ky, kz, sx, sy, sz)  # straight down on its plane
+    return 1.0 - u - v > least[0] and u > least[1] and v > least[2]
 
 
 @kernel

@@ -19,6 +19,7 @@ from raywalk.geometry.solids import (
     PLANE,
     TRIANGLE,
     TUBE,
+    chord_exit,
     face_normal,
     height,
     solid_interval,
@@ -75,8 +76,11 @@ def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound):
         own = True  # touches another surface here: leave it as if it were its own
         gx, gy, gz = face_normal(shape, ox, oy, oz)
         inner = gx * dx + gy * dy + gz * dz < 0.0
-    if own and not inner:
-        return math.inf, math.inf
+    if own:
+        t_out = chord_exit(shape, ox, oy, oz, dx, dy, dz) if inner else math.inf
+        if shape == TUBE and not abs(oz + t_out * dz) <= 1.0:
+            t_out = math.inf
+        return (t_out if t_out > 0.0 else math.inf), math.inf
     if shape == TUBE:
         t_in, t_out = tube_interval(ox, oy, dx, dy)
         if not abs(oz + t_in * dz) <= 1.0:
@@ -87,7 +91,7 @@ def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound):
         t_in, t_out = solid_interval(shape, ox, oy, oz, dx, dy, dz)
         if not t_in <= t_out:
             return math.inf, math.inf
-    if own or not t_in > 0.0:
+    if not t_in > 0.0:
         t_in = math.inf
     if not t_out > 0.0:
         t_out = math.inf

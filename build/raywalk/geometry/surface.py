@@ -18,7 +18,7 @@ class Looks(NamedTuple):
     material: np.ndarray  # (objects,) int32
     checker: np.ndarray  # (objects,) int32: material of odd squares, -1 without a checker
     checker_size: np.ndarray  # (objects,)
-    checker_turn: np.ndarray  # (objects,) +1 or -1: which way along canonical z the second axis runs
+    checker_turn: np.ndarray  # (objects,) +1 or -1: way of the second axis along canonical z
 
 
 @kernel
@@ -62,7 +62,9 @@ def square_material(looks, who, x, z):
 
 
 @kernel
-def primitive_surface(primitives, looks, origin, direction, t, met, point, normal, inside, material):
+def primitive_surface(
+    primitives, looks, origin, direction, t, met, point, normal, inside, material
+):
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive.
 
     The normal faces the incoming ray. Rows of rays that met nothing or a mesh stay as they are.

@@ -1,0 +1,150 @@
+"""How far a float32 copy of a mesh, 1 in size, can be trusted, and how it is made safe.
+
+Embree answers in float32: a ray may pass a vertex through a crack, a sliver may vanish, two
+close surfaces may change places. So Embree is given triangles that are a little too large,
+which leave no crack, and whatever it names is taken only where float32 cannot have been
+wrong. Everything else goes to the float64 tree.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.geometry.bvh import Bvh
+from raywalk.optics.compiled import kernel
+
+# Lengths in the unit-sized copy. Rounding a ray and a vertex to float32 moves a hit by up to
+# 5e-7 across the ray: start and vertex 1e-7 each, direction 2e-7 after a way of 3.5, the rest
+# is Embree's own arithmetic.
+GROWN = 1e-5  # edges of Embree's triangles stand out by this: 20 errors, so grazing ones too
+BORDER = 2e-5  # a hit closer to an edge may belong to a neighbour, or to its grown edge
+GAP = 1e-5  # surfaces closer than this may be met in the wrong order
+# The depth of a grazed triangle is wrong by 5e-7 / cosine: GAP tells it apart above this.
+STEEPEST = 0.05
+# A triangle whose corners would move further than this when grown is covered by a rectangle.
+MITRE = 100.0 * GROWN
+
+
+def covers(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Float32 triangles (m, 3, 3) that cover the unit-sized ones with GROWN to spare, and
+    whom (m,) each stands for. corners: (n, 3, 3)."""
+    grown, reach = _moved_edges(corners, GROWN)
+    thin = np.flatnonzero(~(reach.max(axis=1) < MITRE))
+    low, high = _rectangles(corners[thin])
+    grown[thin] = low
+    triangles = np.concatenate([grown, high]).astype(np.float32)
+    return triangles, np.concatenate([np.arange(len(corners)), thin]).astype(np.int32)
+
+
+def trusted_above(corners: np.ndarray, scale: float, bvh: Bvh) -> np.ndarray:
+    """(n, 3) barycentric coordinates above which a hit that Embree names is certain.
+
+    More than 1 where none is: on triangles too small, or too close to others.
+    """
+    ab, bc, ca = (corners[:, (k + 1) % 3] - corners[:, k] for k in range(3))
+    area = np.linalg.norm(np.cross(ab, ca), axis=1)
+    opposite = np.array([np.linalg.norm(edge, axis=1) for edge in (bc, ca, ab)]).T
+    border = BORDER * opposite / (scale * area[:, None])
+    core, _ = _moved_edges(corners, -BORDER / scale)
+    alone = np.flatnonzero(border.sum(axis=1) < 1.0)
+    border[alone[crowded(bvh, corners, core, alone, GAP / scale)]] = 2.0
+    return border
+
+
+def _moved_edges(corners: np.ndarray, by: float) -> tuple[np.ndarray, np.ndarray]:
+    """Triangles with all edges moved outwards in their planes, and how far that moves each
+    corner (n, 3): by (u + v) / sin(angle), for its edges' unit directions u and v."""
+    moved, reach = np.empty_like(corners), np.empty(corners.shape[:2])
+    with np.errstate(divide="ignore", invalid="ignore"):  # slivers have no angle left
+        for k in range(3):
+            one = corners[:, (k + 1) % 3] - corners[:, k]
+            other = corners[:, (k + 2) % 3] - corners[:, k]
+            one /= np.linalg.norm(one, axis=1, keepdims=True)
+            other /= np.linalg.norm(other, axis=1, keepdims=True)
+            sine = np.linalg.norm(np.cross(one, other), axis=1, keepdims=True)
+            shift = by * (one + other) / sine
+            moved[:, k] = corners[:, k] - shift
+            reach[:, k] = np.linalg.norm(shift, axis=1)
+    return moved, reach
+
+
+def _rectangles(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Both halves of a rectangle round each triangle, along its longest edge."""
+    edges = np.roll(corners, -1, axis=1) - corners
+    longest = np.argmax(np.linalg.norm(edges, axis=2), axis=1)
+    rows = np.arange(len(corners))
+    start, along = corners[rows, longest], edges[rows, longest]
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    along = along / length
+    up = corners[rows, (longest + 2) % 3] - start
+    up = up - (up * along).sum(axis=1, keepdims=True) * along
+    height = np.linalg.norm(up, axis=1, keepdims=True)
+    up = up / height
+    a = start - GROWN * (along + up)
+    b, d = a + (length + 2 * GROWN) * along, a + (height + 2 * GROWN) * up
+    c = b + d - a
+    return np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)
+
+
+@kernel
+def crowded(bvh, corners, core, asked, gap):
+    """Whether another triangle comes closer than gap to the core of each asked one, bool."""
+    answer = np.zeros(asked.shape[0], np.bool_)
+    stack = np.empty(64, np.int32)
+    for i in range(asked.shape[0]):
+        me = asked[i]
+        low, high = np.empty(3), np.empty(3)
+        for k in range(3):
+            low[k] = min(core[me, 0, k], core[me, 1, k], core[me, 2, k]) - gap
+            high[k] = max(core[me, 0, k], core[me, 1, k], core[me, 2, k]) + gap
+        depth, stack[0] = 1, 0
+        while depth > 0 and not answer[i]:
+            depth -= 1
+            node = stack[depth]
+            if (bvh.low[node] > high).any() or (bvh.high[node] < low).any():
+                continue
+            if bvh.held[node] == 0:
+                stack[depth], stack[depth + 1] = bvh.second[node], node + 1
+                depth += 2
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+                other = bvh.order[place]
+                if other != me and not apart(core[me], corners[other], gap):
+                    answer[i] = True
+    return answer
+
+
+@kernel
+def apart(a, b, gap):
+    """Whether a plane keeps two triangles gap apart: along their normals, or square to an edge.
+
+    The separating axis test without its nine axes from edge to edge, which this use can do
+    without: it errs to the safe side.
+    """
+    for one in (a, b):
+        normal = np.cross(one[1] - one[0], one[2] - one[0])
+        if gap_along(a, b, normal) > gap:
+            return True
+        for k in range(3):
+            if gap_along(a, b, np.cross(one[(k + 1) % 3] - one[k], normal)) > gap:
+                return True
+    return False
+
+
+@kernel
+def gap_along(a, b, axis):
+    """Distance between two triangles' shadows on an axis; negative where they overlap."""
+    length = np.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    if length == 0.0:
+        return -np.inf
+    a_low = b_low = np.inf
+    a_high = b_high = -np.inf
+    for k in range(3):
+        # From a's corner, so that a place far from the origin costs no digits.
+        on_a = on_b = 0.0
+        for c in range(3):
+            on_a += (a[k, c] - a[0, c]) * axis[c]
+            on_b += (b[k, c] - a[0, c]) * axis[c]
+        a_low, a_high = min(a_low, on_a), max(a_high, on_a)
+        b_low, b_high = min(b_low, on_b), max(b_high, on_b)
+    return max(b_low - a_high, a_low - b_high) / length
