@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.triangle import height_over, shear, triangle_hit
+from raywalk.geometry.triangle import height_over, shear, triangle_hit, triangle_normal
 from raywalk.optics.compiled import kernel
 
 LEAF = 4  # triangles in a leaf at most
 STACK = 64  # median splits halve: 2^64 triangles would fit
+REPEATED = 1e-12  # share of t by which the hits of neighbours on their common edge differ at most
 
 
 class Bvh(NamedTuple):
@@ -143,8 +144,13 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
 
 
 @kernel
-def bvh_all(bvh, corners, o, d, found):
-    """All hits of one ray with t > 0, into found (room for them or cut); returns their number."""
+def bvh_all(bvh, corners, o, d, found, entering):
+    """All hits of one ray with t > 0, nearest first; returns their number.
+
+    Fills found (t) and entering (bool: against the triangle's normal), with room for one hit
+    a triangle. A ray through an edge or vertex meets all triangles there; those it passes in
+    the same sense are one hit.
+    """
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
     stack = np.empty(STACK, np.int32)
     depth, node, filled = 0, 0, 0
@@ -156,11 +162,36 @@ def bvh_all(bvh, corners, o, d, found):
                 node += 1
                 continue
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
-                t, _, _ = triangle_hit(o, corners[bvh.order[place]], kx, ky, kz, sx, sy, sz)
-                if 0.0 < t < np.inf and filled < found.shape[0]:
-                    found[filled] = t
+                corner = corners[bvh.order[place]]
+                t, _, _ = triangle_hit(o, corner, kx, ky, kz, sx, sy, sz)
+                if 0.0 < t < np.inf:
+                    nx, ny, nz = triangle_normal(corner)
+                    insert(found, entering, filled, t, nx * d[0] + ny * d[1] + nz * d[2] < 0.0)
                     filled += 1
         if depth == 0:
-            return filled
+            return without_repeats(found, entering, filled)
         depth -= 1
         node = stack[depth]
+
+
+@kernel
+def insert(found, entering, filled, t, enters):
+    """Puts a hit in its place among those found before."""
+    place = filled
+    while place > 0 and found[place - 1] > t:
+        found[place], entering[place] = found[place - 1], entering[place - 1]
+        place -= 1
+    found[place], entering[place] = t, enters
+
+
+@kernel
+def without_repeats(found, entering, filled):
+    """Drops hits in the same sense as the one before and, but for rounding, in its place."""
+    kept = 0
+    for k in range(filled):
+        again = kept > 0 and entering[k] == entering[kept - 1]
+        if again and found[k] - found[kept - 1] <= REPEATED * found[k]:
+            continue
+        found[kept], entering[kept] = found[k], entering[k]
+        kept += 1
+    return kept

@@ -10,8 +10,12 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
 from raywalk.geometry.primitives import Primitives, compile_primitives
 from raywalk.geometry.surface import Looks, primitive_surface
+from raywalk.optics.compiled import kernel
 from raywalk.scene.model import Mesh, Plane, Scene
 from raywalk.scene.placement import checker_axes
+
+# A mesh and something else tie where their distances differ by this share, 500 roundings.
+TIE = 1e-13
 
 
 class Rays(NamedTuple):
@@ -68,11 +72,11 @@ class CompiledScene:
         triangle, uv = np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
         for mesh in self.meshes:
             own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
-            # Up to and including what was met before, so that a tie goes to the lower object.
-            reach = np.nextafter(np.minimum(limit, t), np.inf)
+            # A little beyond what was met before, so that a tie goes to the lower object.
+            reach = np.minimum(limit, t * (1.0 + TIE))
             found, which, where = mesh.nearest(rays.origin, rays.direction, reach, own)
-            closer = (found < t) | ((found == t) & (which >= 0) & (mesh.index < met))
-            closer &= found < limit
+            at_least = np.where(mesh.index < met, 1.0 + TIE, 1.0 - TIE) * t
+            closer = (found < at_least) & (found < limit)
             t, met = np.where(closer, found, t), np.where(closer, mesh.index, met)
             triangle = np.where(closer, which, triangle)
             uv = np.where(closer[:, None], where, uv)
@@ -108,8 +112,10 @@ class CompiledScene:
             found.append((ray, t, np.full(len(t), mesh.index, np.int32)))
         ray, t, met = (np.concatenate(parts) for parts in zip(*found, strict=True))
         order = np.lexsort([met, t, ray])
-        start = np.searchsorted(ray[order], np.arange(len(rays.origin) + 1))
-        return start.astype(np.int32), t[order], met[order]
+        ray, t, met = ray[order], t[order], met[order]
+        lower_first(ray, t, met)
+        start = np.searchsorted(ray, np.arange(len(rays.origin) + 1))
+        return start.astype(np.int32), t, met
 
     def count_tests(self, rays: Rays, t_max: np.ndarray) -> np.ndarray:
         """(n,) intersection tests a ray needs: every primitive, and each mesh's tree."""
@@ -118,6 +124,18 @@ class CompiledScene:
             own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
             tests += mesh.count_tests(rays.origin, rays.direction, t_max, own)
         return tests
+
+
+@kernel
+def lower_first(ray, t, met):
+    """Lets the lower object come first where two tie; rays and distances stay as they are."""
+    for k in range(1, ray.shape[0]):
+        place = k
+        while place > 0 and ray[place - 1] == ray[place] and met[place - 1] > met[place]:
+            if t[place] - t[place - 1] > TIE * t[place]:
+                break
+            met[place - 1], met[place] = met[place], met[place - 1]
+            place -= 1
 
 
 def _compile_looks(scene: Scene) -> Looks:

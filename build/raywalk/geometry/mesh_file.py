@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from raywalk.scene.model import Mesh, Scene, SceneObject
 # A triangle thinner than this share of its longest edge has no direction left in float64:
 # its normal would be rounding. Slivers down to aspect 1e10 stay.
 FLATTEST = 1e-14
+# A corner further out than this many times the usual distance (1e30 in a broken export) leaves
+# the rest of the mesh no digits.
+FARTHEST = 1e12
 
 
 @dataclass(frozen=True)
@@ -44,21 +47,22 @@ def load_triangles(scene: Scene, obj: SceneObject) -> Triangles:
     if not isinstance(loaded, trimesh.Trimesh) or len(loaded.faces) == 0:
         raise _unreadable(scene, obj, "holds no triangle")
     vertices, faces = _weld(np.asarray(loaded.vertices, float), np.asarray(loaded.faces))
-    if obj.shape.subdivide:
+    vertices, faces, dropped = _within_reach(vertices, faces)
+    if obj.shape.subdivide and len(faces):
         smooth = trimesh.Trimesh(vertices, faces, process=False)
         smooth = smooth.subdivide_loop(iterations=obj.shape.subdivide)
         vertices, faces = np.asarray(smooth.vertices, float), np.asarray(smooth.faces)
-    return _placed(scene, obj, vertices, faces)
+    placed = _placed(scene, obj, vertices, faces)
+    return replace(placed, dropped={**dropped, **placed.dropped})
 
 
-def _placed(
-    scene: Scene, obj: SceneObject, vertices: np.ndarray, faces: np.ndarray
-) -> Triangles:
+def _placed(scene: Scene, obj: SceneObject, vertices: np.ndarray, faces: np.ndarray) -> Triangles:
     import trimesh
 
     assert isinstance(obj.shape, Mesh)
-    used = np.isfinite(vertices).all(axis=1)
-    middle = (vertices[used].min(axis=0) + vertices[used].max(axis=0)) / 2
+    if not len(faces):
+        raise _unreadable(scene, obj, "holds no usable triangle")
+    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     linear, offset = obj.transform[:3, :3], obj.transform[:3, 3]
     placed = (vertices - middle) @ linear.T
     faces, dropped = _clean(placed, faces)
@@ -67,13 +71,42 @@ def _placed(
     if np.linalg.det(linear) < 0:  # a mirrored copy: keep normals outward
         faces = faces[:, ::-1]
     mesh = trimesh.Trimesh(placed, faces, process=False)
+    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
+    if closed and _volume(placed[faces]) < 0:  # the file has it inside out
+        faces = faces[:, ::-1]
     return Triangles(
         centre=linear @ middle + offset,
         vertices=placed,
         faces=faces,
         normals=_vertex_normals(placed, faces) if obj.shape.smooth else None,
-        closed=bool(mesh.is_watertight and mesh.is_winding_consistent),
+        closed=closed,
         dropped=dropped,
+    )
+
+
+def _volume(corners: np.ndarray) -> float:
+    """Six times the volume that a closed mesh encloses; negative if it is inside out."""
+    a, b, c = corners.transpose(1, 0, 2)
+    return float((a * np.cross(b, c)).sum())
+
+
+def _within_reach(
+    vertices: np.ndarray, faces: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
+    """Only vertices that some face uses, without faces that reach to infinity or next to it."""
+    finite = np.isfinite(vertices[faces]).all(axis=(1, 2))
+    corners = vertices[faces[finite]]
+    near = np.ones(len(corners), bool)
+    if len(corners):
+        away = np.abs(corners / 2 - np.median(corners, axis=(0, 1)) / 2).max(axis=(1, 2))
+        near = away <= FARTHEST * np.median(away)
+    kept = faces[finite][near]
+    used, index = np.unique(kept, return_inverse=True)
+    dropped = {"not finite": int((~finite).sum()), "too far out": int((~near).sum())}
+    return (
+        vertices[used],
+        index.reshape(-1, 3),
+        {reason: n for reason, n in dropped.items() if n},
     )
 
 
@@ -84,11 +117,8 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 
 def _clean(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:
-    """Faces worth tracing, and what was dropped: not finite, no area, or twice the same."""
+    """Faces worth tracing, and what was dropped: without area, or twice the same."""
     dropped = {}
-    keep = np.isfinite(vertices[faces]).all(axis=(1, 2))
-    dropped["not finite"] = int((~keep).sum())
-    faces = faces[keep]
     a, b, c = vertices[faces].transpose(1, 0, 2)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     longest = np.max([np.linalg.norm(e, axis=1) for e in (b - a, c - b, a - c)], axis=0)

@@ -72,7 +72,7 @@ class MeshTarget:
         return t, triangle, uv
 
     def all_hits(self, origin: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Every hit of rays from free space: ray (h,) and t (h,), by ray, not in order of t."""
+        """Every hit of rays from free space: ray (h,) and t (h,), by ray, nearest first."""
         return every_hit(self.bvh, self.corners, origin - self.centre, direction)
 
     def count_tests(
@@ -201,16 +201,15 @@ def settle(bvh, corners, centre, local, direction, t_max, own, redo, t, triangle
 
 @kernel
 def every_hit(bvh, corners, local, direction):
-    """All hits of each ray: index (h,) and t (h,)."""
-    most = corners.shape[0]
-    found = np.empty(most)
+    """All hits of each ray: index (h,) and t (h,), nearest first."""
+    found, entering = np.empty(corners.shape[0]), np.empty(corners.shape[0], np.bool_)
     total = 0
     for i in range(local.shape[0]):
-        total += bvh_all(bvh, corners, local[i], direction[i], found)
+        total += bvh_all(bvh, corners, local[i], direction[i], found, entering)
     ray, t = np.empty(total, np.int32), np.empty(total)
     filled = 0
     for i in range(local.shape[0]):
-        n = bvh_all(bvh, corners, local[i], direction[i], found)
+        n = bvh_all(bvh, corners, local[i], direction[i], found, entering)
         ray[filled : filled + n], t[filled : filled + n] = i, found[:n]
         filled += n
     return ray, t

@@ -31,6 +31,7 @@ NOWHERE = -1  # "leaves no surface", and "met no object"
 # A computed hit point is off its surface by at most this share of |p| + |centre|:
 # about a dozen roundings of 1.1e-16; measured 0 self-hits in 802,000 at 16 eps.
 POINT_ERROR = 16.0 * 2.220446049250313e-16
+CLOSE = 1e-6  # hits further apart than this share of t are not even asked whether they tie
 
 
 @kernel
@@ -123,8 +124,31 @@ def primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surfac
 
 
 @kernel
+def lies_on(primitives, k, ox, oy, oz, dx, dy, dz, t):
+    """Whether the point o + t d is, within the error bound of hit points, on row k's surface."""
+    cx, cy, cz = primitives.centre[k, 0], primitives.centre[k, 1], primitives.centre[k, 2]
+    m, shape = primitives.to_local, primitives.shape[k]
+    px, py, pz = ox + t * dx, oy + t * dy, oz + t * dz
+    reach = abs(ox) + abs(oy) + abs(oz) + abs(px) + abs(py) + abs(pz)
+    reach += abs(cx) + abs(cy) + abs(cz)
+    bound = POINT_ERROR * primitives.stretch[k] * reach
+    x, y, z = px - cx, py - cy, pz - cz
+    lx = m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z
+    ly = m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z
+    lz = m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z
+    if shape == PLANE:
+        return abs(ly) <= bound
+    if shape == DISC or shape == TRIANGLE:
+        return abs(lz) <= bound
+    return abs(height(shape, lx, ly, lz)) <= 2.0 * bound
+
+
+@kernel
 def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
     """Nearest primitive of n rays; ties go to the lowest object.
+
+    Two surfaces tie where the nearer hit lies on the other surface too, but for rounding:
+    coplanar faces do not flicker.
 
     origin, direction: (n, 3); leaving: (n,) object a ray starts on, or NOWHERE;
     inner: (n,) whether it leaves to that object's inner side; t_max: (n,) where to stop.
@@ -136,16 +160,19 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
     for i in range(count):
         ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
         dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
-        best, who, start = t_max[i], NOWHERE, leaving[i]
+        best, row, start = t_max[i], NOWHERE, leaving[i]
         for k in range(primitives.shape.shape[0]):
             own = primitives.object[k] == start
             near, _ = primitive_roots(
                 primitives, k, ox, oy, oz, dx, dy, dz, own, inner[i], start != NOWHERE
             )
-            if near < best:
-                best, who = near, primitives.object[k]
-        if who != NOWHERE:
-            t[i], met[i] = best, who
+            if not near < best:
+                continue
+            is_close = row != NOWHERE and best - near <= CLOSE * best
+            if not is_close or not lies_on(primitives, row, ox, oy, oz, dx, dy, dz, near):
+                best, row = near, k
+        if row != NOWHERE:
+            t[i], met[i] = best, primitives.object[row]
     return t, met
 
 

@@ -16,6 +16,9 @@ import math
 from raywalk.optics.compiled import kernel
 
 SPHERE, BOX, CYLINDER, TUBE, PLANE, DISC, TRIANGLE = range(7)
+# Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
+# (1e7 away, a hit point is off by 1e-9).
+EDGE = 1.0 - 1e-6
 
 
 @kernel
@@ -149,9 +152,41 @@ def height(shape, x, y, z):
 
 
 @kernel
-def onto_surface(shape, x, y, z):
-    """The nearest-by-scaling point of the surface: takes out the rounding left by o + t d."""
-    nx, ny, nz = face_normal(shape, x, y, z)
+def passed_face(shape, x, y, z, dx, dy, dz, leaves):
+    """face_normal where faces of a box or capped cylinder meet: of those a ray can pass.
+
+    leaves: the ray comes out of the solid. At an edge rounding may put the neighbour first,
+    and a ray that enters would be told that it leaves.
+    """
+    sense = 1.0 if leaves else -1.0
+    if shape == CYLINDER:
+        side, cap = sense * (x * dx + y * dy) > 0.0, sense * z * dz > 0.0
+        if side != cap:
+            return (x, y, 0.0) if side else (0.0, 0.0, math.copysign(1.0, z))
+        return face_normal(shape, x, y, z)
+    kx = x if sense * x * dx > 0.0 else 0.0
+    ky = y if sense * y * dy > 0.0 else 0.0
+    kz = z if sense * z * dz > 0.0 else 0.0
+    if kx == 0.0 and ky == 0.0 and kz == 0.0:
+        return face_normal(shape, x, y, z)
+    return face_normal(shape, kx, ky, kz)
+
+
+@kernel
+def is_at_edge(shape, x, y, z):
+    """Whether a surface point is so close to an edge that rounding decides between its faces."""
+    if shape == CYLINDER:
+        return min(math.sqrt(x * x + y * y), abs(z)) > EDGE
+    if shape == BOX:
+        ax, ay, az = abs(x), abs(y), abs(z)
+        return max(min(ax, ay), min(max(ax, ay), az)) > EDGE  # the middle one of the three
+    return False
+
+
+@kernel
+def onto_surface(shape, x, y, z, nx, ny, nz):
+    """The nearest-by-scaling point of the face with this normal: takes out the rounding left
+    by o + t d."""
     if shape == SPHERE:
         length = math.sqrt(x * x + y * y + z * z)
         return x / length, y / length, z / length

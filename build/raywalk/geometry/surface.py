@@ -8,7 +8,17 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.nearest import NOWHERE, to_local
-from raywalk.geometry.solids import DISC, PLANE, TRIANGLE, face_normal, onto_surface
+from raywalk.geometry.solids import (
+    DISC,
+    PLANE,
+    SPHERE,
+    TRIANGLE,
+    face_normal,
+    height,
+    is_at_edge,
+    onto_surface,
+    passed_face,
+)
 from raywalk.optics.compiled import kernel
 
 
@@ -22,29 +32,32 @@ class Looks(NamedTuple):
 
 
 @kernel
-def local_point(primitives, k, o, d, t):
-    """Canonical hit point of row k, moved onto the surface."""
+def local_hit(primitives, k, o, d, t):
+    """Canonical hit point of row k, moved onto the surface, and the outward gradient there."""
     centre, matrix, shape = primitives.centre[k], primitives.to_local[k], primitives.shape[k]
     ox, oy, oz = to_local(matrix, o[0] - centre[0], o[1] - centre[1], o[2] - centre[2])
     dx, dy, dz = to_local(matrix, d[0], d[1], d[2])
     x, y, z = ox + t * dx, oy + t * dy, oz + t * dz
     if shape == PLANE:
-        return x, 0.0, z
+        return x, 0.0, z, 0.0, 1.0, 0.0
     if shape == DISC or shape == TRIANGLE:
-        return x, y, 0.0
-    return onto_surface(shape, x, y, z)
+        return x, y, 0.0, 0.0, 0.0, 1.0
+    if is_at_edge(shape, x, y, z):
+        # A convex solid holds the middle of the way if and only if the ray comes out of it.
+        half = 0.5 * t
+        leaves = height(shape, ox + half * dx, oy + half * dy, oz + half * dz) < 0.0
+        gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
+    else:
+        gx, gy, gz = face_normal(shape, x, y, z)
+    x, y, z = onto_surface(shape, x, y, z, gx, gy, gz)
+    if shape == SPHERE:
+        gx, gy, gz = x, y, z
+    return x, y, z, gx, gy, gz
 
 
 @kernel
-def outward(primitives, k, x, y, z):
-    """Unit world normal at a canonical surface point: gradients go by the transpose."""
-    shape = primitives.shape[k]
-    if shape == PLANE:
-        gx, gy, gz = 0.0, 1.0, 0.0
-    elif shape == DISC or shape == TRIANGLE:
-        gx, gy, gz = 0.0, 0.0, 1.0
-    else:
-        gx, gy, gz = face_normal(shape, x, y, z)
+def outward(primitives, k, gx, gy, gz):
+    """Unit world normal of a canonical gradient: gradients go by the transpose."""
     nx, ny, nz = to_local(primitives.to_local[k].T, gx, gy, gz)
     length = math.sqrt(nx * nx + ny * ny + nz * nz)
     return nx / length, ny / length, nz / length
@@ -73,12 +86,12 @@ def primitive_surface(
         if met[i] == NOWHERE or primitives.row_of[met[i]] < 0:
             continue
         k = primitives.row_of[met[i]]
-        x, y, z = local_point(primitives, k, origin[i], direction[i], t[i])
+        x, y, z, gx, gy, gz = local_hit(primitives, k, origin[i], direction[i], t[i])
         px, py, pz = to_local(primitives.to_world[k], x, y, z)
         point[i, 0] = primitives.centre[k, 0] + px
         point[i, 1] = primitives.centre[k, 1] + py
         point[i, 2] = primitives.centre[k, 2] + pz
-        nx, ny, nz = outward(primitives, k, x, y, z)
+        nx, ny, nz = outward(primitives, k, gx, gy, gz)
         side = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
         inside[i] = side > 0.0
         sign = -1.0 if inside[i] else 1.0

@@ -73,6 +73,4 @@ def triangle_normal(corners):
 def height_over(o, corners):
     """Signed distance of a point from the triangle's plane, positive on the normal's side."""
     nx, ny, nz = triangle_normal(corners)
-    return (
-        nx * (o[0] - corners[0, 0]) + ny * (o[1] - corners[0, 1]) + nz * (o[2] - corners[0, 2])
-    )
+    return nx * (o[0] - corners[0, 0]) + ny * (o[1] - corners[0, 1]) + nz * (o[2] - corners[0, 2])

@@ -10,12 +10,17 @@ import math
 
 from raywalk.optics.compiled import kernel
 
+BRIGHTEST = 1e300  # times any sum of colours it stays finite
+
 
 @kernel
 def strength(distance, intensity, a0, a1, a2):
-    """Light at a distance: intensity / (a0 + a1 D + a2 D^2); 0 where that divides by 0."""
+    """Light at a distance: intensity / (a0 + a1 D + a2 D^2); 0 where that divides by 0.
+
+    Never infinite, as infinity times a black colour is no number.
+    """
     falloff = a0 + a1 * distance + a2 * distance * distance
-    return intensity / falloff if falloff > 0.0 else 0.0
+    return min(intensity / falloff, BRIGHTEST) if falloff > 0.0 else 0.0
 
 
 @kernel

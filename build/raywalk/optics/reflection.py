@@ -58,7 +58,10 @@ def fresnel_reflectance(cos_in, cos_out, n_from, n_to):
 
     cos_in, cos_out: cosines of the angles of incidence and refraction. Born and Wolf,
     Principles of Optics, 7th ed., sec. 1.5.2, mean of equations (21a) and (21b) squared.
+    At grazing incidence, where both would be 0 / 0 between equal indices, it is 1.
     """
+    if cos_in <= 0.0:
+        return 1.0
     across = (n_from * cos_in - n_to * cos_out) / (n_from * cos_in + n_to * cos_out)
     along = (n_to * cos_in - n_from * cos_out) / (n_to * cos_in + n_from * cos_out)
     return 0.5 * (across * across + along * along)
