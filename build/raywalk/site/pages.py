@@ -1,4 +1,5 @@
-"""The pages: a gallery, and one page a scene that tells its story without JavaScript."""
+"""The pages: a gallery, one page a scene that tells its story without JavaScript, and the
+page on the model behind the pictures."""
 
 from __future__ import annotations
 
@@ -17,7 +18,10 @@ Assets = dict[str, str]  # viewer_js and style_css, relative to the site's root
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets
 ) -> None:
-    """index.html and scenes/<id>/index.html under `out`. Links are relative, for any sub-path."""
+    """index.html, model/index.html and scenes/<id>/index.html under `out`.
+
+    Links are relative, so that the site works under any sub-path and from a disk.
+    """
     environment = Environment(
         loader=FileSystemLoader(templates),
         autoescape=select_autoescape(default=True, default_for_string=True),
@@ -27,6 +31,11 @@ def write_pages(
     )
     shared = {"scenes": [_card(scene) for scene in scenes], **assets}
     _write(out / "index.html", environment, "gallery.html", root="", **shared)
+    _write(
+        out / "model" / "index.html", environment, "model.html", root="../", **shared,
+        glass_scenes=[_glass(scene) for scene in scenes if _has_glass(scene)],
+        has_benchmarks=(out / "benchmarks" / "index.html").exists(),
+    )  # fmt: skip
     for scene in scenes:
         page = out / "scenes" / scene.id / "index.html"
         told = _scene(scene, figures[scene.id])
@@ -47,6 +56,15 @@ def _card(scene: Scene) -> dict[str, str]:
         "url": f"scenes/{scene.id}/index.html",
         "thumb": f"scenes/{scene.id}/thumb.png",
     }
+
+
+def _has_glass(scene: Scene) -> bool:
+    return any(scene.materials[obj.material].transmit > 0 for obj in scene.objects)
+
+
+def _glass(scene: Scene) -> dict[str, str]:
+    words = {"opaque": "opaque", "pass": "shadow rays pass"}
+    return _card(scene) | {"glass_shadows": words[scene.render.glass_shadows]}
 
 
 def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
