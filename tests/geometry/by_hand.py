@@ -1,0 +1,84 @@
+"""Scenes built in Python, for tests that need many or odd ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raywalk.scene.model import (
+    Camera,
+    Light,
+    Material,
+    Mesh,
+    Render,
+    Scene,
+    SceneObject,
+    Shape,
+    Triple,
+)
+
+CHALK = Material("chalk", ambient=(0.1, 0.1, 0.1), diffuse=(1.0, 1.0, 1.0))
+MIRROR = Material("mirror", reflect=1.0)
+CLEAR = Material("BK7 glass", transmit=1.0, ior=1.5168, fresnel=True)
+
+
+def scene_of(
+    objects: Sequence[SceneObject | Shape] = (),
+    materials: Sequence[Material] = (CHALK,),
+    lights: Sequence[Light] = (),
+    background: Triple = (0.0, 0.0, 0.0),
+    eye: Triple = (0.0, 0.0, 5.0),
+    target: Triple = (0.0, 0.0, 0.0),
+    fov: float = 45.0,
+    **render: Any,
+) -> Scene:
+    """A scene of these objects (bare shapes get material 0), seen by an upright camera."""
+    named = [
+        obj if isinstance(obj, SceneObject) else SceneObject(f"{type(obj).__name__} {k}", obj, 0)
+        for k, obj in enumerate(objects)
+    ]
+    return Scene(
+        id="00-by-hand",
+        path=Path("scene.toml"),
+        key="",
+        title="By hand",
+        teaches="",
+        camera=Camera(eye, target, fov=fov),
+        render=replace(Render(size=15, resolutions=(5, 15)), **render),
+        background=background,
+        materials=tuple(materials),
+        objects=tuple(named),
+        lights=tuple(lights),
+        lesson=(),
+    )
+
+
+def affine(linear: Any, offset: Any = (0.0, 0.0, 0.0)) -> np.ndarray:
+    """(4, 4) transform."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = linear, offset
+    return matrix
+
+
+def write_ply(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
+    """A float64 PLY file, which keeps every digit, NaN and infinity."""
+    head = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {len(vertices)}\n"
+        "property double x\nproperty double y\nproperty double z\n"
+        f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    rows = np.empty(len(faces), np.dtype([("n", "u1"), ("ids", "<i4", 3)]))
+    rows["n"], rows["ids"] = 3, faces
+    body = np.ascontiguousarray(vertices, "<f8").tobytes() + rows.tobytes()
+    path.write_bytes(head.encode() + body)
+    return path
+
+
+def mesh_of(path: Path, smooth: bool = False, subdivide: int = 0) -> Mesh:
+    """The mesh in a file."""
+    return Mesh(path.stem, path, smooth, subdivide)

@@ -1,0 +1,135 @@
+"""Who may import whom (DESIGN.md), asked of the source itself."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "build" / "raywalk"
+VIEWER = ROOT / "site_src" / "viewer"
+
+# What each folder may import of the package, besides itself; folders not listed are free:
+# __main__ and its commands, work and bench tie the others together.
+MAY_IMPORT = {
+    "optics": set(),
+    "scene": {"errors"},
+    "geometry": {"scene", "optics", "errors"},
+    "trace": {"geometry", "optics", "scene", "errors"},
+    "trace_file": {"trace.tree", "scene", "errors"},
+    "slides": {"scene", "trace_file", "errors"},
+    "site": {"scene", "trace_file", "errors"},
+}
+VIEWER_MAY_IMPORT = {
+    "trace": {"trace"},
+    "state": {"state", "trace"},
+    "stage": {"stage", "state", "trace"},
+    "panels": {"panels", "state", "trace"},
+}
+FOR_ANYONE = {"words", "palette"}
+
+
+def python_files(folder: str) -> list[Path]:
+    """A folder's sources; none while the folder is still to be written."""
+    return sorted((PACKAGE / folder).rglob("*.py"))
+
+
+def imported(file: Path) -> Iterator[str]:
+    """Dotted names of all modules a file imports, at its top or inside functions."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{file.name}: imports are absolute here"
+            for alias in node.names:
+                inner = f"{node.module}.{alias.name}"
+                path = PACKAGE.parent.joinpath(*inner.split("."))
+                is_module = path.is_dir() or path.with_suffix(".py").exists()
+                yield inner if is_module else str(node.module)
+
+
+@pytest.mark.parametrize("folder", MAY_IMPORT)
+def test_a_folder_imports_only_the_folders_below_it(folder: str) -> None:
+    """Every import of raywalk modules stays within the folder or goes to one it may know."""
+    allowed = {f"raywalk.{name}" for name in MAY_IMPORT[folder] | {folder}}
+    for file in python_files(folder):
+        for name in imported(file):
+            if name.split(".")[0] == "raywalk":
+                known = any(name == a or name.startswith(a + ".") for a in allowed)
+                assert known, f"{folder}/{file.name} imports {name}"
+
+
+def test_optics_knows_numpy_and_numba_only() -> None:
+    """Pure kernels: beyond the standard library nothing else is imported."""
+    outside = {"numpy", "numba", "raywalk", *sys.stdlib_module_names}
+    for file in python_files("optics"):
+        found = {name.split(".")[0] for name in imported(file)}
+        assert found <= outside, f"optics/{file.name} imports {found - outside}"
+
+
+@pytest.mark.parametrize("engine", ["trimesh", "embreex"])
+def test_only_geometry_knows_the_mesh_engines(engine: str) -> None:
+    """Float32 and misses end in geometry; bench compares engines, so it knows them too."""
+    for file in sorted(PACKAGE.rglob("*.py")):
+        if file.relative_to(PACKAGE).parts[0] not in ("geometry", "bench"):
+            found = {name.split(".")[0] for name in imported(file)}
+            assert engine not in found, f"{file.relative_to(PACKAGE)} imports {engine}"
+
+
+def test_start_up_needs_no_engine() -> None:
+    """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
+    no module that reads scenes imports them at its top."""
+    for folder in ("scene", "trace_file", "site", "slides", "work"):
+        for file in python_files(folder):
+            found = {name.split(".")[0] for name in imported(file)}
+            assert not found & {"numba", "trimesh", "embreex"}, file.name
+
+
+def typescript_files(folder: str) -> list[Path]:
+    return sorted((VIEWER / folder).rglob("*.ts"))
+
+
+def without_comments_and_strings(source: str) -> str:
+    """Code only: a word in a comment or a text is no knowledge of the DOM."""
+    token = r"""/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`"""
+    return re.sub(token, " ", source, flags=re.DOTALL)
+
+
+def viewer_imports(file: Path) -> Iterator[str]:
+    """What a viewer module imports: packages by name, own modules by path below viewer/."""
+    statement = (
+        r"""^(?:import|export)\b[^;"'=(]*?\bfrom\s*["']([^"']+)["']"""
+        r"""|\bimport\s*\(?\s*["']([^"']+)["']"""
+    )
+    for named in re.findall(statement, file.read_text("utf-8"), flags=re.MULTILINE):
+        name = "".join(named)
+        if name.startswith("."):
+            yield (file.parent / name).resolve().relative_to(VIEWER.resolve()).as_posix()
+        else:
+            yield name
+
+
+@pytest.mark.parametrize("folder", VIEWER_MAY_IMPORT)
+def test_a_viewer_folder_imports_only_what_it_may(folder: str) -> None:
+    """main -> stage, panels -> state -> trace; stage and panels do not know each other."""
+    for file in typescript_files(folder):
+        for name in viewer_imports(file):
+            top = name.split("/")[0]
+            known = top in VIEWER_MAY_IMPORT[folder] or name.removesuffix(".ts") in FOR_ANYONE
+            assert known or (name.startswith("three") and folder == "stage"), (
+                f"viewer/{folder}/{file.name} imports {name}"
+            )
+
+
+@pytest.mark.parametrize("folder", ["trace", "state"])
+def test_trace_and_state_know_no_browser(folder: str) -> None:
+    """They run in node as they are: no document, no window."""
+    for file in typescript_files(folder):
+        code = without_comments_and_strings(file.read_text("utf-8"))
+        found = re.findall(r"(?<![\w.])(?:document|window)\b(?!\s*[?]?:)", code)
+        assert not found, f"viewer/{folder}/{file.name} knows {found[0]}"
