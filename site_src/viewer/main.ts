@@ -45,7 +45,9 @@ function start() {
   let lit: CardLine | null = null;
   let asked = 0; // the newest request for a scene or a trace; older ones that arrive late are dropped
   let addressTimer = 0;
+  let simpler = ""; // why the stage is drawn without WebGL, once it is
   let renders = 0;
+  let drawn = { scene: "", n: 0, tiles: 0 }; // by the last render
 
   // ---- what a person can do ----
   const set = (next: ViewState) => {
@@ -90,7 +92,8 @@ function start() {
       pick: acts.pick,
       light: acts.light,
       flat: (why) => {
-        notice.say(TROUBLE[why]);
+        simpler = TROUBLE[why];
+        notice.say(simpler);
         body.dataset.renderer = "flat";
       },
     },
@@ -206,14 +209,15 @@ function start() {
     missing = false;
     lit = null;
     notice.hide();
+    if (simpler) notice.say(simpler);
     body.classList.add("live");
     await loadTrace();
     if (followed.damaged.length) notice.say(TROUBLE.address(followed.damaged));
-    // The neighbours of the picture the user may go to next are fetched only when asked for.
   }
 
   async function openScene(id: string) {
     if (!state || id === state.scene) return;
+    writeHash("replace"); // what is left behind, before a new entry is made
     const kept = state;
     const fields = new Map(kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
     try {
@@ -259,22 +263,26 @@ function start() {
     controls.show(state, scene);
     lesson.show(state, scene);
     page.show(scene, trace);
+    drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0 };
   }
 
-  window.addEventListener("popstate", () => void followPage());
+  let ready = followPage();
+  window.addEventListener("popstate", () => (ready = followPage()));
   window.addEventListener("pagehide", () => writeHash("replace"));
-  const ready = followPage();
-  exposeForTests(ready);
+  exposeForTests();
 
-  function exposeForTests(ready: Promise<void>) {
+  function exposeForTests() {
     const read = {
       state: () => structuredClone(state),
-      ready,
+      get ready() {
+        return ready;
+      },
       stats: () => {
         const { tiles, chosen, thin, kinds } = state && scene ? shown.of(state, scene, current()) : NOTHING;
         const counts = { tilesShown: tiles, chosen: chosen.length, thin: thin.length, kinds: [...kinds] };
-        return { ...stage.stats(), ...counts, renders, lit, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
+        return { ...stage.stats(), ...counts, shown: drawn, renders, lit, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
       },
+      lesson: () => scene?.lesson.map((step) => step.view) ?? [],
       loseContext: stage.loseContext,
     };
     Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });

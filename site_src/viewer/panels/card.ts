@@ -83,7 +83,7 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     const seen = trace.visibility[at];
     const name = scene.lights[light].name;
     const depth = trace.depth[ray] + 1;
-    if (seen === VISIBILITY.untested) return null;
+    if (seen === VISIBILITY.untested || !scene.shadows) return null; // nobody asked whether the light is seen
     if (seen === VISIBILITY.behind) {
       const [a, b] = WORDS.awayLine(name);
       const item = element("li", "ray away", element("span", "says", a, b, bold(WORDS.away)));

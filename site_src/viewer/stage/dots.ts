@@ -26,7 +26,7 @@ void main() {
     gl_FragColor = vec4(vTint, max(core, halo));
   } else {
     if (away > disc) discard;
-    gl_FragColor = vec4(away > disc - 1.4 ? vec3(0.05, 0.06, 0.08) : vTint, 1.0);
+    gl_FragColor = vec4(away > disc - 1.2 ? vec3(0.05, 0.06, 0.08) : vTint, 1.0);
   }
 }`;
 

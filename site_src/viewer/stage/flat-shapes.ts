@@ -99,7 +99,8 @@ function wallPieces(object: ObjectData, scene: SceneData, eye: Vec3): Piece[] {
     const { checker } = object;
     const square = checker && checker.axes.reduce((sum, axis) => sum + Math.floor(dot(sub(center, checker.origin), axis) / checker.size), 0);
     const material = scene.materials[checker && square! % 2 !== 0 ? checker.material : object.material];
-    const colour = material.diffuse.map((c, k) => c * CALM[k]) as unknown as Vec3;
+    const shade = 0.82 + 0.18 * Math.abs(facing[1]); // upright walls a little darker than floors: paint, so that edges show
+    const colour = material.diffuse.map((c, k) => c * CALM[k] * shade) as unknown as Vec3;
     pieces.push({ kind: "polygon", points: corners, colour, alpha, depth: Infinity });
   }
   for (let u = 0; u < WALL_CELLS; u++) for (let v = 0; v < WALL_CELLS; v++) patch(u, v, 1);

@@ -13,7 +13,8 @@ import { LINES, rgb } from "../palette";
 import type { Line } from "../state/lines";
 import { createLineMaterial } from "./line-shader";
 
-const ARROWS_UP_TO = 3000; // lines; beyond that heads would cover the lines
+const ARROWS_UP_TO = 500; // lines; beyond that heads would cover the lines
+const FAINT_FROM = 1000; // lines; so many would cover the scene
 
 const RIBBON = { position: [0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], index: [0, 1, 2, 0, 2, 3] };
 const HAIR = { position: [0, 0, 0, 1, 0, 0], index: [0, 1] };
@@ -70,7 +71,7 @@ export function createLineSet(thick: boolean) {
       }
       heads.instanceCount = lines.length > ARROWS_UP_TO ? 0 : lines.length;
       object.visible = lines.length > 0;
-      if (!thick) materials[0].uniforms.opacity.value = lines.length > 1000 ? 0.22 : 0.6;
+      if (!thick) materials[0].uniforms.opacity.value = lines.length > FAINT_FROM ? 0.2 : 0.6;
     },
     /** CSS pixels. */
     resize(width: number, height: number) {

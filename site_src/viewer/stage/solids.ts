@@ -24,7 +24,7 @@ import { createLooks } from "./looks";
 import { createWall } from "./wall";
 
 const ROUND = 64; // segments round a sphere: no corner shows at full screen
-const SHADOW_PIXELS = 1024;
+const SHADOW_PIXELS = 512; // of each of a light's six sides
 
 function geometryOf(object: ObjectData, scene: SceneData): BufferGeometry {
   if (object.type === "sphere") return new SphereGeometry(1, ROUND, ROUND / 2);

@@ -2,7 +2,7 @@
 import { onPlane } from "../state/frustum";
 import { createProjection, type Projection } from "../state/projection";
 import { observerOf, orbit, pan, zoom, type Observer, type ObserverChoice } from "../state/observer";
-import { length, sub, triple } from "../state/vectors";
+import { along, length, sub, triple } from "../state/vectors";
 import { STAGE_WORDS } from "../words";
 import { createFlatRenderer } from "./flat";
 import { listenToGestures } from "./gestures";
@@ -97,17 +97,22 @@ export function createStage(acts: StageActs, withGl: boolean) {
       const [a, b] = [projection!.project(line.from), projection!.project(line.to)];
       if (a.depth <= 0 || b.depth <= 0) continue;
       const [dx, dy] = [b.x - a.x, b.y - a.y];
-      const along = Math.max(0, Math.min(1, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
-      const away = Math.hypot(a.x + along * dx - x, a.y + along * dy - y);
+      const share = Math.max(0, Math.min(1, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
+      const away = Math.hypot(a.x + share * dx - x, a.y + share * dy - y);
       if (away < nearest) [nearest, found] = [away, { ray: line.ray, light: line.light }];
     }
     return found;
   }
 
   const shorter = () => Math.min(size.width, size.height);
-  const turn = (right: number, up: number) => observer && acts.move(orbit(observer, right, up));
-  const shift = (right: number, up: number) => observer && acts.move(pan(observer, right, up));
-  const come = (factor: number) => observer && acts.move(zoom(observer, factor, view!.scene.bounds.radius));
+  /** Known at once: two moves may come before the next drawing. */
+  function go(choice: ObserverChoice) {
+    observer = observerOf(choice, view!.scene, view!.plane, size.width / size.height);
+    acts.move(choice);
+  }
+  const turn = (right: number, up: number) => observer && go(orbit(observer, right, up));
+  const shift = (right: number, up: number) => observer && go(pan(observer, right, up));
+  const come = (factor: number) => observer && go(zoom(observer, factor, view!.scene.bounds.radius));
   const gestures = listenToGestures(element, {
     isOnTiles: (x, y) => isTile(tileAt(x, y)),
     pick(x, y) {
@@ -147,6 +152,8 @@ export function createStage(acts: StageActs, withGl: boolean) {
       eye: observer?.eye ?? null,
       target: observer?.target ?? null,
       reach: observer ? length(sub(observer.eye, observer.target)) : 0,
+      /** Stage pixel near the end of the k-th of the selected pixel's lines. */
+      onLine: (k: number) => projection!.project(along(view!.chosen[k].from, view!.chosen[k].to, 0.8)),
       /** Stage pixel of a tile's middle. */
       tile: (column: number, row: number) =>
         projection!.project(onPlane(view!.plane, column + 0.5, row + 0.5, view!.state.n)),

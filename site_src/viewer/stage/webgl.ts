@@ -13,6 +13,9 @@ import { createTiles } from "./tiles";
 const hitDots = (lines: readonly Line[]): Dot[] =>
   lines.filter((line) => line.light < 0 && !line.leaves).map((line) => ({ at: line.to, colour: LINES[line.kind].colour }));
 
+const KEPT_SETS = 4;
+const DOTS_UP_TO = 1500; // lines: beyond, the dots would hide what they lie on
+
 /** What stays while the scene stays. */
 function createSet(view: StageView) {
   const world = new Scene();
@@ -24,7 +27,7 @@ function createSet(view: StageView) {
   const chosen = createLineSet(true);
   const thin = createLineSet(false);
   const hits = createDots(9);
-  const thinHits = createDots(5);
+  const thinHits = createDots(6);
   const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits];
   world.add(...parts.map((part) => part.object));
   const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown } = {};
@@ -39,7 +42,7 @@ function createSet(view: StageView) {
       }
       if (shown.thin !== now.thin) {
         thin.show(now.thin, null);
-        thinHits.show(hitDots(now.thin));
+        thinHits.show(now.thin.length > DOTS_UP_TO ? [] : hitDots(now.thin));
       }
       Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit });
     },
@@ -66,14 +69,19 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false; // nothing moves but the observer
+  renderer.debug.checkShaderErrors = false; // asking waits for the compiler; the tests look at what is drawn
   const camera = new PerspectiveCamera();
   let size = { width: 1, height: 1, ratio: 1 };
-  let set: (ReturnType<typeof createSet> & { of: StageView["scene"] }) | null = null;
+  const sets = new Map<StageView["scene"], ReturnType<typeof createSet>>();
 
+  /** The last few scenes stay on the graphics card: going back to one takes no time. */
   function setFor(view: StageView) {
-    if (set?.of === view.scene) return set;
-    set?.dispose();
-    set = { ...createSet(view), of: view.scene };
+    const known = sets.get(view.scene);
+    const set = known ?? createSet(view);
+    sets.delete(view.scene);
+    sets.set(view.scene, set);
+    if (known) return set;
+    for (const [scene, old] of sets) if (sets.size > KEPT_SETS) old.dispose(), sets.delete(scene);
     set.resize(size.width, size.height, size.ratio);
     renderer.shadowMap.needsUpdate = true;
     return set;
@@ -100,10 +108,10 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
       size = { width, height, ratio };
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
-      set?.resize(width, height, ratio);
+      for (const set of sets.values()) set.resize(width, height, ratio);
     },
     dispose() {
-      set?.dispose();
+      for (const set of sets.values()) set.dispose();
       renderer.dispose();
       canvas.remove();
     },

@@ -42,7 +42,9 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
     drawn: 0,
     observer: "start",
     step: null,
-    ...kept,
+    speed: kept.speed,
+    still: kept.still,
+    gl: kept.gl,
   };
 }
 

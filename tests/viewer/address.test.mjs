@@ -1,0 +1,58 @@
+/** The whole view is in the address. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
+
+const rich = richScene();
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+const hashWith = (text) => page.waitForFunction((part) => location.hash.includes(part), text);
+
+test("what a person does is written into the address, and the address gives it back", async () => {
+  await open(page, ON_DISK, rich.path, "still=1");
+  await press(page, "+", "h", " ", "ArrowRight", "r");
+  await hashWith("cam=camera");
+  await until(page, (s, t) => t.tiles.length > 0);
+  const [before, hash] = [await state(page), new URL(page.url()).hash.slice(1)];
+  await open(page, ON_DISK, rich.path, hash);
+  assert.deepEqual(await state(page), before);
+});
+
+test("a moved observer comes back where it was", async () => {
+  await open(page, ON_DISK, rich.path, "still=1");
+  await page.getByRole("button", { name: "Turn the view left" }).click();
+  await hashWith("cam=");
+  const eye = (await stats(page)).eye;
+  await page.reload();
+  await page.evaluate(() => window.raywalk.ready);
+  await until(page, (s, t) => t.eye !== null);
+  for (const [k, value] of (await stats(page)).eye.entries()) assert.ok(Math.abs(value - eye[k]) < 1e-3);
+});
+
+for (const damaged of ["n=16", "p=99,2", "rays=diagonal", "cam=1,2", "tiles=half", "step=999", "colour=red", "n=&p=%%%"])
+  test(`a damaged link (#${damaged}) shows the scene's start and says so`, async () => {
+    await follow(page, damaged);
+    await until(page, (s, t) => t.tiles.length > 0);
+    assert.match(await page.locator("#notice").innerText(), /The address asks for something/);
+    const now = await state(page);
+    assert.equal(now.observer, "start");
+    assert.equal(now.tiles, "empty");
+  });
+
+test("an unknown scene in the address shows the page's own and says so", async () => {
+  await open(page, ON_DISK, rich.path, "scene=no-such");
+  assert.equal((await state(page)).scene, rich.id);
+  assert.match(await page.locator("#notice").innerText(), /no scene called/);
+});
+
+test("from a disk another scene is named in the address and survives a reload", async () => {
+  const other = scenesOfSite().find((scene) => scene.id !== rich.id);
+  await open(page, ON_DISK, rich.path, `scene=${other.id}&still=1`);
+  assert.equal((await state(page)).scene, other.id);
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -1,0 +1,105 @@
+/** Sizes: nothing is cut off, everything can be hit, everything can be read. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { launch, newPage, ON_DISK, open, press, richScene, state } from "./browser.mjs";
+
+const rich = richScene();
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+
+const SIZES = [[1280, 800], [1920, 1080], [1280, 720], [1024, 768], [390, 844], [360, 640]];
+const size = (page, width, height) => page.setViewportSize({ width, height });
+
+for (const [width, height] of SIZES)
+  test(`at ${width} x ${height} nothing overflows and every target is at least 44 px`, async () => {
+    await size(page, width, height);
+    await open(page, ON_DISK, rich.path, "still=1&step=1");
+    const { wide, tall, small, cut } = await page.evaluate(() => {
+      const targets = [...document.querySelectorAll("button, nav a, .top a")].filter((e) => e.checkVisibility() && e.offsetWidth);
+      const name = (e) => `${e.getAttribute("aria-label") ?? e.textContent} ${e.offsetWidth} x ${e.offsetHeight}`;
+      return {
+        wide: document.documentElement.scrollWidth - innerWidth,
+        tall: document.documentElement.scrollHeight - innerHeight,
+        small: targets.filter((e) => e.offsetWidth < 44 || e.offsetHeight < 44).map(name),
+        cut: targets.filter((e) => e.scrollWidth > e.offsetWidth + 1 || e.getBoundingClientRect().right > innerWidth + 1).map(name),
+      };
+    });
+    assert.equal(wide, 0);
+    assert.deepEqual(small, []);
+    assert.deepEqual(cut, []);
+    if (width > 760) assert.equal(tall, 0, "the main view needs no page scroll");
+  });
+
+test("on a phone the order is picture, sentence, stage, card, controls", async () => {
+  await size(page, 390, 844);
+  await open(page, ON_DISK, rich.path, "still=1");
+  const tops = await page.evaluate(() =>
+    [".picture", ".lesson", ".stage", ".card", ".controls"].map((part) => document.querySelector(part).getBoundingClientRect().top),
+  );
+  assert.deepEqual(tops, [...tops].sort((a, b) => a - b));
+});
+
+test("room for the player: with 64 px more under the stage the page still fits at 1280 x 800", async () => {
+  await size(page, 1280, 800);
+  await open(page, ON_DISK, rich.path, "still=1");
+  const tall = await page.evaluate(() => {
+    const block = document.createElement("div");
+    block.style.height = "64px";
+    document.querySelector(".player").append(block);
+    return [document.documentElement.scrollHeight, document.querySelector(".stage-view").clientHeight];
+  });
+  assert.equal(tall[0], 800);
+  assert.ok(tall[1] > 300);
+});
+
+test("with the keyboard alone every control can be reached, seen and used", async () => {
+  await size(page, 1280, 800);
+  await open(page, ON_DISK, rich.path, "still=1");
+  const reached = new Set();
+  for (let k = 0; k < 80; k++) {
+    await page.keyboard.press("Tab");
+    const here = await page.evaluate(() => {
+      const e = document.activeElement;
+      return [e.getAttribute("aria-label") ?? e.className, getComputedStyle(e).outlineStyle];
+    });
+    if (here[0] && here[0] !== "scene live") assert.notEqual(here[1], "none", `no visible focus on ${here[0]}`);
+    reached.add(here[0]);
+  }
+  const missing = await page.evaluate(
+    (seen) => [...document.querySelectorAll("button")].filter((e) => e.checkVisibility()).map((e) => e.getAttribute("aria-label")).filter((name) => !seen.includes(name)),
+    [...reached],
+  );
+  assert.deepEqual(missing, []);
+  await page.getByRole("button", { name: "selected row" }).focus();
+  await press(page, " ");
+  assert.ok((await state(page)).rays.includes("row"), "Space presses the focused button");
+  assert.equal((await state(page)).tiles, "empty", "and does not render as well");
+});
+
+for (const path of ["index.html", rich.path])
+  test(`axe finds nothing wrong on ${path}`, async () => {
+    await size(page, 1280, 800);
+    await open(page, ON_DISK, path, path === "index.html" ? "" : "still=1&tiles=filled");
+    await page.evaluate(axe);
+    const found = await page.evaluate(async () => (await window.axe.run(document, { preload: false, runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"] })).violations);
+    assert.deepEqual(found.map((each) => `${each.id}: ${each.nodes.map((node) => node.target).join(" ")}`), []);
+  });
+
+test("printed, the page is picture, lesson and figures", async () => {
+  await open(page, ON_DISK, rich.path, "still=1");
+  await page.emulateMedia({ media: "print" });
+  const seen = await page.evaluate(() =>
+    Object.fromEntries([".plain-picture", ".plain-lesson", ".figures", "#viewer", "nav.scenes"].map((part) => [part, document.querySelector(part).checkVisibility()])),
+  );
+  await page.emulateMedia({ media: null });
+  assert.deepEqual(seen, { ".plain-picture": true, ".plain-lesson": true, ".figures": true, "#viewer": false, "nav.scenes": false });
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

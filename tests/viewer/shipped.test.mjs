@@ -1,0 +1,70 @@
+/** What is shipped holds no ray code, and the sources keep their order. */
+import assert from "node:assert/strict";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join, relative, resolve } from "node:path";
+import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { raysLeftIn, withoutRays } from "../../site_src/strip-rays.mjs";
+import { DIST } from "./browser.mjs";
+import { VIEWER } from "./typescript.mjs";
+
+const sources = readdirSync(VIEWER, { recursive: true }).filter((file) => file.endsWith(".ts"));
+const text = (file) => readFileSync(join(VIEWER, file), "utf8");
+
+test("three's ray methods are taken out, and its yes/no questions answer yes", () => {
+  const stripped = withoutRays(
+    "class Mesh { raycast(a) { return a.hit; } draw() { return 1; } }\nclass Box { intersectsSphere(s) { return s.r > 1; } intersect(b) { return b; } }\nclass Ray { recast(t) { return t; } at(t) { return t; } copy() { return this; } }",
+  );
+  assert.doesNotMatch(stripped, /raycast|recast|hit|at\(t\)/);
+  assert.match(stripped, /draw\(\) \{ return 1; \}/);
+  assert.match(stripped, /intersectsSphere\(s\) \{ return true; \}/);
+  assert.deepEqual(raysLeftIn(stripped), []);
+  assert.deepEqual(raysLeftIn("class M { raycast(a) { return a.b; } }"), ["raycast"]);
+});
+
+test("the shipped script holds none of it and keeps within 150 KB gzipped", () => {
+  const page = readFileSync(`${DIST}/index.html`, "utf8").match(/class="scene-card" href="([^"]+)"/)[1];
+  const script = readFileSync(`${DIST}/${page}`, "utf8").match(/<script src="([^"]+)"/)[1];
+  const bundle = readFileSync(resolve(DIST, dirname(page), script), "utf8");
+  assert.deepEqual(raysLeftIn(bundle), []);
+  assert.doesNotMatch(bundle, /\braycast\b|intersectTriangle|intersectSphere\b/);
+  const size = gzipSync(bundle, { level: 9 }).length;
+  assert.ok(size <= 150 * 1024, `${size} bytes`);
+});
+
+test("the pages hold no inline script, no inline style, and a strict policy", () => {
+  for (const file of readdirSync(DIST, { recursive: true }).filter((each) => /^(index|scenes\/[^/]+\/index)\.html$/.test(each))) {
+    const page = readFileSync(join(DIST, file), "utf8");
+    assert.doesNotMatch(page, /<script(?![^>]*\bsrc=)|<style|\sstyle=|\son\w+=|https?:\/\//, file);
+    assert.match(page, /default-src 'none'; script-src 'self'; style-src 'self'/, file);
+  }
+});
+
+/** Which folder may import from which: main -> stage, panels -> state -> trace; palette and words are leaves. */
+const MAY = { trace: [], state: ["trace"], stage: ["state", "trace", "palette", "words"], panels: ["state", "trace", "palette", "words"] };
+
+test("imports keep their order: main -> stage, panels -> state -> trace", () => {
+  for (const file of sources) {
+    const layer = file.split("/")[0];
+    if (!MAY[layer]) continue;
+    for (const [, target] of text(file).matchAll(/from "(\.[^"]+)"/g)) {
+      const to = relative(VIEWER, resolve(VIEWER, dirname(file), target)).split("/")[0];
+      assert.ok(to === layer || MAY[layer].includes(to), `${file} imports ${target}`);
+    }
+  }
+});
+
+test("trace and state know neither the page nor three; only the stage knows three", () => {
+  for (const file of sources) {
+    if (!file.startsWith("stage/")) assert.doesNotMatch(text(file), /from "three/, file);
+    if (/^(trace|state)\//.test(file)) assert.doesNotMatch(text(file), /\b(document|window|HTMLElement|navigator)\b\./, file);
+  }
+});
+
+test("no file outgrows 350 lines", () => {
+  for (const file of sources) assert.ok(text(file).split("\n").length <= 350, file);
+});
+
+test("every scene has its page, picture, data and grids", () => {
+  for (const id of readdirSync(`${DIST}/scenes`)) for (const file of ["index.html", "picture.png", "scene.js"]) assert.ok(existsSync(`${DIST}/scenes/${id}/${file}`), `${id}/${file}`);
+});

@@ -1,0 +1,69 @@
+/** Fingers: one turns or scrubs, two move and pinch, and the page still scrolls elsewhere. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, newPage, ON_DISK, open, richScene, settled, state, stats, tileOnPage } from "./browser.mjs";
+
+const rich = richScene();
+let browser, page, hand;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  hand = await page.context().newCDPSession(page);
+});
+after(() => browser.close());
+
+/** fingers: for each moment a list of [x, y]. */
+async function touch(...moments) {
+  for (const [k, points] of moments.entries())
+    await hand.send("Input.dispatchTouchEvent", {
+      type: k === 0 ? "touchStart" : "touchMove",
+      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+    });
+  await hand.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await settled(page);
+}
+
+async function stageBox() {
+  await page.locator(".stage-view").scrollIntoViewIfNeeded();
+  return page.locator(".stage-view").boundingBox();
+}
+
+test("one finger beside the tiles turns the view", async () => {
+  await open(page, ON_DISK, rich.path, "still=1");
+  const box = await stageBox();
+  const before = await stats(page);
+  await touch([[box.x + 40, box.y + 30]], [[box.x + 90, box.y + 40]], [[box.x + 140, box.y + 50]]);
+  const now = await stats(page);
+  assert.notDeepEqual(now.eye, before.eye);
+  assert.ok(Math.abs(now.reach - before.reach) < 1e-9);
+});
+
+test("two fingers move the view, and pinching zooms", async () => {
+  const box = await stageBox();
+  const before = await stats(page);
+  const [x, y] = [box.x + 190, box.y + 60];
+  await touch([[x - 20, y], [x + 20, y]], [[x - 60, y + 20], [x + 60, y + 20]]);
+  const now = await stats(page);
+  assert.ok(now.reach < 0.7 * before.reach, "spreading comes nearer");
+  assert.notDeepEqual(now.target, before.target);
+});
+
+test("one finger on a tile selects it, and on the picture too", async () => {
+  await open(page, ON_DISK, rich.path, "still=1&n=5&cam=camera");
+  await stageBox();
+  const tile = await tileOnPage(page, 3, 1);
+  await touch([[tile.x, tile.y]]);
+  assert.deepEqual((await state(page)).pixel, [3, 1]);
+  await page.locator(".marks").scrollIntoViewIfNeeded();
+  const picture = await page.locator(".marks").boundingBox();
+  await touch([[picture.x + 0.1 * picture.width, picture.y + 0.9 * picture.height]]);
+  assert.deepEqual((await state(page)).pixel, [0, 4]);
+});
+
+test("the page scrolls when the finger is on the card", async () => {
+  const head = await page.locator(".card-head").boundingBox();
+  assert.equal(await page.locator(".card-head").evaluate((e) => getComputedStyle(e).touchAction), "auto");
+  assert.ok(head.height >= 44);
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
