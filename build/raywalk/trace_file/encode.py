@@ -1,0 +1,149 @@
+"""A level's ray tree as canonical JSON. FORMAT.md says what the parts mean."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from raywalk.scene.model import Scene
+from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace_file import rebuild, tables
+from raywalk.trace_file.checksum import checksum
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.level import in_file_order, level_pixels
+from raywalk.trace_file.measure import measured_errors
+from raywalk.trace_file.noting import Noting
+from raywalk.trace_file.patches import Patch, split_into_patches
+from raywalk.trace_file.precision import (
+    MOST_POINT,
+    POINT_SHARE,
+    SPLIT,
+    depth_step,
+    finite_extent,
+    normal_step,
+)
+from raywalk.trace_file.structure import REFLECTED, REFRACTED, TOTAL
+from raywalk.trace_file.truth import TrueNumbers
+from raywalk.trace_file.walk import walk
+
+FORMAT, VERSION = "raywalk-trace", 1
+CHILD_BIT = {Kind.REFLECTED: REFLECTED, Kind.REFRACTED: REFRACTED, Kind.TOTAL: TOTAL}
+
+
+def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
+    """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8."""
+    tree = in_file_order(level)
+    n = checked_side(tree)
+    patches, patch_of = split_into_patches(
+        tree.object, tree.point, tree.normal, finite_extent(tree, scene)
+    )
+    header, symbols = begin_header(tree, scene, n, patches, patch_of)
+    tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
+    noting = Noting(symbols, TrueNumbers(tree, header, symbols, tile))
+    ray = walk(header, noting)
+    header["columns"], header["predictors"] = noting.columns(), noting.predictors
+    header["errors"] = measured_errors(tree, header, ray, tile)
+    header["crc32"] = checksum(header)
+    return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
+
+
+def checked_side(tree: RayTree) -> int:
+    """n, after a look at what the format takes for granted."""
+    n = int(np.sqrt(tree.cameras) + 0.5)
+    if n * n != tree.cameras or (tree.pixel[: n * n] != level_pixels(tree.size, n)).any():
+        raise TraceFileError("unfit", "these are not the camera rays of one resolution")
+    return n
+
+
+def begin_header(
+    tree: RayTree, scene: Scene, n: int, patches: list[Patch], patch_of: np.ndarray
+) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """All of the header that the walk needs, and the symbols of every symbol column."""
+    extent = finite_extent(tree, scene)
+    signature, signature_of = tables.signatures(tree)
+    surface, surface_of = tables.surfaces(tree, patches, patch_of)
+    seen, seen_of = tables.seen(tree)
+    symbols = {
+        "signature": signature_of, "surface": surface_of, "children": children_bits(tree),
+        **{f"visibility{l}": seen_of[:, l] for l in range(len(scene.lights))},
+    }  # fmt: skip
+    ended = np.unique(patch_of[tree.cameras :])
+    frame = camera_frame(scene)
+    header: dict[str, Any] = {
+        "format": FORMAT, "version": VERSION, "scene": scene.id, "n": n, "size": tree.size,
+        "rays": len(tree.pixel), "hits": len(tree.hits_t), "camera": frame,
+        "background": list(scene.background),
+        "objects": [item.name for item in scene.objects],
+        "lights": [
+            {"name": light.name, "position": list(light.position), "colour": list(light.colour)}
+            for light in scene.lights
+        ],
+        "materials": tables.material_rows(tree, scene),
+        "patches": [tables.patch_row(p, extent, k in ended) for k, p in enumerate(patches)],
+        "images": depth_images(tree, frame, n, patches, extent),
+        "tables": {
+            "signature": [list(row) for row in signature],
+            "surface": [list(row) for row in surface],
+            "visibility": [list(row) for row in seen],
+        },
+        "steps": {
+            "normal": normal_step(), "split": SPLIT,
+            "blocked": 2 * min(POINT_SHARE * extent, MOST_POINT),
+        },
+    }  # fmt: skip
+    return header, symbols
+
+
+def children_bits(tree: RayTree) -> np.ndarray:
+    bits = np.zeros(len(tree.pixel), np.int64)
+    for kind, bit in CHILD_BIT.items():
+        parents = tree.parent[tree.kind == kind]
+        if len(np.unique(parents)) < len(parents) or (bits[parents] & ~REFRACTED & bit).any():
+            raise TraceFileError("unfit", "a ray has two children of one kind")
+        bits[parents] |= bit
+    return bits
+
+
+def camera_frame(scene: Scene) -> dict[str, Any]:
+    """Eye and view as the scene gives them, and the vectors that span the picture."""
+    camera = scene.camera
+    eye, target, up = (np.array(v, float) for v in (camera.eye, camera.target, camera.up))
+    forward = (target - eye) / np.linalg.norm(target - eye)
+    right = np.cross(forward, up) / np.linalg.norm(np.cross(forward, up))
+    spread = np.tan(np.radians(camera.fov) / 2)
+    return {
+        "eye": list(camera.eye), "target": list(camera.target), "up": list(camera.up),
+        "fov": camera.fov, "forward": (forward + 0.0).tolist(),
+        "right": (right * spread + 0.0).tolist(),
+        "down": (np.cross(forward, right) * spread + 0.0).tolist(),
+    }  # fmt: skip
+
+
+def depth_images(
+    tree: RayTree, frame: dict[str, Any], n: int, patches: list[Patch], extent: float
+) -> list[dict[str, Any]]:
+    """One a key (object, how often the ray met it before), with its step of 1 / z."""
+    slant = rebuild.length(rebuild.camera_steps(frame, n))
+    error: dict[int, float] = {}
+    for patch in patches:
+        allowed = tables.allowed_error(patch, extent)
+        error[patch.object] = min(allowed, error.get(patch.object, allowed))
+    found: dict[tuple[int, int], list[tuple[float, float]]] = {}
+    start = tree.hits_start.tolist()
+    for k, size in enumerate(slant.tolist()):
+        turns: dict[int, int] = {}
+        for h in range(start[k], start[k + 1]):
+            thing = int(tree.hits_object[h])
+            turns[thing] = turns.get(thing, -1) + 1
+            found.setdefault((thing, turns[thing]), []).append((tree.hits_t[h] / size, size))
+        if start[k] == start[k + 1]:
+            end = float(np.linalg.norm(tree.point[k] - frame["eye"]))
+            found.setdefault((-1, 0), []).append((end / size, size))
+    images = []
+    for (thing, turn), pairs in sorted(found.items()):
+        z, slants = np.array(pairs).T
+        allowed = error.get(thing, min(POINT_SHARE * extent, MOST_POINT))
+        images.append({"object": thing, "turn": turn, "step": depth_step(z, slants, allowed)})
+    return images

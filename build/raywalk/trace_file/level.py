@@ -1,0 +1,72 @@
+"""One frustum resolution read out of the whole ray tree, in the order the file keeps."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+import numpy as np
+
+from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace_file.errors import TraceFileError
+
+PER_HIT = ("hits_t", "hits_object")
+
+
+def level_pixels(size: int, n: int) -> np.ndarray:
+    """(n * n,) picture pixels that tile (i, j) shares its centre with, raster order."""
+    k, rest = divmod(size, n)
+    if rest or k % 2 == 0:
+        raise TraceFileError("unfit", f"{n} does not divide {size} with an odd quotient")
+    along = np.arange(n) * k + (k - 1) // 2
+    return np.asarray((along[:, None] * size + along).reshape(-1))
+
+
+def level_of(tree: RayTree, n: int) -> RayTree:
+    """The rays of one n x n frustum; `pixel` keeps counting in the full picture."""
+    wanted = level_pixels(tree.size, n)
+    missing = np.setdiff1d(wanted, tree.pixel[: tree.cameras])
+    if len(missing):
+        raise TraceFileError("unfit", f"{len(missing)} pixels of level {n} were not kept")
+    return _rows(tree, np.flatnonzero(np.isin(tree.pixel, wanted)))
+
+
+def in_file_order(tree: RayTree) -> RayTree:
+    """Depth by depth, path by path (RR, RT, TR, TT ...), each in its parents' order."""
+    rank = np.zeros(len(tree.pixel), np.int64)  # a ray's place within its depth
+    path = np.zeros(len(tree.pixel), np.int64)
+    ordered: list[np.ndarray] = []
+    rows = np.flatnonzero(tree.parent < 0)
+    while len(rows):
+        if ordered:
+            branch = tree.kind[rows] == Kind.REFRACTED
+            path[rows] = _dense(2 * path[tree.parent[rows]] + branch)
+        place = rank[tree.parent[rows]] if ordered else tree.pixel[rows]
+        rows = rows[np.lexsort((place, path[rows]))]
+        rank[rows] = np.arange(len(rows))
+        ordered.append(rows)
+        rows = np.flatnonzero(np.isin(tree.parent, rows))
+    return _rows(tree, np.concatenate(ordered))
+
+
+def _dense(path: np.ndarray) -> np.ndarray:
+    """Path numbers made small again, in the same order: 1000 bounces would overflow."""
+    return np.unique(path, return_inverse=True)[1].reshape(-1)
+
+
+def _rows(tree: RayTree, rows: np.ndarray) -> RayTree:
+    """The tree of these rows alone; they must hold the parent of each."""
+    new_row = np.full(len(tree.pixel) + 1, -1, np.int32)  # the last serves parent -1
+    new_row[rows] = np.arange(len(rows))
+    columns = {
+        f.name: getattr(tree, f.name)[rows]
+        for f in fields(tree)
+        if f.name not in ("size", "hits_start", *PER_HIT)
+    }
+    columns["parent"] = new_row[columns["parent"]]
+    cameras = rows[rows < tree.cameras]
+    counts = np.diff(tree.hits_start)[cameras]
+    start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
+    hits = np.repeat(tree.hits_start[cameras] - start[:-1], counts) + np.arange(start[-1])
+    for name in PER_HIT:
+        columns[name] = getattr(tree, name)[hits]
+    return replace(tree, hits_start=start, **columns)

@@ -1,0 +1,75 @@
+"""What the codec lost, measured: the header's `errors`. Too much is refused, not written."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from raywalk.trace.tree import RayTree, Visibility
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.precision import COLOUR
+from raywalk.trace_file.walk import Ray
+
+EXACT = ("kind", "parent", "depth", "object", "material", "inside", "visibility", "blocker")
+MOST_TILE = 1  # of 255: more means that picture and tree disagree
+
+
+def measured_errors(
+    tree: RayTree, header: dict[str, Any], ray: Ray, tile: np.ndarray
+) -> dict[str, float]:
+    """Largest difference of each column to the tree, or TraceFileError if it is no rounding."""
+    for name in EXACT:
+        _must_agree(name, getattr(tree, name), ray[name], tree.object >= 0)
+    hit, lit = tree.object >= 0, _stored_light(tree, header)
+    blocked = tree.visibility == Visibility.BLOCKED
+    way = _to_lights(tree, header)
+    found = {
+        "point": _most(ray["point"] - tree.point, hit),
+        "leaving": _most(ray["point"] - tree.point, ~hit),
+        "t": _most(ray["t"][hit] - tree.t[hit]),
+        "normal": _most(ray["normal"] - tree.normal),
+        "weight": _most(ray["weight"] - tree.weight),
+        "localWeight": _most((ray["localWeight"] - tree.local_weight)[hit]),
+        "blocked": _most(((ray["blockedAt"] - tree.blocked_at) * way)[blocked]),
+        "diffuse": _most((ray["diffuse"] - tree.diffuse)[lit["diffuse"]]),
+        "specular": _most((ray["specular"] - tree.specular)[lit["specular"]]),
+        "hits": _most(ray["hitsT"] - tree.hits_t),
+        "colour": _most((ray["colour"] - tree.colour).reshape(-1)),
+    }
+    if found["colour"] > COLOUR:
+        raise TraceFileError("unfit", f"colours do not add up: off by {found['colour']:.2g}")
+    if (ray["tiles"] != tile.reshape(-1)).any():
+        raise TraceFileError("unfit", "tiles do not come back")
+    return {name: float(format(error * 1.005, ".3g")) for name, error in found.items()}
+
+
+def _must_agree(name: str, true: np.ndarray, rebuilt: np.ndarray, hit: np.ndarray) -> None:
+    if name in ("visibility", "blocker"):
+        true, rebuilt = true[hit], rebuilt[hit]
+    if (true.astype(np.int64) != rebuilt).any():
+        raise TraceFileError("unfit", f"column {name} does not come back: the tree breaks a rule")
+
+
+def _stored_light(tree: RayTree, header: dict[str, Any]) -> dict[str, np.ndarray]:
+    """(m, lights) where a factor is kept: it multiplies a colour and is not in the dark."""
+    kept = {}
+    for name in ("diffuse", "specular"):
+        shown = [any(m[name]) and m["local"] > 0 for m in header["materials"]]
+        coloured = np.array([*shown, False])[tree.material]
+        kept[name] = np.repeat(coloured[:, None], tree.visibility.shape[1], axis=1)
+    return kept
+
+
+def _to_lights(tree: RayTree, header: dict[str, Any]) -> np.ndarray:
+    position = np.array([light["position"] for light in header["lights"]]).reshape(-1, 3)
+    return np.asarray(np.linalg.norm(tree.point[:, None] - position, axis=2))
+
+
+def _most(difference: np.ndarray, rows: np.ndarray | None = None) -> float:
+    """Longest vector or largest number."""
+    if rows is not None:
+        difference = difference[rows]
+    if difference.ndim == 2 and difference.shape[1] == 3:
+        difference = np.sqrt((difference**2).sum(axis=1))
+    return float(np.abs(difference).max(initial=0.0))

@@ -1,0 +1,131 @@
+"""Who is whose child: everything about a ray tree that needs no number but symbols.
+
+One walk serves both sides of the codec: it grows the tree depth by depth, asking a coder
+for each ray's surface and children. The encoder's coder knows them and notes how well
+they were guessed; the decoder's reads the notes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from raywalk.trace.tree import Kind
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.neighbours import NONE, follow, in_raster
+
+# What a hit sends on.
+REFLECTED, REFRACTED, TOTAL = 1, 2, 4  # TOTAL stands in place of REFLECTED
+
+# (column, first row, group, kind, sides within these rows) -> symbols of these rows
+Coder = Callable[[str, int, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass
+class Structure:
+    """Columns over rays, of the whole file or (counted from its first row) of one depth."""
+
+    pixel: np.ndarray  # row * n + column
+    parent: np.ndarray  # always counted in the whole file
+    kind: np.ndarray
+    level: np.ndarray  # bounces before this ray
+    before: np.ndarray  # equal where two rays came by the same way
+    sides: np.ndarray  # (4, m) see neighbours.py
+    paths: list[int]  # where each path (RR, RT ...) of one depth starts, and the end
+    surface: np.ndarray
+    children: np.ndarray
+    way: np.ndarray  # `before` and the patch met: equal where two rays met the same patches
+
+    @property
+    def count(self) -> int:
+        return len(self.pixel)
+
+
+def grow(
+    n: int, first_object: np.ndarray, patch_of: np.ndarray, count: int, coder: Coder
+) -> Structure:
+    """The tree of n x n camera rays that meet `first_object` first; patch_of[surface].
+
+    Raises if it does not have `count` rays.
+    """
+    waves: list[Structure] = []
+    wave, first = _cameras(n, first_object), 0
+    base = len(patch_of) + 1
+    while wave.count and first + wave.count <= count:
+        wave.surface = coder("surface", first, wave.before, wave.before, wave.sides)
+        if len(wave.surface) and wave.surface.max() >= len(patch_of):
+            raise TraceFileError("damaged", "a ray names a surface that is not there")
+        wave.way = _dense(wave.before * base + patch_of[wave.surface])
+        group = wave.way * base + wave.surface
+        wave.children = coder("children", first, group, wave.surface, wave.sides)
+        waves.append(wave)
+        wave, first = _next(wave, first), first + wave.count
+    if first != count or wave.count:
+        raise TraceFileError("damaged", f"the tree does not have its {count} rays")
+    return _joined(waves)
+
+
+def _cameras(n: int, first_object: np.ndarray) -> Structure:
+    count, empty = n * n, np.empty(0, np.int64)
+    return Structure(
+        np.arange(count), np.full(count, NONE), np.full(count, int(Kind.CAMERA)),
+        np.zeros(count, np.int64), first_object + 1, in_raster(n), [0, count],
+        empty, empty, empty,
+    )  # fmt: skip
+
+
+def _next(wave: Structure, first: int) -> Structure:
+    """The children of a wave whose first row is `first`: path by path, each in its order."""
+    picked, refracted, paths = [], [], [0]
+    for start, end in zip(wave.paths, wave.paths[1:], strict=False):
+        children = wave.children[start:end]
+        for bits in (REFLECTED | TOTAL, REFRACTED):
+            rows = start + np.flatnonzero(children & bits)
+            if len(rows):
+                picked.append(rows)
+                refracted.append(np.full(len(rows), bits == REFRACTED))
+                paths.append(paths[-1] + len(rows))
+    parent = np.concatenate(picked) if picked else np.empty(0, np.int64)
+    down = np.concatenate(refracted) if picked else np.empty(0, bool)
+    total = (wave.children[parent] & TOTAL) > 0
+    kind = np.where(down, Kind.REFRACTED, np.where(total, Kind.TOTAL, Kind.REFLECTED))
+    empty = np.empty(0, np.int64)
+    return Structure(
+        wave.pixel[parent], first + parent, kind.astype(np.int64), wave.level[parent] + 1,
+        2 * wave.way[parent] + down, _sides(wave, parent, down), paths, empty, empty, empty,
+    )  # fmt: skip
+
+
+def _sides(wave: Structure, parent: np.ndarray, down: np.ndarray) -> np.ndarray:
+    """A child's neighbours are the like children of its parent's neighbours."""
+    sides = np.empty((4, len(parent)), np.int64)
+    for branch in (False, True):
+        mine = np.flatnonzero(down == branch)
+        child = np.full(wave.count, NONE)
+        child[parent[mine]] = mine
+        sides[:, mine] = follow(child, wave.sides[:, parent[mine]])
+    return sides
+
+
+def _dense(key: np.ndarray) -> np.ndarray:
+    """Small numbers, equal where the keys are."""
+    return np.unique(key, return_inverse=True)[1].reshape(-1)
+
+
+def _joined(waves: list[Structure]) -> Structure:
+    """All depths as one, ways and neighbours made distinct and counted in the file."""
+    first = np.cumsum([0, *(wave.count for wave in waves)])
+    columns: dict[str, np.ndarray] = {
+        name: np.concatenate([getattr(wave, name) for wave in waves])
+        for name in ("pixel", "parent", "kind", "level", "before", "surface", "children")
+    }
+    ways = [wave.way + start for wave, start in zip(waves, first, strict=False)]
+    sides = [
+        np.where(wave.sides >= 0, wave.sides + start, NONE)
+        for wave, start in zip(waves, first, strict=False)
+    ]
+    return Structure(
+        **columns, way=np.concatenate(ways), sides=np.concatenate(sides, axis=1), paths=[]
+    )

@@ -1,0 +1,248 @@
+"""The one way through a trace file's columns, for writing and for reading.
+
+Each step asks the coder for a column of whole numbers and makes what a person sees of
+it; later columns are predicted from what is known by then. A reading coder takes the
+numbers from the file; a noting one (encode.py) knows them and writes them down. So the
+encoder sees exactly what every reader will see, and states its errors.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+
+from raywalk.trace.tree import Visibility
+from raywalk.trace_file import rebuild
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.neighbours import in_raster
+from raywalk.trace_file.structure import REFLECTED, REFRACTED, TOTAL, Structure, grow
+
+Ray = dict[str, np.ndarray]
+ABSENT = -1  # kind and group of rays that store nothing in a column
+
+
+class Coder(Protocol):
+    """Yields columns. Arrays count rays; kind and group are ABSENT where nothing is stored."""
+
+    def symbols(
+        self, name: str, first: int, group: np.ndarray, kind: np.ndarray, sides: np.ndarray
+    ) -> np.ndarray: ...
+
+    def numbers(
+        self, name: str, ray: Ray, group: np.ndarray, kind: np.ndarray, sides: np.ndarray,
+        features: list[np.ndarray],
+    ) -> np.ndarray: ...  # fmt: skip
+
+
+def walk(header: dict[str, Any], coder: Coder) -> Ray:
+    """All columns of types.ts's Trace by their names there, and level, way, surface."""
+    n, tables = header["n"], header["tables"]
+    sides = in_raster(n)
+    zeros = np.zeros(n * n, np.int64)
+    chosen = inside("signature", coder.symbols("signature", 0, zeros, zeros, sides), tables)
+    met = [tables["signature"][k] for k in chosen.tolist()]
+    first_object = np.array([hits[0] if hits else ABSENT for hits in met], np.int64)
+    surfaces = np.array(tables["surface"], np.int64).reshape(-1, 4)
+    patch_of = surfaces[:, 0]
+    tree = grow(n, first_object, patch_of, header["rays"], coder.symbols)
+    ray: Ray = {
+        "kind": tree.kind, "parent": tree.parent, "pixel": tree.pixel, "level": tree.level,
+        "surface": tree.surface, "way": tree.way, "children": tree.children,
+        "depth": np.minimum(tree.level, 255), "patch": patch_of[tree.surface],
+        "material": surfaces[tree.surface, 1], "inside": surfaces[tree.surface, 2],
+        "sign": surfaces[tree.surface, 3],
+        "object": np.array([p["object"] for p in header["patches"]])[patch_of[tree.surface]],
+    }  # fmt: skip
+    hits_along(header, coder, ray, met, sides)
+    points(header, coder, ray, tree)
+    normals(header, coder, ray, tree)
+    weights(header, coder, ray, tree)
+    lights(header, coder, ray, tree)
+    ray["colour"] = rebuild.recombine(header, ray)
+    tiles(header, coder, ray, sides)
+    return ray
+
+
+def inside(name: str, symbol: np.ndarray, tables: dict[str, list]) -> np.ndarray:
+    """The symbols, all of which must name a row of their table."""
+    if len(symbol) and symbol.max() >= len(tables[name]):
+        raise TraceFileError("damaged", f"column {name} names a row that is not there")
+    return symbol
+
+
+def hits_along(
+    header: dict[str, Any], coder: Coder, ray: Ray, met: list[list[int]], sides: np.ndarray
+) -> None:
+    """Every hit along each camera ray. One image a key (object, how often met before)."""
+    n, images = header["n"], header["images"]
+    step = rebuild.camera_steps(header["camera"], n)
+    size = rebuild.length(step)
+    row, column = np.divmod(np.arange(n * n), n)
+    features = [column.astype(float), row.astype(float)]
+    place: dict[tuple[int, int], int] = {
+        (image["object"], image["turn"]): k for k, image in enumerate(images)
+    }
+    keys = [image_keys(hits, place) for hits in met]
+    start = np.cumsum([0, *(len(hits) for hits in met)])
+    z = np.ones((n * n, len(images)))
+    for k, image in enumerate(images):
+        group = np.array([0 if k in own else ABSENT for own in keys])
+        number = coder.numbers(f"depth{k}", ray, group, group, sides, features)
+        here = group == 0
+        if (number[here] < 1).any():
+            raise TraceFileError("damaged", f"column depth{k} leads behind the camera")
+        z[here, k] = 1 / (number[here] * image["step"])
+    nearest = z[np.arange(n * n), [own[0] for own in keys]]
+    ray["cameraPoint"] = np.stack(
+        [header["camera"]["eye"][k] + step[k] * nearest for k in range(3)], axis=1
+    )
+    ray["cameraT"] = nearest * size
+    flat = [(k, key) for k, own in enumerate(keys) for key in own[: len(met[k])]]
+    at = np.array(flat, np.int64).reshape(-1, 2)
+    t = z[at[:, 0], at[:, 1]] * size[at[:, 0]]
+    ray["hitsStart"], ray["hitsT"] = start, ascending(t, start)
+    ray["hitsObject"] = np.array([thing for hits in met for thing in hits], np.int64)
+
+
+def image_keys(hits: list[int], place: dict[tuple[int, int], int]) -> list[int]:
+    """Which depth images a ray that meets these objects has; one that leaves has its own."""
+    turns: dict[int, int] = {}
+    keys = []
+    for thing in hits or [ABSENT]:
+        turns[thing] = turns.get(thing, -1) + 1
+        if (thing, turns[thing]) not in place:
+            raise TraceFileError("damaged", "a depth image is missing")
+        keys.append(place[thing, turns[thing]])
+    return keys
+
+
+def ascending(t: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Hits closer together than the step may have changed places: no t before its forerunner."""
+    out = t.copy()
+    longest = int(np.diff(start).max(initial=0))
+    for k in range(1, longest):
+        rows = start[:-1][np.diff(start) > k] + k
+        out[rows] = np.maximum(out[rows], out[rows - 1])
+    return out
+
+
+def points(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+    """Where rays end, and their lengths. Those of camera rays are known from depth images."""
+    m, n = tree.count, header["n"]
+    camera = np.arange(m) < n * n
+    free = np.array([patch["points"] == "free" for patch in header["patches"]])[ray["patch"]]
+    numbers = []
+    for k in range(3):
+        stored = ~camera & (free | (k < 2))
+        kind = np.where(stored, ray["patch"], ABSENT)
+        group = np.where(stored, ray["way"], ABSENT)
+        numbers.append(coder.numbers(f"point{k}", ray, group, kind, tree.sides, []))
+    point = np.zeros((m, 3))
+    for k, patch in enumerate(header["patches"]):
+        rows = np.flatnonzero(~camera & (ray["patch"] == k))
+        if not len(rows):
+            continue
+        at = rebuild.points_on(patch, [number[rows] for number in numbers])
+        for c in range(3):
+            point[rows, c] = at[c]
+    point[: n * n] = ray.pop("cameraPoint")
+    ray["point"] = point
+    origin = point[ray["parent"]]
+    t = rebuild.length([point[:, c] - origin[:, c] for c in range(3)])
+    t[: n * n] = ray.pop("cameraT")
+    ray["t"] = np.where(ray["object"] < 0, np.inf, t)
+
+
+def normals(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+    patches = header["patches"]
+    stored = np.array([patch["normals"] == "stored" for patch in patches])[ray["patch"]]
+    kind = np.where(stored, 2 * ray["patch"] + (tree.level > 0), ABSENT)
+    group = np.where(stored, ray["way"], ABSENT)
+    u, v = (coder.numbers(f"normal{k}", ray, group, kind, tree.sides, []) for k in range(2))
+    normal = np.zeros((tree.count, 3))
+    for k, patch in enumerate(patches):
+        rows = np.flatnonzero(ray["patch"] == k)
+        if patch["normals"] == "stored":
+            step = header["steps"]["normal"]
+            at = rebuild.on_octahedron(u[rows] * step, v[rows] * step)
+        elif patch["normals"] == "none":
+            continue
+        else:
+            at = rebuild.normals_on(patch, ray["sign"][rows], list(ray["point"][rows].T))
+        for c in range(3):
+            normal[rows, c] = at[c]
+    ray["normal"] = normal
+
+
+def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+    """Shares: constants of the material, or split between reflected and refracted."""
+    materials = header["materials"]
+    split = np.array([*(m["split"] for m in materials), 0.0])[ray["material"]]
+    parted = (split > 0) & ((tree.children & (REFLECTED | REFRACTED)) > 0)
+    parted &= (tree.children & TOTAL) == 0
+    kind = np.where(parted, ray["surface"], ABSENT)
+    group = np.where(parted, ray["way"], ABSENT)
+    share = coder.numbers("split", ray, group, kind, tree.sides, []) * header["steps"]["split"]
+    weight = np.ones(tree.count)
+    for bit, key in ((1, "reflected"), (2, "refracted"), (3, "total")):
+        rows = np.flatnonzero(tree.kind == bit)
+        parent = tree.parent[rows]
+        constant = np.array([*(m[key] for m in materials), 0.0])[ray["material"][parent]]
+        of_split = share[parent] if bit == 1 else split[parent] - share[parent]
+        weight[rows] = np.where(parted[parent], of_split, constant)
+    ray["weight"] = weight
+    ray["localWeight"] = np.array([*(m["local"] for m in materials), 0.0])[ray["material"]]
+    whole = np.zeros(tree.count, np.int64)
+    tests = coder.numbers("tests", ray, ray["way"], ray["patch"] + whole, tree.sides, [])
+    ray["tests"] = tests.astype(np.int64)
+
+
+def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+    """What each light gives at each hit, and who stands between."""
+    m, count = tree.count, len(header["lights"])
+    hit = ray["object"] >= 0
+    table = np.array(header["tables"]["visibility"], np.int64).reshape(-1, 2)
+    surfaces, below = len(header["tables"]["surface"]), tree.level > 0
+    point = [ray["point"][:, c].copy() for c in range(3)]
+    features = [*(ray["normal"][:, c].copy() for c in range(3)), *point]
+    step = np.array([*(mat["step"] for mat in header["materials"]), 0.0])[ray["material"]]
+    for name in ("visibility", "blocker"):
+        ray[name] = np.zeros((m, count), np.int64)
+    for name in ("blockedAt", "diffuse", "specular"):
+        ray[name] = np.zeros((m, count))
+    for l, light in enumerate(header["lights"]):
+        seen = np.zeros(m, np.int64)
+        rows = np.flatnonzero(hit)
+        group, kind = np.where(hit, ray["way"], ABSENT), np.where(hit, ray["surface"], ABSENT)
+        name = f"visibility{l}"
+        seen = coder.symbols(name, 0, group, kind, tree.sides)
+        inside("visibility", seen[rows], header["tables"])
+        visibility = np.where(hit, table[seen, 0] if len(table) else 0, Visibility.BEHIND)
+        ray["visibility"][:, l] = visibility
+        ray["blocker"][:, l] = np.where(hit, table[seen, 1] if len(table) else -1, -1)
+
+        blocked = hit & (visibility == Visibility.BLOCKED)
+        group = np.where(blocked, ray["way"] * len(table) + seen, ABSENT)
+        kind = np.where(blocked, 2 * seen + below, ABSENT)
+        way_left = coder.numbers(f"blocked{l}", ray, group, kind, tree.sides, point)
+        to_light = rebuild.length([light["position"][c] - point[c] for c in range(3)])
+        part = 1 - (way_left * header["steps"]["blocked"]) / np.where(blocked, to_light, 1.0)
+        ray["blockedAt"][:, l] = np.where(blocked, part, 1.0)
+
+        for name in ("diffuse", "specular"):
+            coloured = [any(mat[name]) and mat["local"] > 0 for mat in header["materials"]]
+            lit = hit & np.array([*coloured, False])[ray["material"]]
+            group = np.where(lit, ray["way"] * surfaces + ray["surface"], ABSENT)
+            kind = np.where(lit, 2 * ray["surface"] + below, ABSENT)
+            number = coder.numbers(f"{name}{l}", ray, group, kind, tree.sides, features)
+            ray[name][:, l] = np.where(lit, number * step, 0.0)
+
+
+def tiles(header: dict[str, Any], coder: Coder, ray: Ray, sides: np.ndarray) -> None:
+    """Exact 8-bit colours: stored is by how much the rounded sum of the tree is off."""
+    n = header["n"]
+    near = rebuild.eight_bit(ray["colour"][: n * n])
+    zeros = np.zeros(n * n, np.int64)
+    off = [coder.numbers(f"tile{c}", ray, zeros, zeros, sides, []) for c in range(3)]
+    ray["tiles"] = (near + np.stack(off, axis=1).astype(np.int64)).reshape(-1)
