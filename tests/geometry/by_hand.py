@@ -10,14 +10,21 @@ from typing import Any
 import numpy as np
 
 from raywalk.scene.model import (
+    Box,
     Camera,
+    Cylinder,
+    Disc,
+    Ellipsoid,
     Light,
     Material,
     Mesh,
+    Plane,
     Render,
     Scene,
     SceneObject,
     Shape,
+    Sphere,
+    Triangle,
     Triple,
 )
 
@@ -82,3 +89,56 @@ def write_ply(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
 def mesh_of(path: Path, smooth: bool = False, subdivide: int = 0) -> Mesh:
     """The mesh in a file."""
     return Mesh(path.stem, path, smooth, subdivide)
+
+
+def unit(v: np.ndarray) -> np.ndarray:
+    """(n, 3) vectors made 1 long."""
+    return np.asarray(v / np.linalg.norm(v, axis=-1, keepdims=True))
+
+
+def random_affine(rng: np.random.Generator, worst: float = 10.0) -> np.ndarray:
+    """(4, 4) with shear, uneven scale and perhaps a mirror, of condition at most `worst`."""
+    while True:
+        linear = rng.normal(size=(3, 3))
+        if np.linalg.cond(linear) < worst:
+            return affine(linear, rng.normal(size=3))
+
+
+# One of each kind, placed askew.
+SHAPES: dict[str, Shape] = {
+    "sphere": Sphere((0.3, -0.2, 0.5), 1.3),
+    "ellipsoid": Ellipsoid((0.1, 0.2, -0.3), (0.5, 1.2, 0.8), (20.0, -35.0, 50.0)),
+    "plane": Plane((0.1, -0.4, 0.2), (0.3, 1.0, -0.2)),
+    "capped cylinder": Cylinder((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.7),
+    "open cylinder": Cylinder((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.7, capped=False),
+    "box": Box((-1.0, -0.5, -0.7), (0.8, 0.9, 0.6)),
+    "disc": Disc((0.1, 0.2, 0.3), (1.0, 2.0, -0.5), 1.1),
+    "triangle": Triangle((-1.0, -0.8, 0.1), (1.2, -0.5, 0.3), (0.1, 1.1, -0.4)),
+}
+SOLIDS = ("sphere", "ellipsoid", "capped cylinder", "box")
+
+
+def moved(shape: Shape, scale: float, offset: np.ndarray) -> Shape:
+    """The same shape, scale times as large, then moved."""
+
+    def at(point: Triple) -> Triple:
+        x, y, z = scale * np.array(point) + offset
+        return float(x), float(y), float(z)
+
+    match shape:
+        case Sphere():
+            return Sphere(at(shape.center), scale * shape.radius)
+        case Ellipsoid():
+            a, b, c = (scale * r for r in shape.radii)
+            return Ellipsoid(at(shape.center), (a, b, c), shape.rotation)
+        case Plane():
+            return Plane(at(shape.point), shape.normal)
+        case Cylinder():
+            return Cylinder(at(shape.start), at(shape.end), scale * shape.radius, shape.capped)
+        case Box():
+            return Box(at(shape.minimum), at(shape.maximum))
+        case Disc():
+            return Disc(at(shape.center), shape.normal, scale * shape.radius)
+        case Triangle():
+            return Triangle(at(shape.a), at(shape.b), at(shape.c))
+    raise TypeError(type(shape).__name__)
