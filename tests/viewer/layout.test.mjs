@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, richScene, state } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, richScene, state } from "./browser.mjs";
 
 const rich = richScene();
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -11,6 +11,7 @@ let browser, page;
 before(async () => {
   browser = await launch();
   page = await newPage(browser);
+  await open(page, ON_DISK, rich.path, "still=1");
 });
 after(() => browser.close());
 
@@ -20,7 +21,7 @@ const size = (page, width, height) => page.setViewportSize({ width, height });
 for (const [width, height] of SIZES)
   test(`at ${width} x ${height} nothing overflows and every target is at least 44 px`, async () => {
     await size(page, width, height);
-    await open(page, ON_DISK, rich.path, "still=1&step=1");
+    await follow(page, "still=1&step=1");
     const { wide, tall, small, cut } = await page.evaluate(() => {
       const targets = [...document.querySelectorAll("button, nav a, .top a")].filter((e) => e.checkVisibility() && e.offsetWidth);
       const name = (e) => `${e.getAttribute("aria-label") ?? e.textContent} ${e.offsetWidth} x ${e.offsetHeight}`;
@@ -39,7 +40,7 @@ for (const [width, height] of SIZES)
 
 test("on a phone the order is picture, sentence, stage, card, controls", async () => {
   await size(page, 390, 844);
-  await open(page, ON_DISK, rich.path, "still=1");
+  await follow(page, "still=1");
   const tops = await page.evaluate(() =>
     [".picture", ".lesson", ".stage", ".card", ".controls"].map((part) => document.querySelector(part).getBoundingClientRect().top),
   );

@@ -58,7 +58,8 @@ export function createWall(object: ObjectData, scene: SceneData, looks: Looks, o
 
   const look = looks.of(scene.materials[object.material], FrontSide) as MeshPhongMaterial;
   look.color.setRGB(look.color.r * CALM[0], look.color.g * CALM[1], look.color.b * CALM[2]);
-  if ("emissive" in look) look.emissive.multiplyScalar(0.6);
+  look.emissive?.multiplyScalar(0.6); // a mirror or glass wall has neither
+  look.specular?.multiplyScalar(0.4);
   const { checker } = object;
   if (checker) {
     const share = (corner: Vec3, axis: Vec3) => dot(sub(corner, checker.origin), axis) / (2 * checker.size);
