@@ -1,0 +1,143 @@
+/** Who is whose child; structure.py grows the same tree. */
+import type { Columns, Sides } from "./columns";
+import { damaged } from "./errors";
+import { ints } from "./fill";
+import type { Header } from "./header";
+import { KIND } from "./types";
+
+const REFLECTED = 1, REFRACTED = 2, TOTAL = 4; // bits of what a hit sends on
+const CHILDREN = 8; // symbols they make
+
+export interface Structure {
+  count: number;
+  pixel: Int32Array;
+  parent: Int32Array;
+  kind: Uint8Array;
+  level: Int32Array; // bounces before the ray
+  surface: Int32Array; // row of tables.surface
+  patch: Int32Array;
+  children: Int32Array;
+  way: Int32Array; // equal where two rays met the same patches in the same manner
+  sides: Sides;
+}
+
+/** The rays of one depth; parents and sides count within the depth before and this one. */
+interface Wave {
+  pixel: Int32Array;
+  parent: Int32Array;
+  kind: Uint8Array;
+  before: Int32Array; // equal where two rays came by the same way
+  sides: Sides;
+  paths: number[]; // where each path (RR, RT ...) starts, and the end
+}
+
+/** firstObject: what each camera ray meets, -1 if nothing; sides: of the camera rays. */
+export function grow(header: Header, columns: Columns, firstObject: Int32Array, sides: Sides): Structure {
+  const { n, rays } = header;
+  const surfaces = header.tables.surface;
+  const tree = empty(rays);
+  const base = surfaces.length + 1;
+  let wave = cameras(n, firstObject, sides);
+  let first = 0, firstBefore = 0, ways = 0;
+  for (let level = 0; wave.pixel.length > 0; level++) {
+    const size = wave.pixel.length;
+    if (first + size > rays) throw damaged(`the tree has more than its ${rays} rays`);
+    const surface = columns.symbols("surface", wave.before, wave.before, wave.sides, surfaces.length);
+    const patch = ints(size, (k) => surfaces[surface[k]][0]);
+    const way = dense(wave.before, patch, base);
+    const group = ints(size, (k) => way[k] * base + surface[k]);
+    const children = columns.symbols("children", group, surface, wave.sides, CHILDREN);
+    place(tree, wave, level, first, firstBefore);
+    tree.surface.set(surface, first);
+    tree.patch.set(patch, first);
+    tree.children.set(children, first);
+    tree.way.set(ints(size, (k) => way[k] + ways), first);
+    wave = nextWave(wave, children, way);
+    firstBefore = first;
+    first += size;
+    ways += size;
+  }
+  if (first !== rays) throw damaged(`the tree has fewer than its ${rays} rays`);
+  return tree;
+}
+
+function empty(count: number): Structure {
+  const column = () => new Int32Array(count);
+  return {
+    count,
+    pixel: column(), parent: column(), kind: new Uint8Array(count), level: column(),
+    surface: column(), patch: column(), children: column(), way: column(),
+    sides: { left: column(), up: column(), upLeft: column(), upRight: column() },
+  };
+}
+
+function cameras(n: number, firstObject: Int32Array, sides: Sides): Wave {
+  return {
+    pixel: ints(n * n, (k) => k),
+    parent: new Int32Array(n * n).fill(-1),
+    kind: new Uint8Array(n * n).fill(KIND.camera),
+    before: ints(n * n, (k) => firstObject[k] + 1),
+    sides,
+    paths: [0, n * n],
+  };
+}
+
+/** Writes a wave's own columns from row `first` on. */
+function place(tree: Structure, wave: Wave, level: number, first: number, firstBefore: number) {
+  tree.pixel.set(wave.pixel, first);
+  tree.kind.set(wave.kind, first);
+  tree.level.fill(level, first, first + wave.pixel.length);
+  tree.parent.set(shifted(wave.parent, firstBefore), first);
+  for (const side of SIDES) tree.sides[side].set(shifted(wave.sides[side], first), first);
+}
+
+const SIDES = ["left", "up", "upLeft", "upRight"] as const;
+const shifted = (rows: Int32Array, by: number) => ints(rows.length, (k) => (rows[k] < 0 ? -1 : rows[k] + by));
+
+/** Small numbers, equal where before and patch are. */
+function dense(before: Int32Array, patch: Int32Array, base: number): Int32Array {
+  const known = new Map<number, number>();
+  return ints(before.length, (k) => {
+    const key = before[k] * base + patch[k];
+    let number = known.get(key);
+    if (number === undefined) known.set(key, (number = known.size));
+    return number;
+  });
+}
+
+/** The children of a wave: path by path, reflected before refracted, in their parents' order. */
+function nextWave(wave: Wave, children: Int32Array, way: Int32Array): Wave {
+  const parent: number[] = [];
+  const down: number[] = []; // 1: refracted
+  const paths = [0];
+  const child = [new Int32Array(children.length).fill(-1), new Int32Array(children.length).fill(-1)];
+  for (let path = 0; path + 1 < wave.paths.length; path++) {
+    for (const bits of [REFLECTED | TOTAL, REFRACTED]) {
+      const branch = bits === REFRACTED ? 1 : 0;
+      for (let row = wave.paths[path]; row < wave.paths[path + 1]; row++) {
+        if (!(children[row] & bits)) continue;
+        child[branch][row] = parent.length;
+        parent.push(row);
+        down.push(branch);
+      }
+      if (parent.length > paths[paths.length - 1]) paths.push(parent.length);
+    }
+  }
+  const make = (of: (row: number, k: number) => number) =>
+    ints(parent.length, (k) => of(parent[k], k));
+  const beside = (side: Int32Array) =>
+    make((row, k) => (side[row] < 0 ? -1 : child[down[k]][side[row]]));
+  return {
+    pixel: make((row) => wave.pixel[row]),
+    parent: Int32Array.from(parent),
+    kind: Uint8Array.from(parent, (row, k) =>
+      down[k] ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected,
+    ),
+    before: make((row, k) => 2 * way[row] + down[k]),
+    sides: {
+      left: beside(wave.sides.left), up: beside(wave.sides.up),
+      upLeft: beside(wave.sides.upLeft), upRight: beside(wave.sides.upRight),
+    },
+    paths,
+  };
+}
