@@ -1,0 +1,222 @@
+"""Plots as SVG by hand: text as text, generic fonts, black on white, markers by shape."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+WIDTH, HEIGHT = 720, 460
+LEFT, RIGHT, TOP, BOTTOM = 84, 20, 46, 62
+FONT = "font-family='sans-serif'"
+# Shape alone tells them apart; the greys only help.
+MARKERS = ("circle", "square", "triangle", "diamond", "cross", "plus", "star", "ring")
+
+
+@dataclass(frozen=True)
+class Point:
+    x: float
+    y: float
+    label: str
+    marker: str
+    front: bool = False  # on the Pareto front: nothing is better in both
+
+
+@dataclass(frozen=True)
+class Plot:
+    name: str  # of the file, without .svg
+    title: str
+    svg: str
+    says: str  # for those who do not see it
+    head: list[str] = field(default_factory=list)
+    rows: list[list[str]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Logarithmic, from value to pixel."""
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def at(self, value: float) -> float:
+        share = (math.log10(value) - self.low) / (self.high - self.low)
+        return self.start + share * (self.end - self.start)
+
+    def ticks(self) -> list[float]:
+        step = max(1, math.ceil((self.high - self.low) / 9))
+        return [10.0**k for k in range(math.ceil(self.low), math.floor(self.high) + 1, step)]
+
+
+def scatter(
+    title: str, x_title: str, y_title: str, points: Sequence[Point], lines: bool = False
+) -> str:
+    """Log-log scatter; the front is a stepped line, or all points one line if `lines`."""
+    x = scale_of([p.x for p in points], LEFT, WIDTH - RIGHT)
+    y = scale_of([p.y for p in points], HEIGHT - BOTTOM, TOP)
+    parts = [frame(title, x_title, y_title, x, y)]
+    chain = sorted((p for p in points if lines or p.front), key=lambda p: p.x)
+    parts.append(stair([(x.at(p.x), y.at(p.y)) for p in chain], straight=lines))
+    used: list[tuple[float, float]] = []
+    for p in points:
+        cx, cy = x.at(p.x), y.at(p.y)
+        parts.append(marker(p.marker, cx, cy, p.front))
+        parts.append(label(p.label, cx, cy, used))
+    body = "\n".join(parts)
+    return (
+        f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}' "
+        f"width='{WIDTH}' height='{HEIGHT}' role='img'>\n<title>{escape(title)}</title>\n"
+        f"<rect width='{WIDTH}' height='{HEIGHT}' fill='#fff'/>\n{body}\n</svg>\n"
+    )
+
+
+def scale_of(values: Sequence[float], start: float, end: float) -> Scale:
+    low, high = math.log10(min(values)), math.log10(max(values))
+    edge = max(0.08 * (high - low), 0.15)
+    return Scale(low - edge, high + edge, start, end)
+
+
+def frame(title: str, x_title: str, y_title: str, x: Scale, y: Scale) -> str:
+    """Title, axes, grid lines and tick labels."""
+    parts = [
+        f"<text x='{LEFT}' y='24' {FONT} font-size='16' font-weight='600'>{escape(title)}</text>",
+        f"<text x='{(LEFT + WIDTH - RIGHT) / 2}' y='{HEIGHT - 14}' {FONT} font-size='13' "
+        f"text-anchor='middle'>{escape(x_title)}</text>",
+        f"<text transform='translate(18 {(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)' {FONT} "
+        f"font-size='13' text-anchor='middle'>{escape(y_title)}</text>",
+    ]
+    for value in x.ticks():
+        at = x.at(value)
+        parts.append(rule(at, TOP, at, HEIGHT - BOTTOM))
+        parts.append(power_of_ten(value, at, HEIGHT - BOTTOM + 18, "middle"))
+    for value in y.ticks():
+        at = y.at(value)
+        parts.append(rule(LEFT, at, WIDTH - RIGHT, at))
+        parts.append(power_of_ten(value, LEFT - 8, at + 4, "end"))
+    parts.append(
+        f"<path d='M{LEFT} {TOP}V{HEIGHT - BOTTOM}H{WIDTH - RIGHT}' fill='none' stroke='#000'/>"
+    )
+    return "\n".join(parts)
+
+
+def rule(x1: float, y1: float, x2: float, y2: float) -> str:
+    return f"<path d='M{x1:.1f} {y1:.1f}L{x2:.1f} {y2:.1f}' stroke='#ddd'/>"
+
+
+def power_of_ten(value: float, x: float, y: float, anchor: str) -> str:
+    """10 with its exponent raised; small whole numbers as they are."""
+    exponent = round(math.log10(value))
+    if -3 <= exponent <= 4:
+        text = f"{value:g}"
+    else:
+        text = f"10<tspan dy='-5' font-size='9'>{exponent}</tspan>"
+    return (
+        f"<text x='{x:.1f}' y='{y:.1f}' {FONT} font-size='12' text-anchor='{anchor}'>{text}</text>"
+    )
+
+
+def stair(chain: list[tuple[float, float]], straight: bool) -> str:
+    """The line through the points; the front in steps, as nothing lies between two of them."""
+    if len(chain) < 2:
+        return ""
+    path = f"M{chain[0][0]:.1f} {chain[0][1]:.1f}"
+    for cx, cy in chain[1:]:
+        path += f"L{cx:.1f} {cy:.1f}" if straight else f"H{cx:.1f}V{cy:.1f}"
+    dash = "" if straight else " stroke-dasharray='5 4'"
+    return f"<path d='{path}' fill='none' stroke='#666'{dash}/>"
+
+
+def marker(shape: str, x: float, y: float, filled: bool) -> str:
+    """One marker; filled on the front."""
+    fill = "#000" if filled else "#fff"
+    paint = f"fill='{fill}' stroke='#000' stroke-width='1.5'"
+    match shape:
+        case "circle":
+            return f"<circle cx='{x:.1f}' cy='{y:.1f}' r='6' {paint}/>"
+        case "ring":
+            return (
+                f"<circle cx='{x:.1f}' cy='{y:.1f}' r='6.5' fill='#fff' stroke='#000'/>"
+                f"<circle cx='{x:.1f}' cy='{y:.1f}' r='3' {paint}/>"
+            )
+    outline = {
+        "square": "M-5.5-5.5h11v11h-11z",
+        "triangle": "M0-7l7 12h-14z",
+        "diamond": "M0-7.5l7.5 7.5l-7.5 7.5l-7.5-7.5z",
+        "cross": "M-5-5l10 10M-5 5l10-10",
+        "plus": "M-7 0h14M0-7v14",
+        "star": "M-6 0h12M-3-5.2l6 10.4M3-5.2l-6 10.4",
+    }[shape]
+    return f"<path transform='translate({x:.1f} {y:.1f})' d='{outline}' {paint}/>"
+
+
+def label(text: str, x: float, y: float, used: list[tuple[float, float]]) -> str:
+    """Beside its marker, moved down where another label is in the way."""
+    right = x < WIDTH * 0.62
+    at_y = y + 4
+    while any(abs(at_y - other_y) < 13 and abs(x - other_x) < 190 for other_x, other_y in used):
+        at_y += 13
+    used.append((x, at_y))
+    at_x, anchor = (x + 11, "start") if right else (x - 11, "end")
+    return (
+        f"<text x='{at_x:.1f}' y='{at_y:.1f}' {FONT} font-size='11.5' "
+        f"text-anchor='{anchor}'>{escape(text)}</text>"
+    )
+
+
+def front_of(times: Sequence[float], errors: Sequence[float]) -> list[bool]:
+    """Which points nothing beats in both."""
+    pairs = list(zip(times, errors, strict=True))
+    return [
+        not any((t <= a and e <= b) and (t < a or e < b) for t, e in pairs) for a, b in pairs
+    ]  # fmt: skip
+
+
+def plots_of(bench: dict[str, Any]) -> list[Plot]:
+    """All plots of a kept bench report."""
+    found = [plot for task in bench["tasks"] for plot in task_plots(task)]
+    if "resolution" in bench:
+        found.append(resolution_plot(bench["resolution"]))
+    return found
+
+
+def task_plots(task: dict[str, Any]) -> list[Plot]:
+    """Time per ray against the median and against the largest error of one task."""
+    ways = task["ways"]
+    made = []
+    for which, words in (("median", "median"), ("largest", "largest")):
+        # An error of 0 has no logarithm: it is drawn at a hundredth of a rounding.
+        errors = [max(way[which], 1e-18) for way in ways]
+        times = [way["nanoseconds"] for way in ways]
+        fronts = front_of(times, errors)
+        points = [
+            Point(t, e, way["name"], MARKERS[k % len(MARKERS)], front)
+            for k, (way, t, e, front) in enumerate(zip(ways, times, errors, fronts, strict=True))
+        ]
+        title = f"{task['title']}: {words} error of the distance"
+        made.append(Plot(
+            f"{task['key']}-{which}", title,
+            scatter(title, "nanoseconds a ray, one thread", "relative error", points),
+            f"Log-log scatter of time per ray against the {words} relative error of the hit "
+            "distance; its numbers are in the table below. Filled markers lie on the front.",
+        ))  # fmt: skip
+    return made
+
+
+def resolution_plot(resolution: dict[str, Any]) -> Plot:
+    """Picture error against resolution."""
+    rows = resolution["rows"]
+    points = [
+        Point(row["size"], row["error"], f"{row['size']} x {row['size']}", "circle") for row in rows
+    ]
+    title = "Picture error against resolution"
+    return Plot(
+        "resolution", title,
+        scatter(title, "pixels a side", "mean error, steps of 8 bits", points, lines=True),
+        "Log-log line of mean picture error against pixels a side.",
+        ["Pixels", "Mean error, steps of 8 bits", "Pixels off by more than half a step"],
+        [[f"{r['size']} × {r['size']}", f"{r['error']:.3f}", f"{100 * r['off']:.1f} %"] for r in rows],
+    )  # fmt: skip
