@@ -120,6 +120,10 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
         for k in range(3):
             local[i, k] = origin[i, k] - centre[k]
         d = direction[i]
+        length_sq = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+        # NaN passes every box test, and costs Embree as much as hundreds of other rays.
+        if not 0.0 < length_sq < np.inf or np.isnan(local[i, 0] + local[i, 1] + local[i, 2]):
+            continue
         entry = box_entry(bvh.low[0], bvh.high[0], local[i], d, t_max[i])
         if not entry < np.inf:
             continue
@@ -130,7 +134,7 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
             side = LIFT if along > 0.0 else -LIFT
             lift[0], lift[1], lift[2] = side * nx, side * ny, side * nz
         else:
-            entry -= EARLIER / (scale * np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]))
+            entry -= EARLIER / (scale * np.sqrt(length_sq))
         for k in range(3):
             starts[filled, k] = (local[i, k] + entry * d[k]) * scale + lift[k]
         crossing[filled] = i
