@@ -5,9 +5,11 @@ Any predictor decodes to the same numbers, so this is free to try and to be repl
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
-from raywalk.trace_file.neighbours import follow
+from raywalk.trace_file.neighbours import NONE
 from raywalk.trace_file.number_column import (
     FLAT,
     UNIT,
@@ -26,31 +28,42 @@ def fit_predictors(
 ) -> dict[int, Predictor]:
     """The cheapest predictor of each kind; kinds served best by the usual one are left out."""
     found = {}
-    for of in np.unique(kind).tolist():
+    place = np.full(len(number) + 1, NONE)  # the last serves neighbour -1
+    for of in np.unique(kind[kind != NONE]).tolist():
         rows = np.flatnonzero(kind == of)
         if len(rows) < FEW:
             continue
-        choices = _choices(number, rows, near, features)
-        costs = [_cost(number, kind, near, features, of, rows, choice) for choice in choices]
-        best = choices[int(np.argmin(costs))]
+        place[rows] = np.arange(len(rows))  # neighbours are of the same kind
+        column = _Column(number[rows], place[near[:, rows]], [f[rows] for f in features])
+        choices = _choices(column)
+        best = choices[int(np.argmin([_cost(column, choice) for choice in choices]))]
         if best != Predictor():
             found[of] = best
     return found
 
 
-def _choices(
-    number: np.ndarray, rows: np.ndarray, near: np.ndarray, features: list[np.ndarray]
-) -> list[Predictor]:
-    choices = [Predictor(), Predictor(taps=_fit_taps(number, rows, near))]
-    if features:
-        exact = _solve([f[rows] for f in features], number[rows])
+class _Column(NamedTuple):
+    """One kind's part of a column, rows counted in it."""
+
+    number: np.ndarray
+    near: np.ndarray
+    features: list[np.ndarray]
+
+    def off(self, predictor: Predictor) -> np.ndarray:
+        """What the affine part leaves."""
+        alone = np.zeros(len(self.number), np.int64)
+        return self.number - affine_part(alone, {0: predictor}, self.features)
+
+
+def _choices(column: _Column) -> list[Predictor]:
+    choices = [Predictor(), Predictor(taps=_fit_taps(column.number, column.near))]
+    if column.features:
+        exact = _solve(column.features, column.number)
         choices.append(Predictor(tuple(exact), None))
-        short = _fit_differences(number, rows, near, features)
+        short = _fit_differences(column)
         if short:
-            choices.append(Predictor(short))
-            zeros = np.zeros(len(number), np.int64)
-            off = number - affine_part(zeros, {0: Predictor(short)}, features)
-            choices.append(Predictor(short, _fit_taps(off, rows, near)))
+            rest = column.off(Predictor(short))
+            choices += [Predictor(short), Predictor(short, _fit_taps(rest, column.near))]
     return choices
 
 
@@ -62,51 +75,44 @@ def _solve(columns: list[np.ndarray], target: np.ndarray) -> list[float]:
     return [float(mean - found @ middle), *found.tolist()]
 
 
-def _fit_taps(off: np.ndarray, rows: np.ndarray, near: np.ndarray) -> tuple[int, ...]:
-    """Six taps in whole 256ths; the rest to a sum of 256 goes to the first."""
-    full = rows[(near[:6, rows] >= 0).all(axis=0)]
+def _fit_taps(off: np.ndarray, near: np.ndarray) -> tuple[int, ...]:
+    """Six taps in whole 256ths; the rest to a sum of 256 is shared as in FLAT."""
+    full = np.flatnonzero((near[:6] >= 0).all(axis=0))
     if len(full) < FEW:
         return FLAT
-    sides = [follow(off, near[k, full]) for k in range(6)]
+    sides = [off[near[k, full]] for k in range(6)]
     start = sides[0] + sides[1] - sides[2]
     rest = np.stack([side - start for side in sides], axis=1)
     target = off[full] - start
     usual = np.abs(target) <= np.quantile(np.abs(target), 0.95)  # edges must not set the taps
     found = np.linalg.lstsq(rest[usual], target[usual], rcond=1e-9)[0]
-    taps = np.clip(np.round((np.array(FLAT) / UNIT * (1 - found.sum()) + found) * UNIT), -999, 999)
-    return tuple(int(tap) for tap in taps)
+    taps = np.round((np.array(FLAT) / UNIT * (1 - found.sum()) + found) * UNIT)
+    return tuple(int(tap) for tap in np.clip(taps, -999, 999))
 
 
-def _fit_differences(
-    number: np.ndarray, rows: np.ndarray, near: np.ndarray, features: list[np.ndarray]
-) -> tuple[float, ...]:
+def _fit_differences(column: _Column) -> tuple[float, ...]:
     """Affine coefficients under which neighbours differ least from left + up - up-left."""
-    full = rows[(near[:3, rows] >= 0).all(axis=0)]
+    full = np.flatnonzero((column.near[:3] >= 0).all(axis=0))
     if len(full) < FEW:
         return ()
-    bend = [_bend(column, full, near) for column in [number, *features]]
+    left, up, up_left = column.near[:3, full]
+    bend = [
+        values[full] - (values[left] + values[up] - values[up_left])
+        for values in (column.number, *column.features)
+    ]
     found = np.linalg.lstsq(np.stack(bend[1:], axis=1), bend[0], rcond=1e-6)[0]
     return (0.0, *(float(format(value, SHORT)) for value in found))
 
 
-def _bend(column: np.ndarray, rows: np.ndarray, near: np.ndarray) -> np.ndarray:
-    left, up, up_left = (column[near[k, rows]] for k in range(3))
-    return np.asarray(column[rows] - (left + up - up_left))
-
-
-def _cost(
-    number: np.ndarray, kind: np.ndarray, near: np.ndarray, features: list[np.ndarray],
-    of: int, rows: np.ndarray, predictor: Predictor,
-) -> float:  # fmt: skip
+def _cost(column: _Column, predictor: Predictor) -> float:
     """Bits this kind's residuals and the predictor take, about."""
-    base = affine_part(kind, {of: predictor}, features)
-    guess = base[rows]
+    off = column.off(predictor)
+    guess = column.number - off
     if predictor.taps:
-        guess = guess + predict(number - base, near[:, rows], predictor.taps)
-    residual = number[rows] - np.floor(guess + 0.5)
-    size = np.abs(residual)
+        guess = guess + predict(off, column.near, predictor.taps)
+    size = np.abs(column.number - np.floor(guess + 0.5))
     counts = np.unique(np.minimum(size, 40), return_counts=True)[1]
-    entropy = float(-(counts * np.log2(counts / len(rows))).sum())
+    entropy = float(-(counts * np.log2(counts / len(size))).sum())
     large = float(np.log2(np.maximum(size / 40, 1)).sum() + (size > 0).sum())
     return entropy + large + _header_bits(predictor)
 

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 MOST_FACES = 8  # flat patches looked for on one object; a box needs 6
+MOST_SEEDS = 40  # rays whose plane is tried
+GOLDEN = 0.6180339887498949  # spreads them over the object
 FACE_SHARE = 0.02  # of an object's rays: smaller flat pieces are left to the rest
 SAME_NORMAL = 1e-11  # 1 - cosine below which two normals are one
 SAME_PLANE = 1e-9  # of the scene's extent
@@ -56,7 +58,7 @@ Found = list[tuple[Patch, np.ndarray]]
 def _of_object(
     index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray, extent: float
 ) -> Found:
-    if not len(_off_plane(rows, rows[0], point, normal, extent)):
+    if not len(_on_plane(rows, rows[0], point, normal, extent)[1]):
         return [(_flat(index, rows, point, normal), rows)]
     whole = _curved(index, rows, point, normal)
     if whole:
@@ -71,28 +73,29 @@ def _of_object(
 def _faces(
     index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray, extent: float
 ) -> tuple[Found, np.ndarray]:
+    """Large flat pieces, sought from evenly spread rays; and what is left."""
     found: Found = []
-    rest, candidates = rows, rows
-    while len(candidates) and len(found) < MOST_FACES:
-        off = _off_plane(candidates, candidates[0], point, normal, extent)
-        face = np.setdiff1d(candidates, off)
+    rest = rows
+    for k in range(MOST_SEEDS):
+        if not len(rest) or len(found) == MOST_FACES:
+            break
+        seed = rest[int(len(rest) * (k * GOLDEN % 1))]
+        face, others = _on_plane(rest, seed, point, normal, extent)
         if len(face) >= max(3, FACE_SHARE * len(rows)):
             found.append((_flat(index, face, point, normal), face))
-            rest = np.setdiff1d(rest, face)
-        candidates = off
-        if len(rows) - len(candidates) > len(rows) // 2 and not found:
-            break
+            rest = others
     return found, rest
 
 
-def _off_plane(
-    rows: np.ndarray, first: int, point: np.ndarray, normal: np.ndarray, extent: float
-) -> np.ndarray:
-    """Rows whose point or normal is not that of the plane through the first."""
-    across = (point[rows] - point[first]) @ normal[first]
-    turned = 1 - np.abs(normal[rows] @ normal[first])
-    reach = SAME_PLANE * (extent + np.abs(point[rows] - point[first]).max(axis=1))
-    return np.asarray(rows[(np.abs(across) > reach) | (turned > SAME_NORMAL)])
+def _on_plane(
+    rows: np.ndarray, seed: int, point: np.ndarray, normal: np.ndarray, extent: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Rows whose point and normal are those of the seed's plane, and the others."""
+    away = point[rows] - point[seed]
+    reach = SAME_PLANE * (extent + np.abs(away).max(axis=1))
+    turned = 1 - np.abs(normal[rows] @ normal[seed])
+    on = (np.abs(away @ normal[seed]) <= reach) & (turned <= SAME_NORMAL)
+    return rows[on], rows[~on]
 
 
 def _flat(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray) -> Patch:
@@ -148,7 +151,7 @@ SYMMETRIC = np.array([
 def _ball(index: int, m: np.ndarray, b: np.ndarray, point: np.ndarray, way: float) -> Patch | None:
     """The patch as an affine image of the unit sphere, if it is one."""
     m, b = (m, b) if np.trace(m) > 0 else (-m, -b)
-    if np.linalg.eigvalsh(m).min() < 1e-6 * np.abs(m).max():
+    if np.linalg.eigvalsh(m).min() <= 1e-6 * np.abs(m).max():  # m may be all 0: a plane
         return None
     centre = -np.linalg.solve(m, b)
     level = float((((point - centre) @ m) * (point - centre)).sum(axis=1).mean())
