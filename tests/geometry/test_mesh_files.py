@@ -99,7 +99,7 @@ def test_a_vertex_that_no_triangle_uses_moves_nothing(tmp_path: Path) -> None:
 def test_a_file_without_a_usable_triangle_is_an_error_that_says_so(tmp_path: Path) -> None:
     """It names the object and the file, and what is wrong."""
     path = write_ply(
-        tmp_path / "line.ply", np.array([[0, 0, 0], [1, 0, 0], [2.0, 0, 0]]), [[0, 1, 2]]
+        tmp_path / "line.ply", np.array([[0, 0, 0], [1, 0, 0], [2.0, 0, 0]]), np.array([[0, 1, 2]])
     )
     with pytest.raises(SourceErrors, match=r"line\.ply holds no usable triangle"):
         load(path)

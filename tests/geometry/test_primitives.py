@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import mpmath
+import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from mpmath import mpf
@@ -127,7 +127,7 @@ def test_tangent_rays_pass_or_meet_to_15_digits(rng: np.random.Generator, k: int
     """A ray at distance r (1 - 10^-k) from a sphere's centre meets it, one at r (1 + 10^-k)
     does not. Axis-parallel rays, whose distance float64 can state to k = 15."""
     centre = rng.integers(-4, 5, size=3).astype(float)
-    compiled = CompiledScene(scene_of([Sphere(tuple(centre), 2.0)]))  # type: ignore[arg-type]
+    compiled = CompiledScene(scene_of([Sphere(tuple(centre), 2.0)]))
     for sign in (-1, 1):
         for axis in range(3):
             off = np.zeros(3)

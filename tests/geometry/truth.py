@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import mpmath
+import mpmath  # type: ignore[import-untyped]
 import numpy as np
 from mpmath import mpf
 
@@ -42,7 +42,10 @@ class TrueHit:
 
 
 def true_hits(
-    obj: SceneObject, origin: Sequence[float], direction: Sequence[float], grown: float = 0.0
+    obj: SceneObject,
+    origin: Sequence[float] | np.ndarray,
+    direction: Sequence[float] | np.ndarray,
+    grown: float = 0.0,
 ) -> list[TrueHit]:
     """All hits with t > 0, nearest first; the shape grown about itself by a relative share."""
     linear, offset = _exact(obj.transform[:3, :3]), _vector(obj.transform[:3, 3])
