@@ -50,18 +50,18 @@ export function createLoader(root: string) {
     });
   }
 
-  async function load<T>(name: string, read: (json: unknown) => T): Promise<T> {
+  async function load<T>(name: string, read: (json: unknown, name: string) => T): Promise<T> {
     const text = await script(name);
     if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
     try {
-      return read(await unpack(text));
+      return read(await unpack(text), name);
     } catch {
       throw new LoadError(name, "damaged");
     }
   }
 
   /** Remembers the last few; what failed is asked for anew. */
-  function remembering<T>(size: number, read: (json: unknown) => T) {
+  function remembering<T>(size: number, read: (json: unknown, name: string) => T) {
     const known = new Map<string, Promise<T>>();
     return (name: string): Promise<T> => {
       const value = known.get(name) ?? load(name, read);
@@ -74,11 +74,16 @@ export function createLoader(root: string) {
   }
 
   const scenes = remembering(KEPT_SCENES, sceneFrom);
-  const traces = remembering<Trace>(KEPT_TRACES, (json) => decode(json));
+  const traces = remembering<Trace>(KEPT_TRACES, traceFrom);
   return {
     scene: (id: string) => scenes(`${id}/scene`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
   };
+}
+
+function traceFrom(json: unknown, name: string): Trace {
+  const [scene, n] = name.split("/");
+  return decode(json, { scene, n: Number(n) });
 }
 
 function sceneFrom(json: unknown): SceneData {
