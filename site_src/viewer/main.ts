@@ -21,6 +21,7 @@ import type { SceneData, Trace } from "./trace/types";
 import { TROUBLE } from "./words";
 
 const ADDRESS_AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
+const BLINK_UP_TO = 5000; // lines: more would be drawn anew twice a second for one blinking tile
 const PATIENCE = 150; // ms before a missing trace shows
 
 function start() {
@@ -47,7 +48,7 @@ function start() {
   let addressTimer = 0;
   let simpler = ""; // why the stage is drawn without WebGL, once it is
   let renders = 0;
-  let drawn = { scene: "", n: 0, tiles: 0 }; // by the last render
+  let drawn = { scene: "", n: 0, tiles: 0, lines: 0 }; // by the last render
 
   // ---- what a person can do ----
   const set = (next: ViewState) => {
@@ -145,7 +146,7 @@ function start() {
       if (state) state = change.advance(state, seconds);
       if (state?.tiles === "filled") changed();
     },
-    blinks: () => !!state && !state.still && !reducedMotion.matches,
+    blinks: () => !!state && !state.still && !reducedMotion.matches && drawn.lines < BLINK_UP_TO,
   });
   reducedMotion.addEventListener("change", () => beat.draw());
 
@@ -263,7 +264,7 @@ function start() {
     controls.show(state, scene);
     lesson.show(state, scene);
     page.show(scene, trace);
-    drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0 };
+    drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
   }
 
   let ready = followPage();

@@ -14,6 +14,7 @@ import type { Line } from "../state/lines";
 import { createLineMaterial } from "./line-shader";
 
 const ARROWS_UP_TO = 500; // lines; beyond that heads would cover the lines
+const FAINTEST_FROM = 15000;
 const FAINT_FROM = 1000; // lines; so many would cover the scene
 
 const RIBBON = { position: [0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], index: [0, 1, 2, 0, 2, 3] };
@@ -71,7 +72,7 @@ export function createLineSet(thick: boolean) {
       }
       heads.instanceCount = lines.length > ARROWS_UP_TO ? 0 : lines.length;
       object.visible = lines.length > 0;
-      if (!thick) materials[0].uniforms.opacity.value = lines.length > FAINT_FROM ? 0.2 : 0.6;
+      if (!thick) materials[0].uniforms.opacity.value = lines.length > FAINTEST_FROM ? 0.07 : lines.length > FAINT_FROM ? 0.2 : 0.6;
     },
     /** CSS pixels. */
     resize(width: number, height: number) {

@@ -100,18 +100,3 @@ export function thinPixels({ rays, n, pixel }: Pick<ViewState, "rays" | "n" | "p
   if (rays.includes("column")) for (let k = 0; k < n; k++) wanted.add(k * n + pixel[0]);
   return [...wanted];
 }
-
-/** Kinds of line among these pixels, for the legend. */
-export function kindsAmong(trace: Trace, pixels: Iterable<number>): Set<LineKind> {
-  const { start, order } = indexOf(trace);
-  const kinds = new Set<LineKind>();
-  for (const pixel of pixels)
-    for (let at = start[pixel]; at < start[pixel + 1]; at++) {
-      const ray = order[at];
-      kinds.add(KIND_NAMES[trace.kind[ray]]);
-      for (let k = ray * trace.lights; k < (ray + 1) * trace.lights; k++)
-        if (trace.visibility[k] === VISIBILITY.reached) kinds.add("reached");
-        else if (trace.visibility[k] === VISIBILITY.blocked) kinds.add("blocked");
-    }
-  return kinds;
-}

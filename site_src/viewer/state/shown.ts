@@ -1,7 +1,7 @@
 /** What a state shows of its trace: lines, tiles, kinds. Remembered until what it depends on changes. */
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
-import { kindsAmong, linesOf, thinPixels, type Line, type LineKind } from "./lines";
+import { linesOf, thinPixels, type Line, type LineKind } from "./lines";
 import { pixelIndex, tileColour, tilesShown, type ViewState } from "./view-state";
 
 export interface Shown {
@@ -12,6 +12,11 @@ export interface Shown {
   kinds: ReadonlySet<LineKind>;
   ringOn: readonly [number, number, number] | null; // colour the selected tile shows; null while it is empty
 }
+
+const CROWD = 20000; // lines: more take seconds without a graphics card, and hide one another
+
+/** All lines, or without the shadow rays where there are too many to see any. */
+const withoutCrowd = (lines: Line[]): Line[] => (lines.length > CROWD ? lines.filter((line) => line.light < 0) : lines);
 
 /** Remembers the last value; makes it anew when one of the things it was made from is another. */
 function lastly<T>() {
@@ -42,13 +47,14 @@ export function createShown() {
       const downwards = rays.includes("column") ? state.pixel[0] : -1;
       const isAll = rays.includes("all");
       const needs = isAll ? [scene, trace, "all"] : [scene, trace, across, downwards];
-      const thinOf = () => (filling ? [] : thinPixels(state));
+      const thickLines = chosen([scene, trace, thick], () => (trace && thick >= 0 ? linesOf(trace, scene, thick) : []));
+      const thinLines = thin(needs, () => (trace && !filling ? withoutCrowd(thinPixels(state).flatMap((pixel) => linesOf(trace, scene, pixel))) : []));
       return {
         plane: plane([scene], () => picturePlane(scene)),
         tiles,
-        chosen: chosen([scene, trace, thick], () => (trace && thick >= 0 ? linesOf(trace, scene, thick) : [])),
-        thin: thin(needs, () => (trace ? thinOf().flatMap((pixel) => linesOf(trace, scene, pixel)) : [])),
-        kinds: kinds([...needs, thick], () => (trace ? kindsAmong(trace, [...thinOf(), ...(thick >= 0 ? [thick] : [])]) : new Set())),
+        chosen: thickLines,
+        thin: thinLines,
+        kinds: kinds([thickLines, thinLines], () => new Set([...thickLines, ...thinLines].map((line) => line.kind))),
         ringOn: trace && index < tiles ? tileColour(trace, index) : null,
       };
     },
