@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +18,13 @@ from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
 
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
-Progress = Callable[[int, int], None]
 
 
-def write_products(scene: Scene, folder: Path, progress: Progress | None = None) -> None:
+def write_products(scene: Scene, folder: Path, threads: int) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, facts.json,
     display.npz into a folder."""
     tracer = Tracer(scene, least_share=LEAST_SHARE)
-    traced = trace_picture(tracer, progress=progress)
+    traced = trace_picture(tracer, threads)
     write_png(folder / "picture.png", traced.picture)
     write_png(folder / "thumb.png", thumbnail(traced.picture))
     for n in sorted(scene.render.resolutions):

@@ -7,6 +7,7 @@ import shutil
 import time
 from argparse import Namespace
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from raywalk.site.publish import staged
 from raywalk.site.scene_data import Display, DisplayMesh, scene_data
 from raywalk.trace_file.script import write_script
 from raywalk.work.keys import trace_key
+from raywalk.work.pool import cores, run_all
 from raywalk.work.store import Entry, Store
 
 SITE_SOURCE = Path("site_src")
@@ -40,12 +42,16 @@ def run(chosen: Namespace) -> Iterator[str]:
     """Builds the site, telling what was traced, kept and written."""
     started = time.monotonic()
     scenes = read_scenes(chosen.scenes)
-    entries = {}
-    for number, scene in enumerate(scenes, start=1):
-        begun = time.monotonic()
-        entries[scene.id] = traced(scene, Store(chosen.work))
-        how = "unchanged" if entries[scene.id].was_found else f"{time.monotonic() - begun:.1f} s"
-        yield f"[{number}/{len(scenes)}] {scene.id}: {how}"
+    # Keys are taken before anything runs: a file edited meanwhile is then traced next time.
+    store, keys = Store(chosen.work), {scene.id: trace_key(scene) for scene in scenes}
+    missing = [scene for scene in scenes if not store.find(keys[scene.id])]
+    if missing:
+        yield f"tracing {len(missing)} of {len(scenes)} scenes on {cores()} cores"
+    # The dearest first would be better still, but nobody knows them before they are traced.
+    work = partial(trace_into, store, keys)
+    for number, (scene, seconds) in enumerate(run_all(work, missing), start=1):
+        yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
+    entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
     with staged(chosen.out) as out:
         try:
             assets = write_assets(out, SITE_SOURCE)
@@ -56,23 +62,20 @@ def run(chosen: Namespace) -> Iterator[str]:
         figures = {scene.id: figures_of(scene, entries[scene.id]) for scene in scenes}
         write_pages(out, SITE_SOURCE / "templates", scenes, figures, assets)
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
-    made = sum(not entry.was_found for entry in entries.values())
     yield (
-        f"{len(scenes)} scenes: {made} traced, {len(scenes) - made} unchanged; "
+        f"{len(scenes)} scenes: {len(missing)} traced, {len(scenes) - len(missing)} unchanged; "
         f"{size / 1e6:.1f} MB in {chosen.out}/, {time.monotonic() - started:.1f} s"
     )
 
 
-def traced(scene: Scene, store: Store) -> Entry:
-    """The scene's trace, found or made."""
+def trace_into(store: Store, keys: dict[str, str], scene: Scene, threads: int) -> float:
+    """Traces a scene into the store, under its key; returns the seconds it took."""
+    # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
+    from raywalk.products import write_products
 
-    def make(folder: Path) -> None:
-        # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
-        from raywalk.products import write_products
-
-        write_products(scene, folder)
-
-    return store.entry(trace_key(scene), make)
+    begun = time.monotonic()
+    store.entry(keys[scene.id], lambda folder: write_products(scene, folder, threads))
+    return time.monotonic() - begun
 
 
 def publish_scene(folder: Path, scene: Scene, entry: Entry) -> None:
@@ -109,7 +112,10 @@ def figures_of(scene: Scene, entry: Entry) -> Figures:
     kept = sum(facts[kind] for kind in ("camera", "secondary", "shadow"))
     return [
         ("Picture", f"{size} × {size} pixels, one camera ray each"),
-        ("Frustum grids", f"{len(levels)}, from {levels[0]} × {levels[0]} to {levels[-1]} × {levels[-1]}"),
+        (
+            "Frustum grids",
+            f"{len(levels)}, from {levels[0]} × {levels[0]} to {levels[-1]} × {levels[-1]}",
+        ),
         ("Rays to walk", f"{kept:,}"),
         ("of these shadow rays", f"{facts['shadow']:,}"),
         ("Most bounces on one path", f"{facts['deepest']}"),

@@ -8,7 +8,6 @@ the deepest wave to the camera rays. Rays that some frustum resolution needs are
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -68,7 +67,7 @@ class Tracer:
         while len(waves) <= self.depth:
             last = waves[-1]
             bounced = bounce(
-                self.materials, self.ior_of, last.rays, last.hits, last.media,
+                self.compiled, self.materials, self.ior_of, last.rays, last.hits, last.media,
                 last.share, self.least_share,
             )  # fmt: skip
             if not len(bounced.parent):
@@ -106,13 +105,10 @@ def trace_scene(scene: Scene, workers: int = 2) -> Traced:
     return trace_picture(Tracer(scene, least_share=LEAST_SHARE), workers)
 
 
-def trace_picture(
-    tracer: Tracer, workers: int = 2, progress: Callable[[int, int], None] | None = None
-) -> Traced:
+def trace_picture(tracer: Tracer, workers: int = 2) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions.
 
-    progress is told (pixels done, pixels in all) after each strip. The result does not
-    depend on the number of workers.
+    The result does not depend on the number of workers.
     """
     render = tracer.scene.render
     size, kept = render.size, kept_pixels(render.size, render.resolutions)
@@ -122,14 +118,11 @@ def trace_picture(
         waves = tracer.waves(pixels, size, size)
         return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept)
 
-    picture, records, done = np.empty((size * size, 3), np.uint8), [], 0
+    picture, records = np.empty((size * size, 3), np.uint8), []
     with ThreadPoolExecutor(workers) as pool:
         for pixels, (colours, recorded) in zip(strips, pool.map(trace_strip, strips), strict=True):
             picture[pixels] = colours
             records.append(recorded)
-            done += len(pixels)
-            if progress:
-                progress(done, size * size)
     return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size))
 
 

@@ -36,11 +36,20 @@ class Store:
     def __init__(self, folder: Path):
         self.folder = folder
 
+    def find(self, key: str) -> Entry | None:
+        """The entry of a key, if it is there and undamaged."""
+        place = self.folder / key
+        return Entry(place, was_found=True) if _is_whole(place) else None
+
+    def get(self, key: str) -> Entry:
+        """The entry of a key that is known to be there."""
+        return Entry(self.folder / key, was_found=True)
+
     def entry(self, key: str, make: Callable[[Path], None]) -> Entry:
         """The entry of a key; `make` fills a new folder with its files if there is none."""
         place = self.folder / key
-        if _is_whole(place):
-            return Entry(place, was_found=True)
+        if found := self.find(key):
+            return found
         fresh = self.folder / f"{key}.{os.getpid()}.partial"
         shutil.rmtree(fresh, ignore_errors=True)
         fresh.mkdir(parents=True)
@@ -48,11 +57,19 @@ class Store:
             make(fresh)
             hashes = {path.name: _digest(path) for path in sorted(fresh.iterdir())}
             (fresh / MANIFEST).write_text(json.dumps(hashes, indent=1), encoding="utf-8")
-            shutil.rmtree(place, ignore_errors=True)
-            fresh.rename(place)
+            self._keep(fresh, place)
         finally:
             shutil.rmtree(fresh, ignore_errors=True)
         return Entry(place, was_found=False)
+
+    def _keep(self, fresh: Path, place: Path) -> None:
+        shutil.rmtree(place, ignore_errors=True)
+        try:
+            fresh.rename(place)
+        except OSError:
+            # Another build on the same tree was quicker with the same work.
+            if not _is_whole(place):
+                raise
 
 
 def _is_whole(place: Path) -> bool:
