@@ -70,7 +70,9 @@ def decode(data: bytes, scene: str | None = None, n: int | None = None) -> Decod
     try:
         ray = walk(header, reading)
         reading.finish()
-    except (KeyError, IndexError, TypeError, ZeroDivisionError) as error:
+    except TraceFileError:
+        raise
+    except (LookupError, TypeError, ValueError, ArithmeticError) as error:
         raise TraceFileError("damaged", f"the header lacks something: {error!r}") from error
     return DecodedTrace(header, **{name: ray[name] for name in COLUMNS})
 

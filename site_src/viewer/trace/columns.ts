@@ -34,7 +34,14 @@ export function inRaster(n: number): Sides {
 export class Columns {
   private readonly readers = new Map<string, Reader>();
 
-  constructor(private readonly header: Header) {}
+  // Scratch, used anew by each column: allocating them cost more than the arithmetic.
+  private readonly base: Float64Array; // affine part
+  private readonly off: Float64Array; // number - base
+
+  constructor(private readonly header: Header) {
+    this.base = new Float64Array(header.rays);
+    this.off = new Float64Array(header.rays);
+  }
 
   private reader(name: string): Reader {
     let reader = this.readers.get(name);
@@ -73,13 +80,14 @@ export class Columns {
     const reader = this.reader(name);
     const { left, up, upLeft, upRight } = sides;
     const count = kind.length;
-    const base = new Float64Array(count);
+    if (reader.isEmpty) return checkedEmpty(name, kind);
+    const { base, off } = this;
+    base.fill(0);
     const tapsOf: (readonly number[])[] = [];
     for (const [of, predictor] of Object.entries(this.header.predictors[name] ?? {})) {
       addAffine(base, kind, Number(of), predictor, features);
       tapsOf[Number(of)] = predictor.taps ?? FLAT;
     }
-    const off = new Float64Array(count);
     const number = new Float64Array(count);
     const last: number[] = [];
     for (let row = 0; row < count; row++) {
@@ -120,6 +128,11 @@ export class Columns {
     }
     return number;
   }
+}
+
+function checkedEmpty(name: string, kind: Int32Array): Float64Array {
+  for (let row = 0; row < kind.length; row++) if (kind[row] !== ABSENT) throw damaged(`column ${name} is empty`);
+  return new Float64Array(kind.length);
 }
 
 /** Continues the edge that two neighbours show: if up-left equals left, take up; else left. */

@@ -20,8 +20,15 @@ interface Known {
   normal: Float64Array;
 }
 
+/** Rays that store something in a column: their group and kind, ABSENT for the others. */
+interface Stored {
+  group: Int32Array;
+  kind: Int32Array;
+}
+
 export function readLights(header: Header, columns: Columns, tree: Structure, known: Known): Lit {
-  const count = tree.count * header.lights.length;
+  const { lights } = header;
+  const count = tree.count * lights.length;
   const lit: Lit = {
     visibility: new Uint8Array(count).fill(VISIBILITY.behind),
     blocker: new Int16Array(count).fill(-1),
@@ -32,59 +39,64 @@ export function readLights(header: Header, columns: Columns, tree: Structure, kn
   const axes = (of: Float64Array) => [0, 1, 2].map((c) => floats(tree.count, (row) => of[3 * row + c]));
   const point = axes(known.point);
   const features = [...axes(known.normal), ...point];
-  header.lights.forEach((_, l) => {
-    readShadows(header, columns, tree, known.object, point, lit, l);
+  const hits = hitRays(tree, known.object);
+  const coloured = { diffuse: colouredRays(header, tree, known, "diffuse"), specular: colouredRays(header, tree, known, "specular") };
+  const step = floats(tree.count, (row) => header.materials[known.material[row]]?.step ?? 0);
+  for (let l = 0; l < lights.length; l++) {
+    readShadows(header, columns, tree, hits, point, lit, l);
     for (const name of ["diffuse", "specular"] as const) {
-      readFactor(header, columns, tree, known.material, features, name, lit[name], l);
+      const { group, kind } = coloured[name];
+      const number = columns.numbers(`${name}${l}`, group, kind, tree.sides, features);
+      const out = lit[name];
+      for (let row = 0; row < tree.count; row++) out[row * lights.length + l] = number[row] * step[row];
     }
-  });
+  }
   return lit;
 }
 
-function readShadows(
-  header: Header, columns: Columns, tree: Structure, object: Int16Array, point: Float64Array[], lit: Lit, l: number,
-) {
-  const { lights, steps } = header;
-  const table = header.tables.visibility;
-  const isHit = (row: number) => object[row] >= 0;
-  const seen = columns.symbols(
-    `visibility${l}`,
-    ints(tree.count, (row) => (isHit(row) ? tree.way[row] : ABSENT)),
-    ints(tree.count, (row) => (isHit(row) ? tree.surface[row] : ABSENT)),
-    tree.sides,
-    table.length,
-  );
-  const isBlocked = (row: number) => isHit(row) && table[seen[row]][0] === VISIBILITY.blocked;
-  const group = ints(tree.count, (row) => (isBlocked(row) ? tree.way[row] * table.length + seen[row] : ABSENT));
-  const kind = ints(tree.count, (row) => (isBlocked(row) ? 2 * seen[row] + below(tree, row) : ABSENT));
-  const left = columns.numbers(`blocked${l}`, group, kind, tree.sides, point);
-  const [lightX, lightY, lightZ] = lights[l].position;
-  for (let row = 0; row < tree.count; row++) {
-    if (!isHit(row)) continue;
-    const at = row * lights.length + l;
-    lit.visibility[at] = table[seen[row]][0];
-    lit.blocker[at] = table[seen[row]][1];
-    if (group[row] === ABSENT) continue;
-    const x = lightX - point[0][row], y = lightY - point[1][row], z = lightZ - point[2][row];
-    lit.blockedAt[at] = 1 - (left[row] * steps.blocked) / Math.sqrt(x * x + y * y + z * z);
-  }
+function hitRays(tree: Structure, object: Int16Array): Stored {
+  return {
+    group: ints(tree.count, (row) => (object[row] >= 0 ? tree.way[row] : ABSENT)),
+    kind: ints(tree.count, (row) => (object[row] >= 0 ? tree.surface[row] : ABSENT)),
+  };
 }
 
 /** A factor is stored where it multiplies a colour that is not black. */
-function readFactor(
-  header: Header, columns: Columns, tree: Structure, material: Int16Array, features: Float64Array[],
-  name: "diffuse" | "specular", out: Float64Array, l: number,
-) {
-  const { materials, lights } = header;
+function colouredRays(header: Header, tree: Structure, known: Known, name: "diffuse" | "specular"): Stored {
+  const coloured = header.materials.map((of) => of.local > 0 && of[name].some((part) => part > 0));
   const surfaces = header.tables.surface.length;
-  const coloured = materials.map((of) => of.local > 0 && of[name].some((part) => part > 0));
-  const isLit = (row: number) => material[row] >= 0 && coloured[material[row]];
-  const group = ints(tree.count, (row) => (isLit(row) ? tree.way[row] * surfaces + tree.surface[row] : ABSENT));
-  const kind = ints(tree.count, (row) => (isLit(row) ? 2 * tree.surface[row] + below(tree, row) : ABSENT));
-  const number = columns.numbers(`${name}${l}`, group, kind, tree.sides, features);
+  const group = new Int32Array(tree.count).fill(ABSENT);
+  const kind = new Int32Array(tree.count).fill(ABSENT);
   for (let row = 0; row < tree.count; row++) {
-    if (group[row] !== ABSENT) out[row * lights.length + l] = number[row] * materials[material[row]].step;
+    if (!coloured[known.material[row]]) continue;
+    group[row] = tree.way[row] * surfaces + tree.surface[row];
+    kind[row] = 2 * tree.surface[row] + (tree.level[row] > 0 ? 1 : 0);
   }
+  return { group, kind };
 }
 
-const below = (tree: Structure, row: number) => (tree.level[row] > 0 ? 1 : 0);
+function readShadows(
+  header: Header, columns: Columns, tree: Structure, hits: Stored, point: Float64Array[], lit: Lit, l: number,
+) {
+  const { lights, steps } = header;
+  const table = header.tables.visibility;
+  const seen = columns.symbols(`visibility${l}`, hits.group, hits.kind, tree.sides, table.length);
+  const group = new Int32Array(tree.count).fill(ABSENT);
+  const kind = new Int32Array(tree.count).fill(ABSENT);
+  for (let row = 0; row < tree.count; row++) {
+    if (hits.kind[row] === ABSENT) continue;
+    const at = row * lights.length + l, of = seen[row];
+    lit.visibility[at] = table[of][0];
+    lit.blocker[at] = table[of][1];
+    if (table[of][0] !== VISIBILITY.blocked) continue;
+    group[row] = tree.way[row] * table.length + of;
+    kind[row] = 2 * of + (tree.level[row] > 0 ? 1 : 0);
+  }
+  const left = columns.numbers(`blocked${l}`, group, kind, tree.sides, point);
+  const [lightX, lightY, lightZ] = lights[l].position;
+  for (let row = 0; row < tree.count; row++) {
+    if (kind[row] === ABSENT) continue;
+    const x = lightX - point[0][row], y = lightY - point[1][row], z = lightZ - point[2][row];
+    lit.blockedAt[row * lights.length + l] = 1 - (left[row] * steps.blocked) / Math.sqrt(x * x + y * y + z * z);
+  }
+}

@@ -87,12 +87,16 @@ function place(tree: Structure, wave: Wave, level: number, first: number, firstB
   tree.pixel.set(wave.pixel, first);
   tree.kind.set(wave.kind, first);
   tree.level.fill(level, first, first + wave.pixel.length);
-  tree.parent.set(shifted(wave.parent, firstBefore), first);
-  for (const side of SIDES) tree.sides[side].set(shifted(wave.sides[side], first), first);
+  shift(wave.parent, firstBefore, tree.parent, first);
+  for (const side of SIDES) shift(wave.sides[side], first, tree.sides[side], first);
 }
 
 const SIDES = ["left", "up", "upLeft", "upRight"] as const;
-const shifted = (rows: Int32Array, by: number) => ints(rows.length, (k) => (rows[k] < 0 ? -1 : rows[k] + by));
+
+/** Rows counted from `by` on, written at out[at ...]; -1 stays. */
+function shift(rows: Int32Array, by: number, out: Int32Array, at: number) {
+  for (let k = 0; k < rows.length; k++) out[at + k] = rows[k] < 0 ? -1 : rows[k] + by;
+}
 
 /** Small numbers, equal where before and patch are. */
 function dense(before: Int32Array, patch: Int32Array, base: number): Int32Array {

@@ -19,6 +19,10 @@ export class Reader {
     private readonly text: string,
   ) {}
 
+  get isEmpty(): boolean {
+    return this.text.length === 0;
+  }
+
   /** The next number, >= 0. */
   next(): number {
     const first = this.digit();

@@ -1,0 +1,32 @@
+"""The project's own tracer and the codec understand each other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scenes_for_tests import glass, mirrors, random_scene
+
+from raywalk.trace.wavefront import trace_scene
+from raywalk.trace_file import decode, encode, level_of
+
+
+@pytest.mark.parametrize("seed", [None, "mirrors", 1, 2, 4], ids=lambda seed: f"seed {seed}")
+def test_traced_scenes_come_back_in_the_tracers_order(seed: int | str | None) -> None:
+    """glass, mirrors and random scenes, two levels of one trace."""
+    scene = glass(63) if seed is None else mirrors(63) if seed == "mirrors" else None
+    scene = scene or random_scene(int(seed or 0), 63)
+    scene = replace(scene, render=replace(scene.render, resolutions=(7, 21)))
+    traced = trace_scene(scene)
+    for n in (7, 21):
+        level = level_of(traced.tree, n)
+        trace = decode(encode(level, scene, traced.picture), scene.id, n)
+        for name in ("kind", "parent", "object", "material", "inside", "depth"):
+            np.testing.assert_array_equal(
+                getattr(trace, name), getattr(level, name).astype(int), err_msg=name
+            )
+        assert np.abs(trace.colour - level.colour).max() <= trace.header["errors"]["colour"]
+        step = 63 // n
+        tiles = traced.picture[step // 2 :: step, step // 2 :: step]
+        np.testing.assert_array_equal(trace.tiles, tiles.reshape(-1))
