@@ -217,6 +217,6 @@ def resolution_plot(resolution: dict[str, Any]) -> Plot:
         "resolution", title,
         scatter(title, "pixels a side", "mean error, steps of 8 bits", points, lines=True),
         "Log-log line of mean picture error against pixels a side.",
-        ["Pixels", "Mean error, steps of 8 bits", "Pixels off by more than half a step"],
-        [[f"{r['size']} × {r['size']}", f"{r['error']:.3f}", f"{100 * r['off']:.1f} %"] for r in rows],
+        ["Pixels a side", "Mean error, steps of 8 bits", "Pixels off by more than half a step"],
+        [[str(row["size"]), f"{row['error']:.3f}", f"{100 * row['off']:.1f} %"] for row in rows],
     )  # fmt: skip

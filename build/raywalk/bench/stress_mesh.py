@@ -68,7 +68,7 @@ def broken_triangles(count: int, seed: int) -> Iterator[Case]:
     added = {
         "NaN": np.full((1, 3, 3), np.nan),
         "infinite": np.array([[[np.inf, 0, 0], [0, 1, 0], [0, 0, 1]]]),
-        "without area": np.array([[[0, 0, 0], [1, 1, 1], [2, 2, 2]], [[0, 0, 2]] * 3], float),
+        "without area": np.array([[[0, 0, 0], [1, 1, 1], [2, 2, 2]], [[0, 0, 2]] * 3]) / 4,
         "twice the same": corners[:1],
         "at 1e30": np.array([[[1e30, 0, 0], [1e30, 1e29, 0], [1e30, 0, 1e29]]]),
     }
@@ -76,12 +76,9 @@ def broken_triangles(count: int, seed: int) -> Iterator[Case]:
         compiled = compiled_mesh(np.concatenate([corners, triangles]))
         told = compiled.meshes[0].triangles.dropped
         t, _, which, _ = compiled.nearest(rays)
-        # A vertex of a dropped triangle may move the mesh's frame: t is then rounded anew.
-        with np.errstate(invalid="ignore"):
-            moved = np.abs(t - whole[0]) > 8 * np.spacing(t)
-        changed = moved | (which != whole[2]) | (np.isinf(t) != np.isinf(whole[0]))
+        changed = (t != whole[0]) | (which != whole[2])
         yield Case(
-            "broken triangles", f"{name} added", "other triangle, or t moved by 8 ulp, ppm",
+            "broken triangles", f"{name} added", "rays changed in t or triangle, ppm",
             0.0, per_million(int(changed.sum()), count), count, seed,
             note=", ".join(f"{number} dropped: {reason}" for reason, number in told.items()),
         )  # fmt: skip

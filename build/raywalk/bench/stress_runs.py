@@ -76,7 +76,7 @@ def directions_of_length(length: float, count: int, seed: int) -> Case:
     rng = np.random.default_rng(seed)
     origin, direction = around(rng, min(count, 20_000))
     with tempfile.TemporaryDirectory() as folder:
-        objects = [
+        objects: list[SceneObject | Shape] = [
             mesh_object(Path(folder) / "bunny.ply", bunny(), placed(0.5)),
             Sphere((0.9, 0.0, 0.0), 0.6),
         ]

@@ -1,0 +1,177 @@
+"""Run time against error, on the same rays in one run: what `make bench` measures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from raywalk.bench.cases import Case, per_million
+from raywalk.bench.contenders import Met, Way, for_mesh, for_spheres
+from raywalk.bench.errors import Errors, Truth, errors_of, mesh_truth, sphere_truth
+from raywalk.bench.families import Pair, coherent, in_ball, incoherent, towards
+from raywalk.bench.made_scenes import bunny, twenty_spheres
+from raywalk.bench.run_time import interleaved
+
+SEED = 20_260
+SIDE = 512  # rays: its square
+ROUNDS = 9
+SAMPLE = 1000  # rays of each task that mpmath judges
+# Of our path, where the mesh stands near the origin.
+BOUND = {"median": 1e-15, "largest": 1e-12, "wrong": 0.0}
+FAR = 1e6  # where the moved mesh stands, in its own sizes
+# Errors of t smaller than float64's own rounding count as equal.
+ROUNDING = 2.0**-53
+
+
+def tasks(side: int = SIDE, rounds: int = ROUNDS, seed: int = SEED) -> Iterator[dict[str, Any]]:
+    """Six tasks: spheres and mesh, coherent and incoherent; mesh at its vertices, and far out."""
+    rng = np.random.default_rng(seed)
+    spheres = twenty_spheres(seed)
+    ways, missing = for_spheres(spheres)
+    truth = partial(sphere_truth, spheres)
+    for key, rays in _rays(rng, side, 7.0, 3.0).items():
+        about = f"20 spheres, {side * side:,} {key} rays"
+        named = Named(f"spheres-{key}", f"Spheres, {key} rays", about, "Embree float32, level 64")
+        yield task(named, ways, missing, rays, truth, rounds, rng)
+    yield from mesh_tasks(rng, side, rounds)
+
+
+def mesh_tasks(rng: np.random.Generator, side: int, rounds: int) -> Iterator[dict[str, Any]]:
+    """The bunny in the middle, then far from it."""
+    floor = "Embree float32, as is"
+    corners = bunny()
+    corners -= (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1))) / 2
+    ways, missing = for_mesh(corners)
+    for key, rays in _rays(rng, side, 2.5, 1.0).items():
+        about = f"the bunny of {len(corners):,} triangles, {side * side:,} {key} rays"
+        named = Named(f"mesh-{key}", f"Mesh, {key} rays", about, floor)
+        yield task(named, ways, missing, rays, partial(mesh_truth, corners), rounds, rng)
+    about = f"the bunny, {side * side:,} rays from inside at its vertices: each must hit"
+    named = Named("mesh-vertices", "Mesh, rays at vertices", about, floor, all_hit=True)
+    rays = at_vertices(rng, corners, side * side)
+    yield task(named, ways, missing, rays, partial(mesh_truth, corners), rounds, rng)
+    moved = corners + FAR  # rounded here: this is the mesh that the truth knows
+    ways, missing = for_mesh(moved)
+    origin, direction = coherent(side, (0.0, 0.0, 2.5), 0.45)
+    about = f"the bunny moved by {FAR:g} along each axis, {side * side:,} coherent rays"
+    named = Named("mesh-far", "Mesh far from the origin", about, floor)
+    rays = (origin + FAR, direction)
+    yield task(named, ways, missing, rays, partial(mesh_truth, moved), rounds, rng)
+
+
+@dataclass(frozen=True)
+class Named:
+    """What a task is called, and beside which way times are given."""
+
+    key: str
+    title: str
+    about: str
+    floor: str
+    all_hit: bool = False  # every ray hits by construction, so all are counted, not a sample
+
+
+def at_vertices(rng: np.random.Generator, corners: np.ndarray, count: int) -> Pair:
+    """From a ball in the bunny's chest, of which every way out crosses the mesh."""
+    origin = np.array([-0.03, -0.2, 0.015]) + 0.02 * in_ball(rng, count)
+    face, corner = rng.integers(0, len(corners), count), rng.integers(0, 3, count)
+    return towards(origin, corners[face, corner])
+
+
+def _rays(rng: np.random.Generator, side: int, away: float, reach: float) -> dict[str, Pair]:
+    return {
+        "coherent": coherent(side, (0.0, 0.0, away), 0.45),
+        "incoherent": incoherent(rng, side * side, reach),
+    }
+
+
+def task(
+    named: Named, ways: list[Way], missing: list[str], rays: Pair,
+    truth_of: Callable[[np.ndarray, np.ndarray], Truth], rounds: int, rng: np.random.Generator,
+) -> dict[str, Any]:  # fmt: skip
+    """Every way timed and judged on the same rays, as plain data."""
+    chosen = rng.choice(len(rays[0]), SAMPLE, replace=False)
+    truth = truth_of(rays[0][chosen], rays[1][chosen])
+    beside = next(k for k, way in enumerate(ways) if way.name == named.floor)
+    times = interleaved([partial(way.hits, *rays) for way in ways], rounds, beside)
+    rows = []
+    for way, (seconds, ratio) in zip(ways, times, strict=True):
+        met = way.hits(*rays)
+        errors = errors_of(
+            Met(*(column[chosen] for column in (met.t, met.point, met.normal))), truth
+        )
+        wrong = per_million(errors.wrong, SAMPLE)
+        if named.all_hit:
+            wrong = per_million(int(np.isinf(met.t).sum()), len(met.t))
+        rows.append(row(way, errors, seconds / len(rays[0]), ratio, wrong))
+    absent = f" Not installed, so not measured: {', '.join(missing)}." if missing else ""
+    words = f"{named.about}; each way gives distance, point and normal; errors of {SAMPLE:,} rays."
+    return {
+        "key": named.key, "title": named.title, "floor": named.floor, "ways": rows,
+        "about": words[0].upper() + words[1:] + absent,
+    }  # fmt: skip
+
+
+def row(way: Way, errors: Errors, seconds: float, ratio: float, wrong: float) -> dict[str, Any]:
+    """One line of the table; seconds a ray."""
+    return {
+        "name": way.name, "ours": way.ours, "nanoseconds": 1e9 * seconds,
+        "rate": 1e-6 / seconds, "ratio": ratio, "median": errors.median,
+        "largest": errors.largest, "point": errors.point, "normal": errors.normal, "wrong": wrong,
+    }  # fmt: skip
+
+
+def as_line(way: dict[str, Any]) -> str:
+    """One way for the command line."""
+    return (
+        f"  {way['name']}: {way['nanoseconds']:.0f} ns ({way['ratio']:.2f}), error of t "
+        f"{way['median']:.1e} median, {way['largest']:.1e} largest, {way['wrong']:.0f} ppm wrong"
+    )
+
+
+def bounds(task: dict[str, Any], seed: int) -> Iterator[Case]:
+    """Our path's own bounds in one task."""
+    ours = next(way for way in task["ways"] if way["ours"])
+    floor = next(way for way in task["ways"] if way["name"] == task["floor"])
+    words = {"median": "relative error of t, median", "largest": "relative error of t, max",
+             "wrong": "wrong hits, ppm"}  # fmt: skip
+    for which, bound in BOUND.items():
+        yield Case(
+            "time against error", task["title"], words[which], bound, ours[which], SAMPLE, seed,
+            floor[which], floor["name"],
+        )  # fmt: skip
+
+
+def beats(way: dict[str, Any], ours: dict[str, Any]) -> bool:
+    """Faster, and no error larger: below a rounding all errors are equal."""
+    faster = way["nanoseconds"] < ours["nanoseconds"]
+    exact = all(max(way[e], ROUNDING) <= max(ours[e], ROUNDING) for e in ("median", "largest"))
+    return bool(faster and exact and way["wrong"] <= ours["wrong"])
+
+
+def says(task: dict[str, Any]) -> Iterator[str]:
+    """Sentences on where our path stands, the unwelcome ones too."""
+    ours = next(way for way in task["ways"] if way["ours"])
+    beaten = [way for way in task["ways"] if not way["ours"] and beats(way, ours)]
+    for way in beaten:
+        yield (
+            f"{task['title']}: {way['name']} is faster than our path "
+            f"({ours['nanoseconds'] / way['nanoseconds']:.2f} times) and at least as exact "
+            f"(median {way['median']:.1e} against {ours['median']:.1e}, largest "
+            f"{way['largest']:.1e} against {ours['largest']:.1e}, no more wrong hits)."
+        )
+    if not beaten:
+        yield f"{task['title']}: nothing measured is both faster and at least as exact as our path."
+    faster = [way for way in task["ways"] if way["nanoseconds"] < ours["nanoseconds"]]
+    if faster:
+        best = min(faster, key=lambda way: way["nanoseconds"])
+        yield (
+            f"{task['title']}: the fastest is {best['name']}, "
+            f"{ours['nanoseconds'] / best['nanoseconds']:.1f} times as fast as our path; its "
+            f"median error is {best['median'] / ours['median']:.1g} times ours."
+        )
+    else:
+        yield f"{task['title']}: nothing measured is faster than our path."

@@ -1,0 +1,57 @@
+"""raywalk bench: run time against error, beside other ways to trace."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+SEED = 20_260
+
+
+def add_to(commands: Any) -> None:
+    """Adds the command's arguments."""
+    parser = commands.add_parser("bench", help="measure run time against error, beside peers")
+    parser.add_argument("--quick", action="store_true", help="fewer rays and rounds")
+    parser.add_argument("--seed", type=int, default=SEED, help="of all random rays")
+    parser.add_argument("--work", type=Path, default=Path(".work"), help="where reports are kept")
+    parser.add_argument("--out", type=Path, default=Path("dist"), help="the site the page goes to")
+    parser.set_defaults(run=run)
+
+
+def run(chosen: Namespace) -> Iterator[str]:
+    """Tells what is measured. Raises BrokenBounds at the end if a bound of ours is broken."""
+    from raywalk.bench import bench
+    from raywalk.bench.cases import Case, refuse_broken
+    from raywalk.bench.picture_error import picture_cases, pictures, resolution
+    from raywalk.bench.quantisation import quantisation
+    from raywalk.bench.report import keep_bench, publish_page
+    from raywalk.scene import read_scenes
+
+    yield f"seed {chosen.seed}"
+    side, rounds = (128, 3) if chosen.quick else (bench.SIDE, bench.ROUNDS)
+    measured: dict[str, Any] = {"seed": chosen.seed, "tasks": [], "says": []}
+    cases: list[Case] = []
+    for task in bench.tasks(side, rounds, chosen.seed):
+        measured["tasks"].append(task)
+        measured["says"] += bench.says(task)
+        cases += bench.bounds(task, chosen.seed)
+        yield f"{task['title']} (time by {task['floor']})"
+        yield from map(bench.as_line, task["ways"])
+    yield "Whole pictures"
+    measured["picture"] = pictures(rounds, chosen.seed, 200 if chosen.quick else 400)
+    cases += picture_cases(measured["picture"], chosen.seed)
+    for way in measured["picture"]["ways"]:
+        yield (
+            f"  {way['name']}: {way['seconds']:.2f} s, {100 * way['wrong']:.1f} % of 8-bit pixels "
+            f"wrong, mean error {way['mean']:.1e}"
+        )
+    measured["resolution"] = resolution(chosen.seed, 231 if chosen.quick else 1155)
+    cases += quantisation(read_scenes(chosen.scenes))
+    measured["cases"] = [case.as_dict() for case in cases]
+    yield from measured["says"]
+    yield from (case.as_line() for case in cases)
+    keep_bench(chosen.work, measured)
+    yield from publish_page(chosen.work, chosen.out)
+    refuse_broken(cases)
