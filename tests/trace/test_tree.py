@@ -237,12 +237,3 @@ def test_a_deeper_limit_leaves_the_first_rays_as_they_are() -> None:
     count = len(shallow.pixel)
     for column in ("pixel", "parent", "kind", "object", "t", "point", "normal", "weight", "local"):
         assert (getattr(shallow, column) == getattr(deep, column)[:count]).all(), column
-
-
-def test_progress_is_told_up_to_the_last_pixel(small_course: dict[str, Scene]) -> None:
-    """(done, all) after each strip, ascending, ending at all."""
-    told: list[tuple[int, int]] = []
-    tracer = Tracer(small(small_course["01-shading"], 231, 7))
-    trace_picture(tracer, progress=lambda done, count: told.append((done, count)))
-    assert told == sorted(told)
-    assert told[-1] == (231 * 231, 231 * 231)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
+from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive, surfaces_at
 from raywalk.geometry.primitives import Primitives, compile_primitives
 from raywalk.geometry.surface import Looks, primitive_surface
 from raywalk.optics.compiled import kernel
@@ -57,6 +57,9 @@ class CompiledScene:
 
     def __init__(self, scene: Scene):
         self.primitives: Primitives = compile_primitives(scene)
+        self.rank = _tie_ranks(scene)
+        clear = [scene.materials[obj.material].transmit > 0 for obj in scene.objects]
+        self.clear_rows = np.flatnonzero(np.array(clear, bool)[self.primitives.object])
         self.looks = _compile_looks(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
@@ -72,10 +75,11 @@ class CompiledScene:
         triangle, uv = np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
         for mesh in self.meshes:
             own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
-            # A little beyond what was met before, so that a tie goes to the lower object.
+            # A little beyond what was met before, as a tie may go to the mesh.
             reach = np.minimum(limit, t * (1.0 + TIE))
             found, which, where = mesh.nearest(rays.origin, rays.direction, reach, own)
-            at_least = np.where(mesh.index < met, 1.0 + TIE, 1.0 - TIE) * t
+            comes_first = (met != NOWHERE) & (self.rank[mesh.index] < self.rank[met])
+            at_least = np.where(comes_first, 1.0 + TIE, 1.0 - TIE) * t
             closer = (found < at_least) & (found < limit)
             t, met = np.where(closer, found, t), np.where(closer, mesh.index, met)
             triangle = np.where(closer, which, triangle)
@@ -89,7 +93,7 @@ class CompiledScene:
         point, normal = np.zeros((count, 3)), np.zeros((count, 3))
         inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)
         primitive_surface(
-            self.primitives, self.looks, rays.origin, rays.direction, t, met,
+            self.primitives, self.looks, rays.origin, rays.direction, rays.leaving, t, met,
             point, normal, inside, material,
         )  # fmt: skip
         geometric = normal
@@ -103,19 +107,30 @@ class CompiledScene:
     def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Every hit of rays from free space, nearest first: start (n + 1,), t (h,), object (h,).
 
-        Ray k's hits stand at start[k]:start[k + 1]; where two lie at one distance, the lower
-        object comes first.
+        Ray k's hits stand at start[k]:start[k + 1]; where two tie, the first is the one that
+        `nearest` names.
         """
         found = [all_primitives(self.primitives, rays.origin, rays.direction)]
         for mesh in self.meshes:
             ray, t = mesh.all_hits(rays.origin, rays.direction)
             found.append((ray, t, np.full(len(t), mesh.index, np.int32)))
         ray, t, met = (np.concatenate(parts) for parts in zip(*found, strict=True))
-        order = np.lexsort([met, t, ray])
+        order = np.lexsort([self.rank[met], t, ray])
         ray, t, met = ray[order], t[order], met[order]
-        lower_first(ray, t, met)
+        order_ties(ray, t, met, self.rank)
         start = np.searchsorted(ray, np.arange(len(rays.origin) + 1))
         return start.astype(np.int32), t, met
+
+    def also_crossed(
+        self, point: np.ndarray, direction: np.ndarray, leaving: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Other transparent primitives whose surfaces run through a hit point: ray (c,), object
+        (c,), and whether a ray that goes on there enters it (c,) bool.
+
+        leaving: (n,) the object that was met. The rays that go on will not meet those surfaces
+        there: they have been left already, as `roots` says.
+        """
+        return surfaces_at(self.primitives, self.clear_rows, point, direction, leaving)
 
     def count_tests(self, rays: Rays, t_max: np.ndarray) -> np.ndarray:
         """(n,) intersection tests a ray needs: every primitive, and each mesh's tree."""
@@ -127,15 +142,25 @@ class CompiledScene:
 
 
 @kernel
-def lower_first(ray, t, met):
-    """Lets the lower object come first where two tie; rays and distances stay as they are."""
+def order_ties(ray, t, met, rank):
+    """Lets the lower rank come first where two tie; rays and distances stay as they are."""
     for k in range(1, ray.shape[0]):
         place = k
-        while place > 0 and ray[place - 1] == ray[place] and met[place - 1] > met[place]:
+        while (
+            place > 0 and ray[place - 1] == ray[place] and rank[met[place - 1]] > rank[met[place]]
+        ):
             if t[place] - t[place - 1] > TIE * t[place]:
                 break
             met[place - 1], met[place] = met[place], met[place - 1]
             place -= 1
+
+
+def _tie_ranks(scene: Scene) -> np.ndarray:
+    """(objects,) int: of surfaces that tie the lowest is met. Opaque ones come first (a glass that
+    stands on a floor does not let light through it), then the order of the scene."""
+    clear = [scene.materials[obj.material].transmit > 0 for obj in scene.objects]
+    order = sorted(range(len(clear)), key=lambda k: clear[k])
+    return np.argsort(np.array(order, int))
 
 
 def _compile_looks(scene: Scene) -> Looks:

@@ -23,7 +23,11 @@ from raywalk.scene.placement import placement
 
 
 class Primitives(NamedTuple):
-    """One row a primitive, in the order of the scene's objects; float64 throughout."""
+    """One row a primitive; float64 throughout.
+
+    Of surfaces that tie the first row is met: opaque ones stand before transparent ones, both in
+    the order of the scene's objects.
+    """
 
     shape: np.ndarray  # (p,) int8: SPHERE .. TRIANGLE
     object: np.ndarray  # (p,) int32: index into Scene.objects
@@ -37,6 +41,7 @@ class Primitives(NamedTuple):
 def compile_primitives(scene: Scene) -> Primitives:
     """The table of all objects that are not meshes; transforms are known to be regular."""
     kept = [k for k, obj in enumerate(scene.objects) if not isinstance(obj.shape, Mesh)]
+    kept.sort(key=lambda k: scene.materials[scene.objects[k].material].transmit > 0)
     placed = [placement(scene.objects[k]) for k in kept]
     to_world = np.array([linear for linear, _ in placed]).reshape(-1, 3, 3)
     to_local = np.array([_inverse(linear) for linear, _ in placed]).reshape(-1, 3, 3)

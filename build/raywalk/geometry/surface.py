@@ -32,8 +32,11 @@ class Looks(NamedTuple):
 
 
 @kernel
-def local_hit(primitives, k, o, d, t):
-    """Canonical hit point of row k, moved onto the surface, and the outward gradient there."""
+def local_hit(primitives, k, o, d, t, again):
+    """Canonical hit point of row k, moved onto the surface, and the outward gradient there.
+
+    again: the ray started on this primitive, so it can only come out of it.
+    """
     centre, matrix, shape = primitives.centre[k], primitives.to_local[k], primitives.shape[k]
     ox, oy, oz = to_local(matrix, o[0] - centre[0], o[1] - centre[1], o[2] - centre[2])
     dx, dy, dz = to_local(matrix, d[0], d[1], d[2])
@@ -45,7 +48,7 @@ def local_hit(primitives, k, o, d, t):
     if is_at_edge(shape, x, y, z):
         # A convex solid holds the middle of the way if and only if the ray comes out of it.
         half = 0.5 * t
-        leaves = height(shape, ox + half * dx, oy + half * dy, oz + half * dz) < 0.0
+        leaves = again or height(shape, ox + half * dx, oy + half * dy, oz + half * dz) < 0.0
         gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
     else:
         gx, gy, gz = face_normal(shape, x, y, z)
@@ -76,7 +79,7 @@ def square_material(looks, who, x, z):
 
 @kernel
 def primitive_surface(
-    primitives, looks, origin, direction, t, met, point, normal, inside, material
+    primitives, looks, origin, direction, leaving, t, met, point, normal, inside, material
 ):
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive.
 
@@ -86,7 +89,9 @@ def primitive_surface(
         if met[i] == NOWHERE or primitives.row_of[met[i]] < 0:
             continue
         k = primitives.row_of[met[i]]
-        x, y, z, gx, gy, gz = local_hit(primitives, k, origin[i], direction[i], t[i])
+        x, y, z, gx, gy, gz = local_hit(
+            primitives, k, origin[i], direction[i], t[i], leaving[i] == met[i]
+        )
         px, py, pz = to_local(primitives.to_world[k], x, y, z)
         point[i, 0] = primitives.centre[k, 0] + px
         point[i, 1] = primitives.centre[k, 1] + py

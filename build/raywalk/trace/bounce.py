@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.compiled import Hits, Rays
+from raywalk.geometry.compiled import CompiledScene, Hits, Rays
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
-from raywalk.trace.media import cross_border
+from raywalk.trace.media import cross_border, cross_more, indices_in
 from raywalk.trace.tables import Materials
 from raywalk.trace.tree import Kind
 
@@ -26,8 +26,8 @@ class Bounced(NamedTuple):
 
 
 def bounce(
-    materials: Materials, ior_of: np.ndarray, rays: Rays, hits: Hits, media: np.ndarray,
-    share: np.ndarray, least: float,
+    compiled: CompiledScene, materials: Materials, ior_of: np.ndarray,
+    rays: Rays, hits: Hits, media: np.ndarray, share: np.ndarray, least: float,
 ) -> Bounced:  # fmt: skip
     """Reflected rays first, then refracted ones, each in the order of their parents.
 
@@ -40,9 +40,15 @@ def bounce(
     glass = np.flatnonzero(materials.transmit[hits.material] > 0.0)
     if len(glass):
         n_from, n_to, after = n_from.copy(), n_to.copy(), media.copy()
-        n_from[glass], n_to[glass], after[glass] = cross_border(
+        n_from[glass], n_to[glass], crossed = cross_border(
             media[glass], hits.object[glass], hits.inside[glass], ior_of
         )
+        # Glass that touches glass: both borders are crossed at once.
+        others = compiled.also_crossed(hits.point[glass], rays.direction[glass], hits.object[glass])
+        if len(others[0]):
+            cross_more(crossed, *others)
+            n_to[glass] = indices_in(crossed, ior_of)
+        after[glass] = crossed
         material = hits.material[glass]
         mirror[glass], through[glass], total[glass] = glass_shares(
             rays.direction[glass], hits.normal[glass], n_from[glass], n_to[glass],
@@ -55,19 +61,24 @@ def bounce(
     )
     parent = np.concatenate([back, on])
     weight = np.concatenate([mirror[back], through[on]])
+    # A reflected ray stays on the side it came from, a refracted one changes it.
+    onward = Rays(
+        hits.point[parent], np.concatenate([reflected, refracted]), hits.object[parent],
+        np.concatenate([hits.inside[back], ~hits.inside[on]]), hits.triangle[parent],
+    )  # fmt: skip
+    stacks = np.concatenate([media[back], after[on]])
+    cross_more(stacks, *compiled.also_crossed(onward.origin, onward.direction, onward.leaving))
     return Bounced(
-        # A reflected ray stays on the side it came from, a refracted one changes it.
-        rays=Rays(
-            hits.point[parent], np.concatenate([reflected, refracted]), hits.object[parent],
-            np.concatenate([hits.inside[back], ~hits.inside[on]]), hits.triangle[parent],
-        ),
+        rays=onward,
         parent=parent.astype(np.int32),
         branch=np.repeat(np.array([0, 1], np.uint8), [len(back), len(on)]),
-        kind=np.concatenate([
-            np.where(total[back], Kind.TOTAL, Kind.REFLECTED),
-            np.full(len(on), Kind.REFRACTED),
-        ]).astype(np.uint8),
+        kind=np.concatenate(
+            [
+                np.where(total[back], Kind.TOTAL, Kind.REFLECTED),
+                np.full(len(on), Kind.REFRACTED),
+            ]
+        ).astype(np.uint8),
         weight=weight,
         share=share[parent] * weight,
-        media=np.concatenate([media[back], after[on]]),
-    )  # fmt: skip
+        media=stacks,
+    )

@@ -35,29 +35,59 @@ def cross_border(stacks, who, inside, ior_of):
     stacks: (n, w); who: (n,) object met; inside: (n,) bool, true where the ray leaves it;
     ior_of: (objects,). Outside everything the index is 1.
     """
-    count, width = stacks.shape
+    count = stacks.shape[0]
     n_from, n_to, after = np.ones(count), np.ones(count), stacks.copy()
     for i in range(count):
-        held = 0
-        while held < width and stacks[i, held] >= 0:
-            held += 1
-        if held > 0:
-            n_from[i] = ior_of[stacks[i, held - 1]]
-        elif inside[i]:
+        n_from[i] = index_in(stacks[i], ior_of)
+        if inside[i] and stacks[i, 0] < 0:
             n_from[i] = ior_of[who[i]]  # left without having been entered: a lone border
-        if not inside[i]:
-            if held < width:
-                after[i, held] = who[i]
-                held += 1
-        else:
-            place = held - 1
-            while place >= 0 and stacks[i, place] != who[i]:
-                place -= 1
-            if place >= 0:
-                for k in range(place, held - 1):
-                    after[i, k] = stacks[i, k + 1]
-                after[i, held - 1] = -1
-                held -= 1
-        if held > 0:
-            n_to[i] = ior_of[after[i, held - 1]]
+        enter_or_leave(after[i], who[i], not inside[i])
+        n_to[i] = index_in(after[i], ior_of)
     return n_from, n_to, after
+
+
+@kernel
+def cross_more(stacks, ray, who, enters):
+    """Carries stacks (n, w) on across other borders at the same points: ray (c,), the object (c,)
+    and whether the ray is in it from there on (c,)."""
+    for k in range(ray.shape[0]):
+        stack = stacks[ray[k]]
+        if not enters[k] or not (stack == who[k]).any():
+            enter_or_leave(stack, who[k], enters[k])
+
+
+@kernel
+def indices_in(stacks, ior_of):
+    """(n,) index of refraction of the medium on top of each stack."""
+    indices = np.empty(stacks.shape[0])
+    for i in range(stacks.shape[0]):
+        indices[i] = index_in(stacks[i], ior_of)
+    return indices
+
+
+@kernel
+def index_in(stack, ior_of):
+    """Index of refraction of the medium on top of a stack; 1 outside everything."""
+    held = 0
+    while held < stack.shape[0] and stack[held] >= 0:
+        held += 1
+    return ior_of[stack[held - 1]] if held > 0 else 1.0
+
+
+@kernel
+def enter_or_leave(stack, who, enters):
+    """Puts an object on top of a stack, or takes it out wherever it stands."""
+    width, held = stack.shape[0], 0
+    while held < width and stack[held] >= 0:
+        held += 1
+    if enters:
+        if held < width:
+            stack[held] = who
+        return
+    place = held - 1
+    while place >= 0 and stack[place] != who:
+        place -= 1
+    if place >= 0:
+        for k in range(place, held - 1):
+            stack[k] = stack[k + 1]
+        stack[held - 1] = -1
