@@ -15,7 +15,7 @@ from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Sphere
 
 STRIP = 16_384  # our tracer's own; peers get all rays at once, as they like best
-LEVELS = (16, 32, 64, 128, 256)
+LEVELS = (16, 32, 64, 128)
 
 
 @dataclass(frozen=True)

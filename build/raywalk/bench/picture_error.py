@@ -19,7 +19,7 @@ from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 SIZE = 400
 EVERY = 16  # pixels between two that mpmath judges, along rows and columns
-LEVELS = (16, 64, 256)
+LEVELS = (16, 64, 128)
 DEPTH = 5
 FULL = 1155  # the project's picture: resolutions are its divisors
 GRIDS = (5, 11, 21, 55, 105, 231, 385, 1155)

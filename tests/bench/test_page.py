@@ -1,0 +1,85 @@
+"""The page and its plots come from kept figures alone."""
+
+from __future__ import annotations
+
+import json
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from raywalk.bench.bench import beats, says
+from raywalk.bench.cases import Case
+from raywalk.bench.plots import front_of
+from raywalk.bench.report import keep_bench, keep_stress, publish_reports
+
+TEMPLATES = Path("site_src/templates")
+ASSETS = {"style_css": "assets/style-0.css"}
+
+
+def way(name: str, nanoseconds: float, largest: float, ours: bool = False) -> dict:
+    """A row as `bench` measures it."""
+    return {
+        "name": name, "ours": ours, "nanoseconds": nanoseconds, "rate": 1e3 / nanoseconds,
+        "ratio": 1.0, "median": largest / 10, "largest": largest, "point": 1e-16,
+        "normal": 0.0, "wrong": 0.0,
+    }  # fmt: skip
+
+
+def report() -> dict:
+    """One task of three ways, a picture, a resolution."""
+    ways = [
+        way("ours", 100.0, 1e-15, ours=True),
+        way("fast <&>", 50.0, 1e-3),
+        way("slow", 200.0, 1e-7),
+    ]
+    task = {"key": "t", "title": "Task", "about": "About.", "floor": "slow", "ways": ways}
+    picture = {"about": "Pictures.", "ways": [
+        {"name": "ours", "ours": True, "seconds": 1.0, "ratio": 1.0, "wrong": 0.0, "mean": 0.0,
+         "largest": 0.0}]}  # fmt: skip
+    rows = [{"size": 5, "error": 6.0, "off": 0.5}, {"size": 15, "error": 2.0, "off": 0.2}]
+    case = Case("subject", "case", "metric", 1.0, 0.5, 10, 7, 3.0, "Embree").as_dict()
+    return {
+        "seed": 7, "says": list(says(task)), "tasks": [task], "picture": picture,
+        "resolution": {"about": "Grids.", "rows": rows}, "cases": [case],
+    }  # fmt: skip
+
+
+def test_nothing_kept_means_no_page(tmp_path: Path) -> None:
+    """A site is built without figures too."""
+    assert not publish_reports(tmp_path / "dist", TEMPLATES, ASSETS, (), tmp_path / "work")
+    assert not (tmp_path / "dist").exists()
+
+
+def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
+    """Without measuring again; plots are XML, no script or style stands inline."""
+    work, out = tmp_path / "work", tmp_path / "dist"
+    keep_bench(work, report())
+    keep_stress(work, [Case("s", "c", "m", 0.0, float("inf"), 5, 9)], 5, 9)
+    assert publish_reports(out, TEMPLATES, ASSETS, (), work)
+    page = (out / "benchmarks/index.html").read_text(encoding="utf-8")
+    assert "<script" not in page
+    assert "style=" not in page
+    assert "<style" not in page
+    assert "make bench" in page
+    assert "fast &lt;&amp;&gt;" in page
+    assert "broken" in page  # the case that is infinite
+    for plot in ("t-median", "t-largest", "resolution"):
+        assert f'src="{plot}.svg"' in page
+        ElementTree.parse(out / f"benchmarks/{plot}.svg")
+    kept = json.loads((out / "benchmarks/benchmarks.json").read_text(encoding="utf-8"))
+    assert kept["bench"]["tasks"][0]["ways"][0]["name"] == "ours"
+
+
+def test_the_front_holds_what_nothing_beats() -> None:
+    """(1, 3), (2, 2), (3, 1) are on it; (3, 3) is beaten by all of them."""
+    assert front_of([1, 2, 3, 3], [3, 2, 1, 3]) == [True, True, True, False]
+
+
+def test_being_beaten_is_said() -> None:
+    """Faster and as exact beats our path; faster and wrong does not."""
+    ours = way("ours", 100.0, 1e-15, ours=True)
+    better = way("better", 90.0, 1e-15)
+    assert beats(better, ours)
+    assert not beats(better | {"wrong": 1.0}, ours)
+    assert not beats(way("inexact", 50.0, 1e-7), ours)
+    told = " ".join(says({"title": "T", "ways": [ours, better]}))
+    assert "better is faster than our path" in told
