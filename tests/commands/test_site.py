@@ -1,0 +1,184 @@
+"""raywalk site, end to end on two small scenes."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raywalk.__main__ import main
+from raywalk.trace_file import read_trace
+
+SMALL = """
+version = 1
+key = "{key}"
+title = "{title}"
+teaches = "Something <b>bold</b> & true."
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+[render]
+size = 63
+resolutions = [7, 21]
+depth = 2
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = {radius}
+material = {{ like = "coloured", reflect = 0.5 }}
+[[objects]]
+name = "floor"
+type = "plane"
+point = [0, -1, 0]
+normal = [0, 1, 0]
+material = "white"
+[[lights]]
+position = [1, 2, 3]
+[[lesson]]
+text = "Look, **one** ray <script>alert(1)</script>."
+view = {{ resolution = 7, pixel = [3, 3] }}
+"""
+
+
+@pytest.fixture
+def scenes(tmp_path):
+    """A folder with two scenes."""
+    for key, radius in ("1", 0.9), ("2", 0.5):
+        folder = tmp_path / "scenes" / f"0{key}-ball"
+        folder.mkdir(parents=True)
+        text = SMALL.format(key=key, title=f"Ball {key}", radius=radius)
+        (folder / "scene.toml").write_text(text, encoding="utf-8")
+    return tmp_path / "scenes"
+
+
+@pytest.fixture
+def build(tmp_path, scenes, capsys):
+    """A function that builds the site: exit code, what it printed, and the site's folder."""
+
+    def run():
+        out, work = tmp_path / "dist", tmp_path / "work"
+        code = main(["site", "--scenes", str(scenes), "--out", str(out), "--work", str(work)])
+        printed = capsys.readouterr()
+        return code, printed.out + printed.err, out
+
+    return run
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def test_a_site_has_pages_pictures_scene_data_and_every_grid(build):
+    """Everything the viewer asks for, and nothing of the workshop."""
+    code, said, out = build()
+    assert code == 0
+    assert "2 scenes: 2 traced, 0 unchanged" in said
+    files = contents(out)
+    for scene in ("01-ball", "02-ball"):
+        expected = "index.html picture.png thumb.png scene.js 7.js 7.json.gz 21.js 21.json.gz"
+        assert all(f"scenes/{scene}/{name}" in files for name in expected.split())
+    assert not [name for name in files if name.endswith((".npz", "facts.json", "manifest.json"))]
+
+
+def test_every_tile_has_the_colour_of_the_pictures_pixel_at_its_centre(build):
+    """One trace, many resolutions: the same rays, to the last bit."""
+    _, _, out = build()
+    for scene in (out / "scenes").iterdir():
+        picture = np.asarray(Image.open(scene / "picture.png").convert("RGB"))
+        for n in (7, 21):
+            step = 63 // n
+            centres = picture[step // 2 :: step, step // 2 :: step]
+            tiles = read_trace(scene / f"{n}.json.gz").tiles.reshape(n, n, 3)
+            np.testing.assert_array_equal(tiles, centres)
+
+
+def test_words_of_a_scene_file_cannot_become_markup(build):
+    """A title is text, and a script in a lesson is shown, not run."""
+    _, _, out = build()
+    page = (out / "scenes" / "01-ball" / "index.html").read_text(encoding="utf-8")
+    assert "<script>alert" not in page
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page
+    assert "<strong>one</strong>" in page
+    assert "<b>bold" not in page
+
+
+def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp_path):
+    """Twice from the store, and once more from nothing."""
+    _, _, out = build()
+    first = contents(out)
+    _, said, _ = build()
+    assert "0 traced, 2 unchanged" in said
+    assert contents(out) == first
+    shutil.rmtree(tmp_path / "work")
+    _, said, _ = build()
+    assert "2 traced, 0 unchanged" in said
+    assert contents(out) == first
+
+
+def test_a_changed_colour_touches_that_scene_alone_and_a_changed_text_traces_nothing(build, scenes):
+    """Keys are made of what a trace depends on."""
+    build()
+    path = scenes / "02-ball" / "scene.toml"
+    path.write_text(path.read_text().replace("Look,", "See,"), encoding="utf-8")
+    _, said, out = build()
+    assert "0 traced, 2 unchanged" in said
+    assert "See," in (out / "scenes/02-ball/index.html").read_text()
+    path.write_text(path.read_text().replace("radius = 0.5", "radius = 0.6"), encoding="utf-8")
+    _, said, _ = build()
+    assert "1 traced, 1 unchanged" in said
+
+
+def test_bad_input_leaves_the_old_site_as_it_was(build, scenes):
+    """All mistakes at once, exit code 1, dist untouched, nothing half-written beside it."""
+    _, _, out = build()
+    before = contents(out)
+    for key, bad in ("1", "radius = -1"), ("2", "radius = nan"):
+        path = scenes / f"0{key}-ball" / "scene.toml"
+        text = path.read_text()
+        path.write_text(text.replace("radius = 0", bad + " #"), encoding="utf-8")
+    code, said, _ = build()
+    assert code == 1
+    assert "01-ball" in said and "02-ball" in said
+    assert said.rstrip().endswith("2 errors; nothing was traced")
+    assert contents(out) == before
+    assert [path.name for path in out.parent.iterdir() if path.name.startswith("dist")] == ["dist"]
+
+
+def test_a_damaged_store_is_noticed_and_made_again(build, tmp_path):
+    """A flipped byte in a kept picture does not reach the site."""
+    _, _, out = build()
+    before = contents(out)
+    [kept, *_] = sorted((tmp_path / "work").glob("*/picture.png"))
+    data = bytearray(kept.read_bytes())
+    data[len(data) // 2] ^= 1
+    kept.write_bytes(data)
+    _, said, _ = build()
+    assert "1 traced, 1 unchanged" in said
+    assert contents(out) == before
+
+
+def test_the_viewers_data_names_what_the_scene_names(build):
+    """scene.js holds the objects in the scene's order, with their places."""
+    import base64
+    import gzip
+
+    _, _, out = build()
+    script = (out / "scenes" / "01-ball" / "scene.js").read_text()
+    name, payload = json.loads("[" + script.removeprefix("raywalkReceive(").rstrip(");\n") + "]")
+    data = json.loads(gzip.decompress(base64.b64decode(payload)))
+    assert name == "01-ball/scene"
+    assert [obj["name"] for obj in data["objects"]] == ["ball", "floor"]
+    # Column-major: a ball of radius 0.9 at the origin.
+    assert data["objects"][0]["transform"] == [
+        0.9, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 1
+    ]  # fmt: skip
+    assert data["start"] == {"resolution": 7, "pixel": [3, 3]}
