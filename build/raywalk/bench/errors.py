@@ -86,8 +86,12 @@ def facet_normal(corners: np.ndarray) -> tuple:
     return unit((u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]))
 
 
-def errors_of(met: Met, truth: Truth) -> Errors:
-    """Met holds the truth's rays, in its order."""
+def errors_of(met: Met, truth: Truth, either_way: bool = False) -> Errors:
+    """Met holds the truth's rays, in its order.
+
+    either_way: rays aimed at vertices may pass a silhouette's on either side; where another
+    surface was met, the errors leave them out.
+    """
     relative, points, normals, wrong = [], [], [], 0
     for k, true in enumerate(truth.t):
         t = float(met.t[k])
@@ -96,6 +100,8 @@ def errors_of(met: Met, truth: Truth) -> Errors:
         elif true is not None:
             error = float(abs(true - t) / true)
             wrong += error > OTHER
+            if either_way and error > OTHER:
+                continue
             relative.append(error)
             points.append(distance(truth.point[k], met.point[k]))
             normals.append(angle(truth.normal[k], met.normal[k]))
