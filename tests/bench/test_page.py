@@ -38,7 +38,7 @@ def report() -> dict:
     rows = [{"size": 5, "error": 6.0, "off": 0.5}, {"size": 15, "error": 2.0, "off": 0.2}]
     case = Case("subject", "case", "metric", 1.0, 0.5, 10, 7, 3.0, "Embree").as_dict()
     return {
-        "seed": 7, "says": list(says(task)), "tasks": [task], "picture": picture,
+        "seed": 7, "says": list(says([task])), "tasks": [task], "picture": picture,
         "resolution": {"about": "Grids.", "rows": rows}, "cases": [case],
     }  # fmt: skip
 
@@ -81,5 +81,7 @@ def test_being_beaten_is_said() -> None:
     assert beats(better, ours)
     assert not beats(better | {"wrong": 1.0}, ours)
     assert not beats(way("inexact", 50.0, 1e-7), ours)
-    told = " ".join(says({"title": "T", "ways": [ours, better]}))
+    holes = {"title": "H", "ways": [ours, better | {"wrong": 7.0}]}
+    told = " ".join(says([{"title": "T", "ways": [ours, better]}, holes]))
     assert "better is faster than our path" in told
+    assert "7 ppm on h" in told

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -156,26 +157,50 @@ def beats(way: dict[str, Any], ours: dict[str, Any]) -> bool:
     return bool(faster and exact and way["wrong"] <= ours["wrong"])
 
 
-def says(task: dict[str, Any]) -> Iterator[str]:
-    """Sentences on where our path stands, the unwelcome ones too."""
+def says(tasks: list[dict[str, Any]]) -> Iterator[str]:
+    """Sentences on where our path stands, the unwelcome ones first."""
+    winners = set()
+    for task in tasks:
+        ours = next(way for way in task["ways"] if way["ours"])
+        for way in task["ways"]:
+            if not way["ours"] and beats(way, ours):
+                winners.add(way["name"])
+                yield (
+                    f"{task['title']}: {way['name']} is faster than our path "
+                    f"({ours['nanoseconds'] / way['nanoseconds']:.2f} times) and as exact here "
+                    f"(largest error {way['largest']:.1e} against {ours['largest']:.1e})."
+                )
+    yield from where_winners_fail(tasks, winners)
+    where = ", ".join(task["title"].lower() for task in tasks if not any(
+        beats(way, ours) for ours in task["ways"] if ours["ours"] for way in task["ways"]
+    ))  # fmt: skip
+    if where:
+        yield f"Nothing measured is both faster and at least as exact as our path on: {where}."
+    for task in tasks:
+        yield fastest(task)
+
+
+def where_winners_fail(tasks: list[dict[str, Any]], winners: set[str]) -> Iterator[str]:
+    """The wrong hits of those ways on the other rays."""
+    for name in sorted(winners):
+        wrong = [
+            f"{way['wrong']:,.0f} ppm on {task['title'].lower()}"
+            for task in tasks for way in task["ways"]
+            if way["name"] == name and way["wrong"] > 0
+        ]  # fmt: skip
+        if wrong:
+            yield f"The same way, {name}, hits wrongly elsewhere: {', '.join(wrong)}; ours 0."
+
+
+def fastest(task: dict[str, Any]) -> str:
+    """Who is, and what that costs."""
     ours = next(way for way in task["ways"] if way["ours"])
-    beaten = [way for way in task["ways"] if not way["ours"] and beats(way, ours)]
-    for way in beaten:
-        yield (
-            f"{task['title']}: {way['name']} is faster than our path "
-            f"({ours['nanoseconds'] / way['nanoseconds']:.2f} times) and at least as exact "
-            f"(median {way['median']:.1e} against {ours['median']:.1e}, largest "
-            f"{way['largest']:.1e} against {ours['largest']:.1e}, no more wrong hits)."
-        )
-    if not beaten:
-        yield f"{task['title']}: nothing measured is both faster and at least as exact as our path."
-    faster = [way for way in task["ways"] if way["nanoseconds"] < ours["nanoseconds"]]
-    if faster:
-        best = min(faster, key=lambda way: way["nanoseconds"])
-        yield (
-            f"{task['title']}: the fastest is {best['name']}, "
-            f"{ours['nanoseconds'] / best['nanoseconds']:.1f} times as fast as our path; its "
-            f"median error is {best['median'] / ours['median']:.1g} times ours."
-        )
-    else:
-        yield f"{task['title']}: nothing measured is faster than our path."
+    best = min(task["ways"], key=lambda way: way["nanoseconds"])
+    if best["ours"]:
+        return f"{task['title']}: our path is the fastest."
+    powers = math.log10(max(best["median"], ROUNDING) / max(ours["median"], ROUNDING))
+    return (
+        f"{task['title']}: the fastest is {best['name']}, "
+        f"{ours['nanoseconds'] / best['nanoseconds']:.1f} times as fast as our path; its median "
+        f"error is 10^{powers:.0f} times ours, its wrong hits {best['wrong']:,.0f} ppm."
+    )

@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
-WIDTH, HEIGHT = 720, 460
-LEFT, RIGHT, TOP, BOTTOM = 84, 20, 46, 62
+WIDTH, HEIGHT = 720, 440
+LEFT, TOP, BOTTOM = 84, 46, 62
+RIGHT = 20  # of the plot; with a legend beside it:
+LEGEND = 252
 FONT = "font-family='sans-serif'"
 # Shape alone tells them apart; the greys only help.
 MARKERS = ("circle", "square", "triangle", "diamond", "cross", "plus", "star", "ring")
@@ -48,24 +50,48 @@ class Scale:
         return self.start + share * (self.end - self.start)
 
     def ticks(self) -> list[float]:
+        """Powers of ten, thinned out to nine; with 2 and 5 between where there are few."""
         step = max(1, math.ceil((self.high - self.low) / 9))
-        return [10.0**k for k in range(math.ceil(self.low), math.floor(self.high) + 1, step)]
+        factors = (1.0, 2.0, 5.0) if self.high - self.low < 2.0 else (1.0,)
+        values = [
+            factor * 10.0**k
+            for k in range(math.floor(self.low), math.floor(self.high) + 1)
+            for factor in factors
+            if k % step == 0
+        ]
+        return [value for value in values if self.low <= math.log10(value) <= self.high]
 
 
-def scatter(
-    title: str, x_title: str, y_title: str, points: Sequence[Point], lines: bool = False
-) -> str:
-    """Log-log scatter; the front is a stepped line, or all points one line if `lines`."""
+def scatter(title: str, x_title: str, y_title: str, points: Sequence[Point]) -> str:
+    """Log-log scatter of ways with a legend; the front is a stepped line."""
+    x = scale_of([p.x for p in points], LEFT, WIDTH - LEGEND)
+    y = scale_of([p.y for p in points], HEIGHT - BOTTOM, TOP)
+    parts = [frame(title, x_title, y_title, x, y)]
+    chain = sorted((p for p in points if p.front), key=lambda p: p.x)
+    parts.append(chain_of([(x.at(p.x), y.at(p.y)) for p in chain], straight=False))
+    for k, p in enumerate(points):
+        parts.append(marker(p.marker, x.at(p.x), y.at(p.y), p.front))
+        row = TOP + 12 + 24 * k
+        parts.append(marker(p.marker, WIDTH - LEGEND + 22, row, p.front))
+        parts.append(text_at(p.label, WIDTH - LEGEND + 36, row + 4, 11.5))
+    row = TOP + 24 * (len(points) + 1)
+    parts.append(text_at("filled: nothing is better in both", WIDTH - LEGEND + 14, row, 11.5))
+    return svg(title, parts)
+
+
+def line(title: str, x_title: str, y_title: str, points: Sequence[Point]) -> str:
+    """Log-log line through points with their names beside them."""
     x = scale_of([p.x for p in points], LEFT, WIDTH - RIGHT)
     y = scale_of([p.y for p in points], HEIGHT - BOTTOM, TOP)
     parts = [frame(title, x_title, y_title, x, y)]
-    chain = sorted((p for p in points if lines or p.front), key=lambda p: p.x)
-    parts.append(stair([(x.at(p.x), y.at(p.y)) for p in chain], straight=lines))
-    used: list[tuple[float, float]] = []
+    parts.append(chain_of([(x.at(p.x), y.at(p.y)) for p in points], straight=True))
     for p in points:
-        cx, cy = x.at(p.x), y.at(p.y)
-        parts.append(marker(p.marker, cx, cy, p.front))
-        parts.append(label(p.label, cx, cy, used))
+        parts.append(marker(p.marker, x.at(p.x), y.at(p.y), True))
+        parts.append(text_at(p.label, x.at(p.x) + 9, y.at(p.y) - 9, 11.5))
+    return svg(title, parts)
+
+
+def svg(title: str, parts: Sequence[str]) -> str:
     body = "\n".join(parts)
     return (
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {WIDTH} {HEIGHT}' "
@@ -84,7 +110,7 @@ def frame(title: str, x_title: str, y_title: str, x: Scale, y: Scale) -> str:
     """Title, axes, grid lines and tick labels."""
     parts = [
         f"<text x='{LEFT}' y='24' {FONT} font-size='16' font-weight='600'>{escape(title)}</text>",
-        f"<text x='{(LEFT + WIDTH - RIGHT) / 2}' y='{HEIGHT - 14}' {FONT} font-size='13' "
+        f"<text x='{(LEFT + x.end) / 2}' y='{HEIGHT - 14}' {FONT} font-size='13' "
         f"text-anchor='middle'>{escape(x_title)}</text>",
         f"<text transform='translate(18 {(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)' {FONT} "
         f"font-size='13' text-anchor='middle'>{escape(y_title)}</text>",
@@ -95,11 +121,9 @@ def frame(title: str, x_title: str, y_title: str, x: Scale, y: Scale) -> str:
         parts.append(power_of_ten(value, at, HEIGHT - BOTTOM + 18, "middle"))
     for value in y.ticks():
         at = y.at(value)
-        parts.append(rule(LEFT, at, WIDTH - RIGHT, at))
+        parts.append(rule(LEFT, at, x.end, at))
         parts.append(power_of_ten(value, LEFT - 8, at + 4, "end"))
-    parts.append(
-        f"<path d='M{LEFT} {TOP}V{HEIGHT - BOTTOM}H{WIDTH - RIGHT}' fill='none' stroke='#000'/>"
-    )
+    parts.append(f"<path d='M{LEFT} {TOP}V{HEIGHT - BOTTOM}H{x.end}' fill='none' stroke='#000'/>")
     return "\n".join(parts)
 
 
@@ -110,7 +134,7 @@ def rule(x1: float, y1: float, x2: float, y2: float) -> str:
 def power_of_ten(value: float, x: float, y: float, anchor: str) -> str:
     """10 with its exponent raised; small whole numbers as they are."""
     exponent = round(math.log10(value))
-    if -3 <= exponent <= 4:
+    if 1e-3 <= value <= 1e4:
         text = f"{value:g}"
     else:
         text = f"10<tspan dy='-5' font-size='9'>{exponent}</tspan>"
@@ -119,7 +143,7 @@ def power_of_ten(value: float, x: float, y: float, anchor: str) -> str:
     )
 
 
-def stair(chain: list[tuple[float, float]], straight: bool) -> str:
+def chain_of(chain: list[tuple[float, float]], straight: bool) -> str:
     """The line through the points; the front in steps, as nothing lies between two of them."""
     if len(chain) < 2:
         return ""
@@ -153,18 +177,8 @@ def marker(shape: str, x: float, y: float, filled: bool) -> str:
     return f"<path transform='translate({x:.1f} {y:.1f})' d='{outline}' {paint}/>"
 
 
-def label(text: str, x: float, y: float, used: list[tuple[float, float]]) -> str:
-    """Beside its marker, moved down where another label is in the way."""
-    right = x < WIDTH * 0.62
-    at_y = y + 4
-    while any(abs(at_y - other_y) < 13 and abs(x - other_x) < 190 for other_x, other_y in used):
-        at_y += 13
-    used.append((x, at_y))
-    at_x, anchor = (x + 11, "start") if right else (x - 11, "end")
-    return (
-        f"<text x='{at_x:.1f}' y='{at_y:.1f}' {FONT} font-size='11.5' "
-        f"text-anchor='{anchor}'>{escape(text)}</text>"
-    )
+def text_at(text: str, x: float, y: float, size: float) -> str:
+    return f"<text x='{x:.1f}' y='{y:.1f}' {FONT} font-size='{size}'>{escape(text)}</text>"
 
 
 def front_of(times: Sequence[float], errors: Sequence[float]) -> list[bool]:
@@ -209,13 +223,11 @@ def task_plots(task: dict[str, Any]) -> list[Plot]:
 def resolution_plot(resolution: dict[str, Any]) -> Plot:
     """Picture error against resolution."""
     rows = resolution["rows"]
-    points = [
-        Point(row["size"], row["error"], f"{row['size']} x {row['size']}", "circle") for row in rows
-    ]
+    points = [Point(row["size"], row["error"], str(row["size"]), "circle") for row in rows]
     title = "Picture error against resolution"
     return Plot(
         "resolution", title,
-        scatter(title, "pixels a side", "mean error, steps of 8 bits", points, lines=True),
+        line(title, "pixels a side", "mean error, steps of 8 bits", points),
         "Log-log line of mean picture error against pixels a side.",
         ["Pixels a side", "Mean error, steps of 8 bits", "Pixels off by more than half a step"],
         [[str(row["size"]), f"{row['error']:.3f}", f"{100 * row['off']:.1f} %"] for row in rows],

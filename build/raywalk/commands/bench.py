@@ -31,14 +31,14 @@ def run(chosen: Namespace) -> Iterator[str]:
 
     yield f"seed {chosen.seed}"
     side, rounds = (128, 3) if chosen.quick else (bench.SIDE, bench.ROUNDS)
-    measured: dict[str, Any] = {"seed": chosen.seed, "tasks": [], "says": []}
+    measured: dict[str, Any] = {"seed": chosen.seed, "tasks": []}
     cases: list[Case] = []
     for task in bench.tasks(side, rounds, chosen.seed):
         measured["tasks"].append(task)
-        measured["says"] += bench.says(task)
         cases += bench.bounds(task, chosen.seed)
         yield f"{task['title']} (time by {task['floor']})"
         yield from map(bench.as_line, task["ways"])
+    measured["says"] = list(bench.says(measured["tasks"]))
     yield "Whole pictures"
     measured["picture"] = pictures(rounds, chosen.seed, 200 if chosen.quick else 400)
     cases += picture_cases(measured["picture"], chosen.seed)
