@@ -105,9 +105,8 @@ def task(
     rows = []
     for way, (seconds, ratio) in zip(ways, times, strict=True):
         met = way.hits(*rays)
-        errors = errors_of(
-            Met(*(column[chosen] for column in (met.t, met.point, met.normal))), truth
-        )
+        judged = Met(met.t[chosen], met.point[chosen], met.normal[chosen])
+        errors = errors_of(judged, truth, either_way=named.all_hit)
         wrong = per_million(errors.wrong, SAMPLE)
         if named.all_hit:
             wrong = per_million(int(np.isinf(met.t).sum()), len(met.t))
