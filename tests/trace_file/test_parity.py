@@ -59,7 +59,6 @@ def test_both_decoders_give_the_same_bits(tmp_path: Path) -> None:
 
 
 @needs_node
-@pytest.mark.slow
 @pytest.mark.skipif(not BUILT, reason="the site is not built")
 def test_both_decoders_agree_on_every_built_trace() -> None:
     for path in BUILT:

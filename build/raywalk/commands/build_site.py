@@ -17,9 +17,10 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.site.assets import BundleError, write_assets
+from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import Figures, write_pages
 from raywalk.site.publish import staged
-from raywalk.site.scene_data import Display, DisplayMesh, scene_data
+from raywalk.site.scene_data import Display, scene_data
 from raywalk.trace_file.script import write_script
 from raywalk.work.keys import trace_key
 from raywalk.work.pool import cores, run_all

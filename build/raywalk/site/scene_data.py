@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -21,18 +20,9 @@ from raywalk.scene.model import (
 )
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.site.lesson_text import lesson_html
+from raywalk.site.mesh_data import DisplayMesh, mesh_data
 
 Json = dict[str, Any]
-
-
-@dataclass(frozen=True, eq=False)
-class DisplayMesh:
-    """Triangles to rasterise, relative to `centre` in world directions and scale."""
-
-    centre: np.ndarray  # (3,)
-    vertices: np.ndarray  # (v, 3)
-    faces: np.ndarray  # (f, 3)
-    normals: np.ndarray | None  # (v, 3) unit; None if flat
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +53,7 @@ def scene_data(scene: Scene, display: Display) -> Json:
         "bounds": {"center": display.centre.tolist(), "radius": display.radius},
         "materials": [_material(m) for m in scene.materials],
         "objects": [_object(obj, display) for obj in scene.objects],
-        "meshes": {name: _mesh(mesh) for name, mesh in display.meshes.items()},
+        "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
         "lesson": [{"html": lesson_html(step.text), "view": step.view} for step in scene.lesson],
     }
@@ -132,22 +122,3 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = linear, centre
     return [float(value) for value in matrix.T.reshape(-1)]
-
-
-def _mesh(mesh: DisplayMesh) -> Json:
-    """Positions in 16 bits of the mesh's box, normals in 8: below a pixel on any screen."""
-    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-    size = np.where(high > low, high - low, 1.0)
-    steps = np.rint((mesh.vertices - low) / size * 65535).astype("<u2")
-    data: Json = {
-        "box": [low.tolist(), (low + size).tolist()],
-        "positions": _base64(steps),
-        "indices": _base64(mesh.faces.astype("<u4")),
-    }
-    if mesh.normals is not None:
-        data["normals"] = _base64(np.rint(mesh.normals * 127).astype("i1"))
-    return data
-
-
-def _base64(values: np.ndarray) -> str:
-    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")

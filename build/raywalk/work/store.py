@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import shutil
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -50,9 +50,8 @@ class Store:
         place = self.folder / key
         if found := self.find(key):
             return found
-        fresh = self.folder / f"{key}.{os.getpid()}.partial"
-        shutil.rmtree(fresh, ignore_errors=True)
-        fresh.mkdir(parents=True)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        fresh = Path(tempfile.mkdtemp(prefix=f"{key}.", suffix=".partial", dir=self.folder))
         try:
             make(fresh)
             hashes = {path.name: _digest(path) for path in sorted(fresh.iterdir())}
@@ -63,12 +62,13 @@ class Store:
         return Entry(place, was_found=False)
 
     def _keep(self, fresh: Path, place: Path) -> None:
+        if _is_whole(place):
+            return  # another build on the same tree was quicker, and may be reading it
         shutil.rmtree(place, ignore_errors=True)
         try:
             fresh.rename(place)
         except OSError:
-            # Another build on the same tree was quicker with the same work.
-            if not _is_whole(place):
+            if not _is_whole(place):  # unless it came in between these two lines
                 raise
 
 

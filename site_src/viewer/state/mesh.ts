@@ -7,18 +7,51 @@ export interface Mesh {
   indices: Uint32Array;
 }
 
-const bytes = (base64: string): ArrayBuffer => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
+/** Whole numbers from `planes` byte planes, lowest first. */
+function fromPlanes(base64: string, planes: number): Uint32Array {
+  const bytes = atob(base64);
+  const count = bytes.length / planes;
+  const values = new Uint32Array(count);
+  for (let plane = 0; plane < planes; plane++) {
+    for (let k = 0; k < count; k++) values[k] += bytes.charCodeAt(plane * count + k) * 2 ** (8 * plane);
+  }
+  return values;
+}
+
+/** Sums the differences of each axis and puts the axes side by side: xyz xyz ... */
+function summed(base64: string, planes: number): Uint32Array {
+  const steps = fromPlanes(base64, planes);
+  const vertices = steps.length / 3;
+  const range = 2 ** (8 * planes);
+  const rows = new Uint32Array(steps.length);
+  for (let axis = 0; axis < 3; axis++) {
+    let value = 0;
+    for (let k = 0; k < vertices; k++) {
+      value = (value + steps[axis * vertices + k]) % range;
+      rows[3 * k + axis] = value;
+    }
+  }
+  return rows;
+}
+
+function indicesOf(base64: string): Uint32Array {
+  let next = 0;
+  return fromPlanes(base64, 4).map((behind) => (behind === 0 ? next++ : next - behind));
+}
 
 const unpacked = new WeakMap<MeshData, Mesh>();
 
 export function meshOf(data: MeshData): Mesh {
   const known = unpacked.get(data);
   if (known) return known;
-  const steps = new Uint16Array(bytes(data.positions));
   const [low, high] = data.box;
-  const positions = Float32Array.from(steps, (step, k) => low[k % 3] + (step / 65535) * (high[k % 3] - low[k % 3]));
-  const normals = data.normals ? Float32Array.from(new Int8Array(bytes(data.normals)), (v) => v / 127) : null;
-  const mesh = { positions, normals, indices: new Uint32Array(bytes(data.indices)) };
+  const place = (step: number, k: number) => low[k % 3] + (step / 65535) * (high[k % 3] - low[k % 3]);
+  const signed = (byte: number) => (byte > 127 ? byte - 256 : byte) / 127;
+  const mesh = {
+    positions: Float32Array.from(summed(data.positions, 2), place),
+    normals: data.normals ? Float32Array.from(summed(data.normals, 1), signed) : null,
+    indices: indicesOf(data.indices),
+  };
   unpacked.set(data, mesh);
   return mesh;
 }

@@ -74,8 +74,10 @@ export interface ObjectData {
   checker?: { size: number; material: number; axes: readonly [Vec3, Vec3]; origin: Vec3 };
 }
 
-/** Positions: uint16 little-endian, base64, three a vertex, spread over box[0]..box[1].
- *  Normals: int8, three a vertex, / 127 (absent when flat). Indices: uint32 LE. */
+/** Base64 of byte planes: all low bytes, then all next ones. Positions: 2 planes of steps of
+ *  65535 over box[0]..box[1], normals (absent when flat): 1 plane, / 127; both axis by axis,
+ *  each the difference to the vertex before, modulo the planes' range. Indices: 4 planes, how
+ *  far behind the next new vertex; 0 is that new one. */
 export interface MeshData {
   box: readonly [Vec3, Vec3];
   positions: string;

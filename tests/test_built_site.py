@@ -1,0 +1,62 @@
+"""What `make` built into dist/: every scene, every grid, and how much goes over the wire."""
+
+from __future__ import annotations
+
+import gzip
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from raywalk.scene import read_scenes
+from raywalk.trace.tree import Visibility
+from raywalk.trace_file import read_trace
+
+DIST = Path(__file__).parent.parent / "dist"
+SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
+COURSE = SCENES[:7]
+SHOT = (int(Visibility.BLOCKED), int(Visibility.REACHED))
+
+
+def folder(scene):
+    place = DIST / "scenes" / scene.id
+    assert place.is_dir(), f"{scene.id} is not in dist/: run `make` first"
+    return place
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
+def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene):
+    """The invariant the site rests on, over all scenes and levels, to the last bit."""
+    size = scene.render.size
+    picture = np.asarray(Image.open(folder(scene) / "picture.png").convert("RGB"))
+    assert picture.shape == (size, size, 3)
+    for n in scene.render.resolutions:
+        step = size // n
+        centres = picture[step // 2 :: step, step // 2 :: step]
+        tiles = read_trace(folder(scene) / f"{n}.json.gz").tiles.reshape(n, n, 3)
+        np.testing.assert_array_equal(tiles, centres)
+
+
+def test_traces_take_at_most_three_bytes_a_ray_over_all_scenes():
+    """At level 105, gzipped; a ray is a camera, reflected, refracted or shadow ray."""
+    size = rays = 0
+    for scene in SCENES:
+        path = folder(scene) / "105.json.gz"
+        trace = read_trace(path)
+        shadow = int(np.isin(trace.visibility[trace.object >= 0], SHOT).sum())
+        size, rays = size + path.stat().st_size, rays + trace.count + shadow
+    print(f"{size / rays:.2f} bytes a ray over {rays} rays")
+    assert size / rays <= 3.0
+
+
+@pytest.mark.parametrize("scene", COURSE, ids=lambda scene: scene.id)
+def test_the_first_view_of_a_scene_takes_at_most_200_kb_besides_the_picture(scene):
+    """Page, style, viewer, scene data and its first grid, as a host sends them (gzip)."""
+    place = folder(scene)
+    level = scene.lesson[0].view.get("resolution") or 15
+    sent = [place / "index.html", place / "scene.js", place / f"{level}.js"]
+    sent += [*(DIST / "assets").glob("*.js"), *(DIST / "assets").glob("*.css")]
+    size = sum(len(gzip.compress(path.read_bytes(), 6)) for path in sent)
+    print(f"{scene.id}: {size / 1000:.0f} KB")
+    assert size <= 200_000
