@@ -30,6 +30,8 @@ serve: site ## serve dist/ at http://127.0.0.1:8000/
 
 clean: ## remove what was built; keeps installed packages
 	rm -rf dist dist.partial dist.old .work test-output
+	@# compiled kernels too: each state of their sources has left a folder
+	find build tests -name __pycache__ -prune -exec rm -rf {} +
 
 distclean: clean ## remove installed packages too
 	rm -rf .venv node_modules

@@ -73,8 +73,6 @@ def test_shares_that_add_up_to_exactly_one_are_allowed(scene_from):
 
 def test_an_own_material_hides_a_built_in_of_its_name_and_may_build_on_it(scene_from):
     """An author who writes [materials.glass] means theirs; like = "glass" in it is the built-in."""
-    scene = scene_from(
-        '[materials.glass]\nlike = "glass"\nior = 1.7\n' + SPHERE.format('"glass"')
-    )
+    scene = scene_from('[materials.glass]\nlike = "glass"\nior = 1.7\n' + SPHERE.format('"glass"'))
     material = material_of(scene)
     assert (material.ior, material.transmit, material.fresnel) == (1.7, 1, True)

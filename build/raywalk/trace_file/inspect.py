@@ -118,7 +118,7 @@ def _light_line(light: dict[str, Any]) -> str:
         "untested": "lit without a shadow ray",
     }[light["visibility"]]
     return (
-        f"  light {light['name']}: {state}, "
+        f"  {light['name']}: {state}, "
         f"diffuse {light['diffuse']:.3f}, specular {light['specular']:.3f}"
     )
 
