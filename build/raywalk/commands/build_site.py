@@ -17,8 +17,9 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.site.assets import BundleError, write_assets
+from raywalk.site.figures import scene_figures
 from raywalk.site.mesh_data import DisplayMesh
-from raywalk.site.pages import Figures, write_pages
+from raywalk.site.pages import write_pages
 from raywalk.site.publish import staged
 from raywalk.site.scene_data import Display, scene_data
 from raywalk.trace_file.script import write_script
@@ -60,7 +61,7 @@ def run(chosen: Namespace) -> Iterator[str]:
             raise SourceErrors([SourceError(SITE_SOURCE, "", str(problem))]) from None
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, scene, entries[scene.id])
-        figures = {scene.id: figures_of(scene, entries[scene.id]) for scene in scenes}
+        figures = {scene.id: scene_figures(scene, facts_of(entries[scene.id])) for scene in scenes}
         write_pages(out, SITE_SOURCE / "templates", scenes, figures, assets)
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     yield (
@@ -106,19 +107,7 @@ def read_display(scene: Scene, path: Path) -> Display:
     return Display(arrays["centre"], float(arrays["radius"]), meshes)
 
 
-def figures_of(scene: Scene, entry: Entry) -> Figures:
-    """The numbers on a scene's page."""
-    facts = json.loads((entry.folder / "facts.json").read_text(encoding="utf-8"))
-    size, levels = scene.render.size, sorted(scene.render.resolutions)
-    kept = sum(facts[kind] for kind in ("camera", "secondary", "shadow"))
-    return [
-        ("Picture", f"{size} × {size} pixels, one camera ray each"),
-        (
-            "Frustum grids",
-            f"{len(levels)}, from {levels[0]} × {levels[0]} to {levels[-1]} × {levels[-1]}",
-        ),
-        ("Rays to walk", f"{kept:,}"),
-        ("of these shadow rays", f"{facts['shadow']:,}"),
-        ("Most bounces on one path", f"{facts['deepest']}"),
-        ("Objects and lights", f"{len(scene.objects)} and {len(scene.lights)}"),
-    ]
+def facts_of(entry: Entry) -> dict[str, Any]:
+    """What the trace stage counted."""
+    facts: dict[str, Any] = json.loads((entry.folder / "facts.json").read_text(encoding="utf-8"))
+    return facts

@@ -9,9 +9,9 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
 
 from raywalk.scene.model import Scene
+from raywalk.site.figures import Figures, has_glass
 from raywalk.site.lesson_text import lesson_html
 
-Figures = list[tuple[str, str]]  # label, value
 Assets = dict[str, str]  # viewer_js and style_css, relative to the site's root
 
 
@@ -33,7 +33,7 @@ def write_pages(
     _write(out / "index.html", environment, "gallery.html", root="", **shared)
     _write(
         out / "model" / "index.html", environment, "model.html", root="../", **shared,
-        glass_scenes=[_glass(scene) for scene in scenes if _has_glass(scene)],
+        glass_scenes=[_glass(scene) for scene in scenes if has_glass(scene)],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     for scene in scenes:
@@ -56,10 +56,6 @@ def _card(scene: Scene) -> dict[str, str]:
         "url": f"scenes/{scene.id}/index.html",
         "thumb": f"scenes/{scene.id}/thumb.png",
     }
-
-
-def _has_glass(scene: Scene) -> bool:
-    return any(scene.materials[obj.material].transmit > 0 for obj in scene.objects)
 
 
 def _glass(scene: Scene) -> dict[str, str]:
