@@ -273,7 +273,7 @@ def _with_peers(ways: list[Way], peers: dict[str, Any]) -> tuple[list[Way], list
     for name, make in peers.items():
         try:
             way = make()
-        except ImportError:
+        except (ImportError, RuntimeError):  # Mitsuba is there, but its LLVM is not
             missing.append(name)
             continue
         way.name = name
