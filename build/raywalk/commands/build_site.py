@@ -50,7 +50,9 @@ def run(chosen: Namespace) -> Iterator[str]:
     if missing:
         yield f"tracing {len(missing)} of {len(scenes)} scenes on {cores()} cores"
     work = partial(trace_into, store, keys)
-    for number, (scene, seconds) in enumerate(run_all(work, sorted(missing, key=guessed_cost)), start=1):
+    for number, (scene, seconds) in enumerate(
+        run_all(work, sorted(missing, key=guessed_cost)), start=1
+    ):
         yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
     entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
     with staged(chosen.out) as out:
