@@ -11,10 +11,21 @@ from typing import Any
 WIDTH, HEIGHT = 720, 440
 LEFT, TOP, BOTTOM = 84, 46, 62
 RIGHT = 20  # of the plot; with a legend beside it:
-LEGEND = 252
+LEGEND = 290
 FONT = "font-family='sans-serif'"
 # Shape alone tells them apart; the greys only help.
-MARKERS = ("circle", "square", "triangle", "diamond", "cross", "plus", "star", "ring")
+MARKERS = (
+    "circle",
+    "square",
+    "triangle",
+    "diamond",
+    "cross",
+    "plus",
+    "star",
+    "ring",
+    "wedge",
+    "bow",
+)
 
 
 @dataclass(frozen=True)
@@ -75,7 +86,9 @@ def scatter(title: str, x_title: str, y_title: str, points: Sequence[Point]) -> 
         parts.append(marker(p.marker, WIDTH - LEGEND + 22, row, p.front))
         parts.append(text_at(p.label, WIDTH - LEGEND + 36, row + 4, 11.5))
     row = TOP + 24 * (len(points) + 1)
-    parts.append(text_at("filled: nothing is better in both", WIDTH - LEGEND + 14, row, 11.5))
+    parts.append(
+        text_at("filled or bold: nothing is better in both", WIDTH - LEGEND + 14, row, 11.5)
+    )
     return svg(title, parts)
 
 
@@ -157,7 +170,8 @@ def chain_of(chain: list[tuple[float, float]], straight: bool) -> str:
 def marker(shape: str, x: float, y: float, filled: bool) -> str:
     """One marker; filled on the front."""
     fill = "#000" if filled else "#fff"
-    paint = f"fill='{fill}' stroke='#000' stroke-width='1.5'"
+    width = 3.0 if filled and shape in ("cross", "plus", "star") else 1.5  # they have no inside
+    paint = f"fill='{fill}' stroke='#000' stroke-width='{width}'"
     match shape:
         case "circle":
             return f"<circle cx='{x:.1f}' cy='{y:.1f}' r='6' {paint}/>"
@@ -172,6 +186,8 @@ def marker(shape: str, x: float, y: float, filled: bool) -> str:
         "diamond": "M0-7.5l7.5 7.5l-7.5 7.5l-7.5-7.5z",
         "cross": "M-5-5l10 10M-5 5l10-10",
         "plus": "M-7 0h14M0-7v14",
+        "wedge": "M0 7l7-12h-14z",
+        "bow": "M-6-6v12l12-12v12z",
         "star": "M-6 0h12M-3-5.2l6 10.4M3-5.2l-6 10.4",
     }[shape]
     return f"<path transform='translate({x:.1f} {y:.1f})' d='{outline}' {paint}/>"
