@@ -8,7 +8,7 @@ NODE_READY := node_modules/.ready
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site test check serve clean distclean help
+.PHONY: all site test check serve bench stress clean distclean help
 .DEFAULT_GOAL := all
 
 all: site
@@ -27,6 +27,12 @@ check: $(PYTHON_READY) ## validate the scenes without tracing them
 
 serve: site ## serve dist/ at http://127.0.0.1:8000/
 	@$(PYTHON) -m raywalk serve
+
+bench: site $(TEST_READY) ## measure run time against error, beside peers (about 5 minutes)
+	@$(PYTHON) -m raywalk bench
+
+stress: site $(TEST_READY) ## the tracer's hardest cases against their bounds (about 10 minutes)
+	@$(PYTHON) -m raywalk stress
 
 clean: ## remove what was built; keeps installed packages
 	rm -rf dist dist.partial dist.old .work test-output

@@ -6,7 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from raywalk.commands import build_site, check, inspect, pixel, probe, serve
+from raywalk.bench.cases import BrokenBounds
+from raywalk.commands import bench, build_site, check, inspect, pixel, probe, serve, stress
 from raywalk.errors import SourceErrors
 
 
@@ -16,7 +17,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         for line in chosen.run(chosen):
             print(line, flush=True)
-    except SourceErrors as problems:
+    except (SourceErrors, BrokenBounds) as problems:
         print(problems, file=sys.stderr)
         return 1
     except BrokenPipeError:
@@ -30,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="raywalk", description="Walk every ray.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for module in (build_site, check, inspect, probe, pixel, serve):
+    for module in (build_site, check, inspect, probe, pixel, serve, bench, stress):
         module.add_to(commands)
     for command in commands.choices.values():
         command.add_argument(

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
@@ -63,6 +64,7 @@ def run(chosen: Namespace) -> Iterator[str]:
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, scene, entries[scene.id])
         figures = {scene.id: scene_figures(scene, facts_of(entries[scene.id])) for scene in scenes}
+        publish_reports(out, SITE_SOURCE / "templates", assets, scenes, chosen.work)
         write_pages(out, SITE_SOURCE / "templates", scenes, figures, assets)
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     yield (
