@@ -9,9 +9,13 @@ export interface KeyActs {
   sceneKey: (key: string) => void;
   scene: (by: 1 | -1) => void;
   camera: () => void;
+  play: () => void;
+  event: (by: 1 | -1) => void;
+  endEvents: () => void;
 }
 
-const TYPING = "input, textarea, select, [contenteditable]:not([contenteditable=false])";
+const SLIDER = "input[type=range]";
+const TYPING = "input:not([type=range]), textarea, select, [contenteditable]:not([contenteditable=false])";
 const PRESSABLE = "button, a[href], summary";
 
 export function listenToKeys(acts: KeyActs) {
@@ -30,6 +34,10 @@ export function listenToKeys(acts: KeyActs) {
     PageUp: () => acts.scene(-1),
     PageDown: () => acts.scene(1),
     r: acts.camera,
+    p: acts.play,
+    ",": () => acts.event(-1),
+    ".": () => acts.event(1),
+    Escape: acts.endEvents,
   };
 
   function press(event: KeyboardEvent) {
@@ -37,9 +45,10 @@ export function listenToKeys(acts: KeyActs) {
     const target = event.target instanceof Element ? event.target : null;
     if (target?.closest(TYPING)) return;
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button
+    if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const act = /^\d$/.test(key) ? () => acts.sceneKey(key) : table[key];
-    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahv\d]$/.test(key)))) return;
+    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvp\d]$/.test(key)))) return;
     event.preventDefault();
     act();
   }

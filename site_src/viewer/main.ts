@@ -1,5 +1,6 @@
 /** The viewer: one state, one render. Reads as the table of contents of what a person can do. */
-import { createLoader, LoadError } from "./load";
+import { giveKeysBack, listenToLinks } from "./links";
+import { createLoader } from "./load";
 import { listenToKeys } from "./keys";
 import { contrastWith } from "./palette";
 import { createCard, type CardLine } from "./panels/card";
@@ -10,14 +11,18 @@ import { createLesson } from "./panels/lesson";
 import { createNotice } from "./panels/notice";
 import { createPage } from "./panels/page";
 import { createPicture } from "./panels/picture";
+import { createPlayer } from "./panels/player";
 import { createViewPad } from "./panels/view-pad";
 import { createStage } from "./stage/stage";
 import { followAddress, readAddress, writeAddress } from "./state/address";
 import { createBeat } from "./beat";
 import { createShown } from "./state/shown";
+import * as player from "./state/play";
+import type { Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
 import type { ViewState } from "./state/view-state";
 import type { SceneData, Trace } from "./trace/types";
+import { troubleOfScene, troubleOfTrace } from "./trouble";
 import { TROUBLE } from "./words";
 
 const ADDRESS_AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
@@ -43,7 +48,8 @@ function start() {
   let scene: SceneData | null = null;
   let trace: Trace | null = null;
   let missing = false;
-  let lit: CardLine | null = null;
+  let lit: CardLine | null = null; // what the pointer is on
+  let held = false; // by a test: time moves only when it says so
   let asked = 0; // the newest request for a scene or a trace; older ones that arrive late are dropped
   let addressTimer = 0;
   let simpler = ""; // why the stage is drawn without WebGL, once it is
@@ -59,6 +65,14 @@ function start() {
     else changed();
   };
   const doing = (act: (now: ViewState, scene: SceneData) => ViewState) => state && scene && set(act(state, scene));
+  /** Of the selected pixel; null until its rays are here. */
+  const timeline = () => (state && scene ? shown.of(state, scene, current()).timeline : null);
+  const telling = (act: (now: ViewState, told: Timeline) => ViewState) => {
+    const told = timeline();
+    if (state && told) set(act(state, told));
+  };
+  /** The event the player is at. */
+  const told = () => (state && state.event !== null ? (timeline()?.events[state.event] ?? null) : null);
   const acts = {
     render: () => doing((now) => (current() ? change.pressRender(now) : now)),
     speed: () => doing((now) => ({ ...now, speed: change.nextSpeed(now.speed) })),
@@ -69,10 +83,13 @@ function start() {
       doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
     observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
     step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
+    play: () => telling(player.pressPlay),
+    event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
+    time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
+    endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
     light(line: CardLine | null) {
       if (line?.ray === lit?.ray && line?.light === lit?.light) return;
       lit = line;
-      card.light(line);
       beat.draw();
     },
     scene(by: 1 | -1) {
@@ -99,6 +116,7 @@ function start() {
       },
     },
     first.gl,
+    () => document.querySelector(".view-pad"),
   );
   const pad = createViewPad({
     turn: stage.turn,
@@ -112,43 +130,39 @@ function start() {
   const controls = createControls(acts);
   const legend = createLegend();
   const lesson = createLesson({ step: acts.step });
+  const steps = createPlayer(acts);
   find("#viewer").append(
     element(
       "div",
       "work",
       element("section", "stage", stage.element, legend.element, pad.element),
       lesson.element,
-      element("div", "player"), // kept for the step-by-step player
+      steps.element,
       controls.element,
     ),
     element("div", "side", picture.element, card.element),
   );
   listenToKeys({ ...acts, camera: () => acts.observer("camera") });
-  // A button pressed by mouse gives the keys back; one pressed by keyboard keeps the focus.
-  body.addEventListener("click", (event) => {
-    const pressed = event.target instanceof Element ? event.target.closest<HTMLElement>("#viewer button") : null;
-    if (pressed && event.detail > 0) pressed.blur();
-  });
-  for (const link of document.querySelectorAll<HTMLAnchorElement>("nav.scenes a"))
-    link.addEventListener("click", (event) => {
-      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button !== 0) return;
-      event.preventDefault();
-      if (link.dataset.scene) openScene(link.dataset.scene);
-      else acts.scene(link.rel === "prev" ? -1 : 1);
-      if (event.detail > 0) link.blur();
-    });
+  giveKeysBack(body);
+  listenToLinks(document.querySelectorAll<HTMLAnchorElement>("nav.scenes a"), { open: openScene, turn: acts.scene });
 
   // ---- time ----
   const beat = createBeat({
     draw: render,
-    runs: () => state?.tiles === "filling",
-    step(seconds) {
-      if (state) state = change.advance(state, seconds);
-      if (state?.tiles === "filled") changed();
-    },
+    runs: () => !held && (state?.tiles === "filling" || state?.playing === true),
+    step: pass,
     blinks: () => !!state && !state.still && !reducedMotion.matches && drawn.lines < BLINK_UP_TO,
   });
   reducedMotion.addEventListener("change", () => beat.draw());
+
+  function pass(seconds: number) {
+    if (!state) return;
+    const before = state;
+    const of = timeline();
+    state = change.advance(state, seconds);
+    if (of) state = player.advancePlay(state, of, seconds);
+    if (state.tiles !== before.tiles || state.event !== before.event || state.playing !== before.playing) changed();
+  }
 
   /** The state has changed: draw it soon, write it into the address when it rests. */
   function changed() {
@@ -213,6 +227,11 @@ function start() {
     if (simpler) notice.say(simpler);
     body.classList.add("live");
     await loadTrace();
+    const of = timeline();
+    if (of && state?.event && state.event >= of.events.length) {
+      followed.damaged.push("e");
+      set({ ...state, ...player.NOT_TOLD });
+    }
     if (followed.damaged.length) notice.say(TROUBLE.address(followed.damaged));
   }
 
@@ -257,12 +276,15 @@ function start() {
     const trace = current();
     const view = shown.of(state, scene, trace);
     const ring = beat.isDark() ? null : contrastWith(view.ringOn);
-    stage.show({ ...view, scene, trace, state, lit, ring });
-    legend.show(view.kinds);
+    const event = told();
+    stage.show({ ...view, scene, trace, state, lit: lit ?? event, ring });
+    legend.show(view.kinds, view.left);
     picture.show(state, scene, trace);
     card.show(state, scene, trace, missing);
+    card.light(lit ?? event, !lit);
     controls.show(state, scene);
-    lesson.show(state, scene);
+    lesson.show(state, scene, event);
+    steps.show(state, view.timeline);
     page.show(scene, trace);
     drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
   }
@@ -279,28 +301,26 @@ function start() {
         return ready;
       },
       stats: () => {
-        const { tiles, chosen, thin, kinds } = state && scene ? shown.of(state, scene, current()) : NOTHING;
-        const counts = { tilesShown: tiles, chosen: chosen.length, thin: thin.length, kinds: [...kinds] };
-        return { ...stage.stats(), ...counts, shown: drawn, renders, lit, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
+        const view = state && scene ? shown.of(state, scene, current()) : null;
+        const { growing, grown, left, timeline } = view ?? { growing: null, grown: 1, left: 0, timeline: null };
+        const counts = { tilesShown: view?.tiles ?? 0, chosen: view?.chosen.length ?? 0, thin: view?.thin.length ?? 0, left, kinds: [...(view?.kinds ?? [])] };
+        const bright = lit ?? told();
+        const now = { growing, grown, events: timeline?.events ?? [], lines: view?.chosen ?? [], lit: bright && { ray: bright.ray, light: bright.light } };
+        return { ...stage.stats(), ...counts, ...now, shown: drawn, renders, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
       },
       lesson: () => scene?.lesson.map((step) => step.view) ?? [],
       loseContext: stage.loseContext,
+      /** Time stands still from now on, and moves by so many seconds when asked to. */
+      hold: () => void (held = true),
+      advance(seconds: number) {
+        pass(seconds);
+        render();
+      },
     };
     Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });
   }
 }
 
-const NOTHING = { tiles: 0, chosen: [], thin: [], kinds: [] };
 const TROUBLE_OF_TRACE = new Set<string>();
-
-function troubleOfTrace(error: unknown, n: number): string {
-  if (error instanceof LoadError && error.why === "old browser") return TROUBLE.noUnpacking;
-  return error instanceof LoadError && error.why === "missing" ? TROUBLE.traceMissing(n) : TROUBLE.traceDamaged(n);
-}
-
-function troubleOfScene(error: unknown): string {
-  if (error instanceof LoadError && error.why === "old browser") return TROUBLE.noUnpacking;
-  return error instanceof LoadError && error.why === "missing" ? TROUBLE.sceneMissing : TROUBLE.sceneDamaged;
-}
 
 start();

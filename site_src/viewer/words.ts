@@ -18,6 +18,11 @@ export const LINE_WORDS: Readonly<Record<LineKind, string>> = {
   blocked: "blocked",
 };
 
+/** Whole numbers as people write them: 11 025. */
+export const grouped = (value: number): string => String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+
+export const LEFT_OUT = (left: number): string => `Of so many rays the ${grouped(left)} shadow rays are not drawn.`;
+
 /** The first word of a card's line. */
 export const KIND_WORDS: Readonly<Record<string, string>> = {
   camera: "camera",
@@ -37,7 +42,6 @@ export const CONTROL_WORDS = {
   render: { empty: "Render", filling: "Finish", filled: "Empty" },
   renderHelp: "Fill the tiles in scan order while rays shoot; again: skip to the end; again: empty (Space)",
   speed: (speed: number) => `${({ 0.25: "\u00bc", 0.5: "\u00bd" } as Record<number, string>)[speed] ?? speed}\u00d7`,
-  speedHelp: "Speed of rendering",
   rays: "Rays",
   choices: {
     pixel: ["Pixel", "", "Rays of the selected pixel"],
@@ -93,6 +97,9 @@ export const CARD_WORDS = {
   awayLine: (light: string) => ["no shadow ray", ` to ${light}: the surface `],
   t: (t: number) => `t ${number(t)}`,
   brings: "brings back",
+  normal: (v: Vec3) => `normal ${vector(v)}`,
+  light: (diffuse: number, specular: number) => `diffuse ${number(diffuse)} \u00b7 specular ${number(specular)}`,
+  unasked: "counts as seen",
   share: (weight: number) => `${Math.round(weight * 1000) / 10} % of the ray above`,
   meets: "meets",
   nearest: "nearest",

@@ -33,7 +33,7 @@ test("a moved observer comes back where it was", async () => {
   for (const [k, value] of (await stats(page)).eye.entries()) assert.ok(Math.abs(value - eye[k]) < 1e-3);
 });
 
-for (const damaged of ["n=16", "p=99,2", "rays=diagonal", "cam=1,2", "tiles=half", "step=999", "colour=red", "n=&p=%%%"])
+for (const damaged of ["n=16", "p=99,2", "rays=diagonal", "cam=1,2", "tiles=half", "step=999", "e=0", "e=999", "colour=red", "n=&p=%%%"])
   test(`a damaged link (#${damaged}) shows the scene's start and says so`, async () => {
     await follow(page, damaged);
     await until(page, (s, t) => t.tiles.length > 0);

@@ -43,6 +43,7 @@ test("any state comes back from its address (500 states, seed 7)", () => {
       tiles: next() < 0.5 ? "empty" : "filled",
       observer: next() < 0.3 ? "start" : next() < 0.5 ? "camera" : { eye: [1, 2, Math.round(next() * 100)], target: [0, 0.5, -1] },
       step: next() < 0.5 ? null : 0,
+      event: next() < 0.5 ? null : Math.floor(next() * 30),
       speed: next() < 0.5 ? 1 : 4,
     };
     const { fields } = readAddress(`#${writeAddress(state, scene, false)}`, "");

@@ -14,6 +14,8 @@ export interface CardLine {
 const MOST_ROWS = 160; // of a tree: more is no longer read
 const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for words
 
+const isHit = (trace: Trace, ray: number) => trace.object[ray] >= 0;
+
 const bold = (text: string) => element("b", "", text);
 
 export function createCard(acts: { move: (right: number, down: number) => void; light: (line: CardLine | null) => void }) {
@@ -34,6 +36,7 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
   const list = element("ul", "rays");
   const root = element("section", "card", head, list);
   root.setAttribute("aria-label", WORDS.region);
+  let bright: { line: CardLine | null; list: Element | null } = { line: null, list: null };
   let shown: { trace: Trace | null; pixel: number; missing: boolean } = { trace: null, pixel: -1, missing: false };
 
   function row(kind: LineKind, depth: number, line: CardLine, ...content: (Node | string)[]) {
@@ -74,8 +77,10 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     const brings = element("span", "brings numbers", swatch(hexOf(colour)), colour.map(number).join(", "));
     brings.title = WORDS.brings;
     if (trace.parent[ray] >= 0) brings.append(` \u00b7 ${WORDS.share(trace.weight[ray])}`);
-    const where = object ? element("span", "where numbers", WORDS.t(trace.t[ray]), "\u2003", vector(triple(trace.point, ray))) : "";
-    return row(kind, trace.depth[ray], { ray, light: -1 }, first, where, brings, ...meets(trace, scene, ray));
+    const where = isHit(trace, ray)
+      ? [element("span", "where numbers", WORDS.t(trace.t[ray]), "\u2003", vector(triple(trace.point, ray))), element("span", "where numbers", WORDS.normal(triple(trace.normal, ray)))]
+      : [];
+    return row(kind, trace.depth[ray], { ray, light: -1 }, first, ...where, brings, ...meets(trace, scene, ray));
   }
 
   function shadowRow(trace: Trace, scene: SceneData, ray: number, light: number): HTMLElement | null {
@@ -83,17 +88,20 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     const seen = trace.visibility[at];
     const name = scene.lights[light].name;
     const depth = trace.depth[ray] + 1;
-    if (seen === VISIBILITY.untested || !scene.shadows) return null; // nobody asked whether the light is seen
-    if (seen === VISIBILITY.behind) {
+    if (!isHit(trace, ray) || trace.localWeight[ray] === 0) return null; // a mirror has no colour of its own: no light is asked
+    const gives = element("span", "where numbers", WORDS.light(trace.diffuse[at], trace.specular[at]));
+    if (seen === VISIBILITY.behind || seen === VISIBILITY.untested) {
+      const isBehind = seen === VISIBILITY.behind;
       const [a, b] = WORDS.awayLine(name);
-      const item = element("li", "ray away", element("span", "says", a, b, bold(WORDS.away)));
-      item.dataset.depth = String(Math.min(depth, DEEPEST));
+      const says = isBehind ? element("span", "says", a, b, bold(WORDS.away)) : element("span", "says", bold(name), ` ${WORDS.unasked}`);
+      const item = element("li", "ray away", says, ...(isBehind ? [] : [gives]));
+      Object.assign(item.dataset, { depth: String(Math.min(depth, DEEPEST)), ray: String(ray), light: String(light) });
       return item;
     }
     const [a, b] = WORDS.shadow(name);
     const arrives = seen === VISIBILITY.reached;
     const end = arrives ? WORDS.arrives : WORDS.blockedBy(scene.objects[trace.blocker[at]]?.name ?? "?");
-    return row(arrives ? "reached" : "blocked", depth, { ray, light }, element("span", "says", bold(a), b, bold(end)));
+    return row(arrives ? "reached" : "blocked", depth, { ray, light }, element("span", "says", bold(a), b, bold(end)), ...(arrives ? [gives] : []));
   }
 
   function rows(trace: Trace, scene: SceneData, index: number): HTMLElement[] {
@@ -103,6 +111,13 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
       ...Array.from({ length: trace.lights }, (_, light) => shadowRow(trace, scene, ray, light)).filter((each) => each !== null),
     ]);
     return tree.length > MOST_ROWS ? [...made, element("li", "note", WORDS.more(tree.length - MOST_ROWS))] : made;
+  }
+
+  /** Scrolls the list alone: the page stays where it is. */
+  function showRow(row: HTMLElement) {
+    const [of, at] = [list.getBoundingClientRect(), row.getBoundingClientRect()];
+    if (at.top < of.top) list.scrollTop += at.top - of.top;
+    else if (at.bottom > of.bottom) list.scrollTop += Math.min(at.bottom - of.bottom, at.top - of.top);
   }
 
   return {
@@ -125,10 +140,15 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
       list.replaceChildren(...rows(trace, scene, index));
       list.scrollTop = 0;
     },
-    /** Marks the line of the ray that is lit up on the stage. */
-    light(line: CardLine | null) {
-      for (const each of list.querySelectorAll<HTMLElement>("li.ray"))
-        each.classList.toggle("lit", !!line && each.dataset.ray === String(line.ray) && each.dataset.light === String(line.light));
+    /** Marks the line of the ray that is lit up on the stage; follow: and brings it into sight. */
+    light(line: CardLine | null, follow: boolean) {
+      if (bright.line === line && bright.list === list.firstElementChild) return;
+      bright = { line, list: list.firstElementChild };
+      for (const each of list.querySelectorAll<HTMLElement>("li.ray")) {
+        const isLit = !!line && each.dataset.ray === String(line.ray) && each.dataset.light === String(line.light);
+        each.classList.toggle("lit", isLit);
+        if (isLit && follow) showRow(each);
+      }
     },
     dispose: () => root.remove(),
   };

@@ -6,14 +6,12 @@ import { button, element, pressed, setWord } from "./element";
 
 export interface ControlActs {
   render: () => void;
-  speed: () => void;
   rays: (choice: RayChoice) => void;
   level: (by: 1 | -1) => void;
 }
 
 export function createControls(acts: ControlActs) {
   const render = button(WORDS.render.empty, WORDS.renderHelp, acts.render, { key: "Space", className: "render" });
-  const speed = button(WORDS.speed(1), WORDS.speedHelp, acts.speed, { className: "speed" });
   const choices = new Map(
     RAY_CHOICES.map((choice) => {
       const [word, key, help] = WORDS.choices[choice];
@@ -34,7 +32,7 @@ export function createControls(acts: ControlActs) {
   const root = element(
     "div",
     "controls",
-    element("div", "group", render, speed),
+    element("div", "group", render),
     group(WORDS.rays, "choices", ...choices.values()),
     group(WORDS.grid, "levels", coarser, size, finer),
   );
@@ -42,7 +40,6 @@ export function createControls(acts: ControlActs) {
     element: root,
     show(state: ViewState, scene: SceneData) {
       setWord(render, WORDS.render[state.tiles]);
-      setWord(speed, WORDS.speed(state.speed));
       for (const [choice, each] of choices) pressed(each, state.rays.includes(choice));
       size.textContent = WORDS.gridSize(state.n);
       // Not `disabled`: the focus would fall off the button under a keyboard user's finger.

@@ -1,7 +1,7 @@
 /** What the colours and dashes of the lines on the stage mean: only the kinds that are there. */
 import { LINES } from "../palette";
 import { LINE_KINDS, type LineKind } from "../state/lines";
-import { LINE_WORDS } from "../words";
+import { LEFT_OUT, LINE_WORDS } from "../words";
 import { element } from "./element";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -31,9 +31,14 @@ export function createLegend() {
     root.append(item);
     return { kind, item };
   });
+  const note = element("li", "left-out numbers");
+  root.append(note);
   return {
     element: root,
-    show(kinds: ReadonlySet<LineKind>) {
+    /** left: shadow rays that are not drawn. */
+    show(kinds: ReadonlySet<LineKind>, left: number) {
+      note.hidden = left === 0;
+      if (left) note.textContent = LEFT_OUT(left);
       for (const { kind, item } of items) item.hidden = !kinds.has(kind);
     },
     dispose: () => root.remove(),

@@ -1,12 +1,20 @@
-/** The sentence under the stage: what the scene teaches, or the lesson's current step. */
+/** The sentence under the stage: what the scene teaches, the lesson's current step, or what the player tells. */
+import type { RayEvent } from "../state/events";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
+import { tell } from "../event-words";
 import { LESSON_WORDS as WORDS } from "../words";
 import { button, element } from "./element";
 
+/** One event's sentence and its numbers. */
+function telling(event: RayEvent): HTMLElement[] {
+  const { says, numbers } = tell(event);
+  const phrases = says.map((phrase) => (typeof phrase === "string" ? phrase : element("b", phrase[1] && `kind ${phrase[1]}`, phrase[0])));
+  return [element("p", "event-says", ...phrases), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
+}
+
 export function createLesson(acts: { step: (step: number | null) => void }) {
   const text = element("div", "lesson-text");
-  text.setAttribute("aria-live", "polite");
   const place = element("span", "lesson-place numbers");
   const previous = button("\u2039", WORDS.previous, () => go(-1), { className: "sign" });
   const next = button("\u203a", WORDS.next, () => go(1), { className: "sign" });
@@ -16,7 +24,7 @@ export function createLesson(acts: { step: (step: number | null) => void }) {
   const root = element("section", "lesson", text, element("div", "lesson-buttons", start, steps));
   root.setAttribute("aria-label", WORDS.region);
   let now: { state: ViewState; scene: SceneData } | null = null;
-  let shown = "";
+  let shown: readonly unknown[] = [];
 
   function go(by: number) {
     const step = (now?.state.step ?? 0) + by;
@@ -25,23 +33,27 @@ export function createLesson(acts: { step: (step: number | null) => void }) {
 
   return {
     element: root,
-    show(state: ViewState, scene: SceneData) {
+    /** told: the event the player is at. */
+    show(state: ViewState, scene: SceneData, told: RayEvent | null) {
       now = { state, scene };
       const { step } = state;
       const running = step !== null;
       start.hidden = running || scene.lesson.length === 0;
       steps.hidden = !running;
       root.classList.toggle("running", running);
+      root.classList.toggle("telling", !!told);
+      text.setAttribute("aria-live", state.playing ? "off" : "polite"); // playing, sentences would fall over one another
       if (running) {
         place.textContent = WORDS.place(step, scene.lesson.length);
         previous.setAttribute("aria-disabled", String(step === 0));
         next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1));
       }
-      const key = `${scene.id} ${step}`;
-      if (shown === key) return;
+      const key = [scene.id, step, told];
+      if (key.every((each, k) => each === shown[k])) return;
       shown = key;
       // The pipeline has sanitised a step's HTML.
-      if (running) text.innerHTML = scene.lesson[step].html;
+      if (told) text.replaceChildren(...telling(told));
+      else if (running) text.innerHTML = scene.lesson[step].html;
       else text.replaceChildren(element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
     },

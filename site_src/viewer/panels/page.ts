@@ -2,7 +2,7 @@
  *  without JavaScript and is what gets printed. */
 import type { SceneData, Trace } from "../trace/types";
 import { KIND_NAMES, LINE_KINDS } from "../state/lines";
-import { FIGURE_WORDS as WORDS, LINE_WORDS, PICTURE_WORDS } from "../words";
+import { FIGURE_WORDS as WORDS, grouped, LINE_WORDS, PICTURE_WORDS } from "../words";
 import { element } from "./element";
 
 export interface PageParts {
@@ -11,9 +11,6 @@ export interface PageParts {
   title: HTMLElement;
   links: readonly HTMLAnchorElement[]; // data-scene names each one's scene
 }
-
-/** Whole numbers as people write them: 11 025. */
-const count = (value: number) => String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
 function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const figures: [string, string][] = [
@@ -25,7 +22,7 @@ function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   if (!trace) return figures;
   const of = (kind: string) => trace.kind.reduce((sum, k) => sum + (KIND_NAMES[k] === kind ? 1 : 0), 0);
   const kinds = LINE_KINDS.slice(0, 4).map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
-  return [...figures, [WORDS.rays(trace.n), kinds.map(([kind, rays]) => `${count(rays)} ${LINE_WORDS[kind]}`).join(", ")]];
+  return [...figures, [WORDS.rays(trace.n), kinds.map(([kind, rays]) => `${grouped(rays)} ${LINE_WORDS[kind]}`).join(", ")]];
 }
 
 export function createPage({ root, article, title, links }: PageParts) {

@@ -162,7 +162,7 @@ export function createFlatRenderer(): StageRenderer {
       }
       const chosen = new Set(view.chosen);
       for (const line of [...view.thin, ...view.chosen])
-        if (line.light < 0 && !line.leaves) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);
+        if (line.light < 0 && !line.leaves && !line.growing) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);
       for (const light of view.scene.lights) drawDot(brush, projection, light.position, 8, STAGE.lamp);
       if (length(sub(observer.eye, eye)) > near) drawDot(brush, projection, eye, 7, STAGE.camera);
     },

@@ -7,7 +7,7 @@ export interface Label {
   kind: "sign" | "hit"; // hit: coordinates, in figures of equal width
 }
 
-interface Box {
+export interface Box {
   left: number;
   top: number;
   right: number;

@@ -6,7 +6,7 @@ import { along, length, sub, triple } from "../state/vectors";
 import { STAGE_WORDS } from "../words";
 import { createFlatRenderer } from "./flat";
 import { listenToGestures } from "./gestures";
-import { createLabels, type Label } from "./labels";
+import { createLabels, type Box, type Label } from "./labels";
 import type { LitLine } from "./line-set";
 import type { StageRenderer, StageView } from "./renderer";
 import { createWebglRenderer } from "./webgl";
@@ -22,7 +22,8 @@ export interface StageActs {
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const NEAR_A_LINE = 9; // pixels
 
-export function createStage(acts: StageActs, withGl: boolean) {
+/** over: what stands on the stage and must not hide a label. */
+export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLElement | null) {
   const element = document.createElement("div");
   element.className = "stage-view";
   element.tabIndex = 0;
@@ -33,6 +34,7 @@ export function createStage(acts: StageActs, withGl: boolean) {
   let observer: Observer | null = null;
   let projection: Projection | null = null;
   let size = { width: 1, height: 1 };
+  let taken: Box[] = [];
   let frames = 0;
 
   let renderer: StageRenderer = (withGl && createWebglRenderer(fallBack)) || createFlatRenderer();
@@ -50,6 +52,8 @@ export function createStage(acts: StageActs, withGl: boolean) {
   }
 
   function measure() {
+    const [stage, box] = [element.getBoundingClientRect(), over()?.getBoundingClientRect()];
+    taken = box ? [{ left: box.left - stage.left, right: box.right - stage.left, top: box.top - stage.top, bottom: box.bottom - stage.top }] : [];
     size = { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
     renderer.resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
     draw();
@@ -64,7 +68,8 @@ export function createStage(acts: StageActs, withGl: boolean) {
     if (state.observer === "camera" && view!.tiles > 0) return []; // the tiles hide what they would name
     const first = chosen.find((line) => line.light < 0);
     const lit = view!.lit ? view!.lit.ray : first?.ray;
-    const hit = trace && lit !== undefined && chosen.length && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
+    const arrived = chosen.some((line) => line.ray === lit && line.light < 0 && !line.growing);
+    const hit = trace && lit !== undefined && arrived && state.tiles !== "filling" && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
     return [
       ...(hit ? label("hit", STAGE_WORDS.point(hit), hit, "hit") : []),
       ...(state.observer === "camera" ? [] : label("camera", STAGE_WORDS.camera, scene.camera.eye, "sign")),
@@ -77,7 +82,7 @@ export function createStage(acts: StageActs, withGl: boolean) {
     observer = observerOf(view.state.observer, view.scene, view.plane, size.width / size.height);
     projection = createProjection(observer, size.width, size.height);
     renderer.draw(view, observer, projection);
-    labels.show(labelsOf(view), size.width, size.height);
+    labels.show(labelsOf(view), size.width, size.height, taken);
     frames++;
   }
 

@@ -11,7 +11,7 @@ import { createSolids } from "./solids";
 import { createTiles } from "./tiles";
 
 const hitDots = (lines: readonly Line[]): Dot[] =>
-  lines.filter((line) => line.light < 0 && !line.leaves).map((line) => ({ at: line.to, colour: LINES[line.kind].colour }));
+  lines.filter((line) => line.light < 0 && !line.leaves && !line.growing).map((line) => ({ at: line.to, colour: LINES[line.kind].colour }));
 
 const KEPT_SETS = 4;
 const DOTS_UP_TO = 1500; // lines: beyond, the dots would hide what they lie on

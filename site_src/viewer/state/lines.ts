@@ -20,6 +20,7 @@ export interface Line {
   ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
   light: number; // of a shadow ray, else -1
   leaves: boolean; // a ray that leaves the scene ends nowhere: no dot at its end
+  growing?: true; // `to` is only as far as it has come: no dot either
 }
 
 interface PixelIndex {

@@ -1,7 +1,9 @@
 /** What a state shows of its trace: lines, tiles, kinds. Remembered until what it depends on changes. */
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
+import { glowing, grownLines, growingOf, type Growing } from "./growth";
 import { linesOf, thinPixels, type Line, type LineKind } from "./lines";
+import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
 import { pixelIndex, tileColour, tilesShown, type ViewState } from "./view-state";
 
 export interface Shown {
@@ -9,14 +11,26 @@ export interface Shown {
   tiles: number; // filled, in scan order
   chosen: readonly Line[]; // drawn thick: of the selected pixel, or of the tile being rendered
   thin: readonly Line[];
+  left: number; // shadow rays that are not drawn because there are too many lines
   kinds: ReadonlySet<LineKind>;
   ringOn: readonly [number, number, number] | null; // colour the selected tile shows; null while it is empty
+  growing: Growing | null; // the tile being rendered
+  timeline: Timeline | null; // the selected pixel's events; null without a trace
+  grown: number; // share of the told event's line
 }
 
-const CROWD = 20000; // lines: more take seconds without a graphics card, and hide one another
+export const CROWD = 20000; // lines: more take seconds without a graphics card, and hide one another
+
+interface Lines {
+  lines: readonly Line[];
+  left: number;
+}
 
 /** All lines, or without the shadow rays where there are too many to see any. */
-const withoutCrowd = (lines: Line[]): Line[] => (lines.length > CROWD ? lines.filter((line) => line.light < 0) : lines);
+export function withoutCrowd(all: readonly Line[]): Lines {
+  const lines = all.length > CROWD ? all.filter((line) => line.light < 0) : all;
+  return { lines, left: all.length - lines.length };
+}
 
 /** Remembers the last value; makes it anew when one of the things it was made from is another. */
 function lastly<T>() {
@@ -31,31 +45,56 @@ function lastly<T>() {
   };
 }
 
+const range = (from: number, to: number) => Array.from({ length: to - from }, (_, k) => from + k);
+
 export function createShown() {
   const plane = lastly<PicturePlane>();
   const chosen = lastly<readonly Line[]>();
-  const thin = lastly<readonly Line[]>();
+  const thin = lastly<Lines>();
   const kinds = lastly<ReadonlySet<LineKind>>();
+  const timeline = lastly<Timeline | null>();
+
+  function thinLines(state: ViewState, scene: SceneData, trace: Trace | null): Lines {
+    const of = (pixels: readonly number[]) => (trace ? withoutCrowd(pixels.flatMap((pixel) => linesOf(trace, scene, pixel))) : withoutCrowd([]));
+    if (state.tiles === "filling") {
+      const [first, end] = glowing(state);
+      return thin([scene, trace, "glow", first, end], () => of(range(first, end)));
+    }
+    const across = state.rays.includes("row") ? state.pixel[1] : -1;
+    const downwards = state.rays.includes("column") ? state.pixel[0] : -1;
+    const needs = state.rays.includes("all") ? [scene, trace, "all"] : [scene, trace, across, downwards];
+    return thin(needs, () => of(thinPixels(state)));
+  }
+
+  function chosenLines(state: ViewState, scene: SceneData, trace: Trace | null, told: Timeline | null): readonly Line[] {
+    const index = pixelIndex(state);
+    const growing = growingOf(state);
+    if (!trace) return chosen([trace], () => []);
+    if (growing) return chosen([scene, trace, state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
+    const { event, share } = state;
+    if (told && event !== null && event < told.events.length) return chosen([told, event, grownShare(told, event, share)], () => linesUpTo(told, trace, scene, index, event, share));
+    const pixel = state.rays.includes("pixel") ? index : -1;
+    return chosen([scene, trace, pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
+  }
+
   return {
     of(state: ViewState, scene: SceneData, trace: Trace | null): Shown {
       const index = pixelIndex(state);
       const tiles = tilesShown(state);
-      const filling = state.tiles === "filling";
-      const thick = filling ? Math.min(tiles, state.n * state.n - 1) : state.rays.includes("pixel") ? index : -1;
-      const rays = filling ? "" : state.rays.join();
-      const across = rays.includes("row") ? state.pixel[1] : -1;
-      const downwards = rays.includes("column") ? state.pixel[0] : -1;
-      const isAll = rays.includes("all");
-      const needs = isAll ? [scene, trace, "all"] : [scene, trace, across, downwards];
-      const thickLines = chosen([scene, trace, thick], () => (trace && thick >= 0 ? linesOf(trace, scene, thick) : []));
-      const thinLines = thin(needs, () => (trace && !filling ? withoutCrowd(thinPixels(state).flatMap((pixel) => linesOf(trace, scene, pixel))) : []));
+      const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
+      const thick = chosenLines(state, scene, trace, told);
+      const { lines, left } = thinLines(state, scene, trace);
       return {
         plane: plane([scene], () => picturePlane(scene)),
         tiles,
-        chosen: thickLines,
-        thin: thinLines,
-        kinds: kinds([thickLines, thinLines], () => new Set([...thickLines, ...thinLines].map((line) => line.kind))),
+        chosen: thick,
+        thin: lines,
+        left,
+        kinds: kinds([thick, lines], () => new Set([...thick, ...lines].map((line) => line.kind))),
         ringOn: trace && index < tiles ? tileColour(trace, index) : null,
+        growing: growingOf(state),
+        timeline: told,
+        grown: told && state.event !== null && state.event < told.events.length ? grownShare(told, state.event, state.share) : 1,
       };
     },
   };

@@ -1,6 +1,7 @@
 /** Everything that decides what is on the page, as one object, and the ways it changes. */
 import type { SceneData, Trace, View } from "../trace/types";
 import type { ObserverChoice } from "./observer";
+import { NOT_TOLD } from "./play";
 
 export type RayChoice = "pixel" | "row" | "column" | "all";
 export const RAY_CHOICES: readonly RayChoice[] = ["pixel", "row", "column", "all"];
@@ -19,7 +20,10 @@ export interface ViewState {
   speed: number;
   observer: ObserverChoice;
   step: number | null; // of the lesson
-  still: boolean; // no clock: no blinking, tiles fill at once
+  still: boolean; // no clock: no blinking, tiles fill at once, no line grows
+  event: number | null; // of the selected pixel, told step by step; null: all of it shows
+  share: number; // of that event's time that has passed, 0..1
+  playing: boolean;
   gl: boolean; // false: draw without WebGL
 }
 
@@ -42,6 +46,7 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
     drawn: 0,
     observer: "start",
     step: null,
+    ...NOT_TOLD,
     speed: kept.speed,
     still: kept.still,
     gl: kept.gl,
@@ -51,7 +56,8 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
 export function select(state: ViewState, column: number, row: number): ViewState {
   const wrap = (k: number) => ((k % state.n) + state.n) % state.n;
   const pixel = [wrap(column), wrap(row)] as const;
-  return { ...state, pixel, place: middle(pixel, state.n) };
+  const told = pixel.join() === state.pixel.join() ? {} : NOT_TOLD;
+  return { ...state, pixel, place: middle(pixel, state.n), ...told };
 }
 
 export const move = (state: ViewState, right: number, down: number): ViewState =>
@@ -61,7 +67,7 @@ export function setLevel(state: ViewState, n: number): ViewState {
   if (n === state.n) return state;
   const at = (share: number) => Math.min(n - 1, Math.floor(share * n));
   const tiles = state.tiles === "filling" ? "filled" : state.tiles;
-  return { ...state, n, pixel: [at(state.place[0]), at(state.place[1])], tiles };
+  return { ...state, n, pixel: [at(state.place[0]), at(state.place[1])], tiles, ...NOT_TOLD };
 }
 
 /** The neighbouring frustum resolution; the same state at either end. */
@@ -77,15 +83,17 @@ export function toggleRays(state: ViewState, choice: RayChoice): ViewState {
 
 /** Space: start filling; while filling, to the end; when full, empty again. */
 export function pressRender(state: ViewState): ViewState {
-  if (state.tiles === "empty") return { ...state, tiles: state.still ? "filled" : "filling", drawn: 0 };
+  if (state.tiles === "empty") return { ...state, tiles: state.still ? "filled" : "filling", drawn: 0, playing: false };
   return { ...state, tiles: state.tiles === "filling" ? "filled" : "empty", drawn: 0 };
 }
+
+export const tilesASecond = ({ n, speed }: Pick<ViewState, "n" | "speed">): number => (speed * n * n) / FILL_SECONDS;
 
 /** seconds: time that has passed. */
 export function advance(state: ViewState, seconds: number): ViewState {
   if (state.tiles !== "filling") return state;
   const total = state.n * state.n;
-  const drawn = state.drawn + (seconds * state.speed * total) / FILL_SECONDS;
+  const drawn = state.drawn + seconds * tilesASecond(state);
   return drawn >= total ? { ...state, tiles: "filled", drawn: 0 } : { ...state, drawn };
 }
 

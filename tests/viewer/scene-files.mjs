@@ -1,0 +1,11 @@
+/** A built scene and its traces for tests in node: the same files and decoder the page uses. */
+import { readFileSync } from "node:fs";
+import { gunzipSync } from "node:zlib";
+import { DIST } from "./browser.mjs";
+import { load } from "./typescript.mjs";
+
+const { decode } = await load("trace/decode.ts");
+const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/scenes/${path}.js`, "utf8").match(/raywalkReceive\([^,]+,\s*["'`]([^"'`]+)/)[1], "base64")));
+
+export const readScene = (id) => read(`${id}/scene`);
+export const readTrace = (id, n) => ({ scene: readScene(id), trace: decode(read(`${id}/${n}`), { scene: id, n }) });
