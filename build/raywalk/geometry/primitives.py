@@ -35,6 +35,7 @@ class Primitives(NamedTuple):
     to_world: np.ndarray  # (p, 3, 3) canonical -> world, without the centre
     to_local: np.ndarray  # (p, 3, 3) its inverse
     stretch: np.ndarray  # (p,) largest row sum of |to_local|: local units per world unit
+    reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
 
 
@@ -54,8 +55,32 @@ def compile_primitives(scene: Scene) -> Primitives:
         to_world=to_world,
         to_local=to_local,
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
+        reach_sq=np.array(
+            [_reach(scene.objects[k].shape, m) for k, (m, _) in zip(kept, placed, strict=True)]
+        )
+        ** 2,
         row_of=row_of,
     )
+
+
+# The sphere round a shape is this much larger than it need be, so that no hit that rounding
+# moves is ever outside of it.
+ROOMY = 1.0 + 1e-6
+
+
+def _reach(shape: Shape, to_world: np.ndarray) -> float:
+    """Radius of a sphere round the centre that holds the shape, world units."""
+    stretch = float(np.linalg.norm(to_world, 2))  # the longest axis of the unit sphere's image
+    match shape:
+        case Plane():
+            return np.inf
+        case Box():
+            return ROOMY * np.sqrt(3.0) * stretch
+        case Cylinder():
+            return ROOMY * np.sqrt(2.0) * stretch
+        case Triangle():  # its centre is a corner
+            return ROOMY * float(np.linalg.norm(to_world[:, :2], axis=0).max())
+    return ROOMY * stretch
 
 
 def _inverse(linear: np.ndarray) -> np.ndarray:
