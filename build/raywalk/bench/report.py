@@ -13,10 +13,9 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
-
 from raywalk.bench.cases import Case, shown
 from raywalk.bench.plots import plots_of
+from raywalk.site.pages import page_environment
 
 REPORTS = "reports"  # below the work folder
 SITE_SOURCE = Path("site_src")
@@ -58,13 +57,7 @@ def publish_reports(
     text = json.dumps(kept, indent=1, allow_nan=False)
     (folder / "benchmarks.json").write_text(text + "\n", encoding="utf-8")
     shutil.copyfile(STYLE, folder / "benchmarks.css")
-    environment = Environment(
-        loader=FileSystemLoader(templates),
-        autoescape=select_autoescape(default=True, default_for_string=True),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+    environment = page_environment(templates)
     environment.filters["shown"] = lambda value: value if isinstance(value, str) else shown(value)
     page = environment.get_template("benchmarks.html").render(
         root="../", scenes=scenes, plots=plots, **kept, **assets

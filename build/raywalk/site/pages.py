@@ -22,13 +22,7 @@ def write_pages(
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
-    environment = Environment(
-        loader=FileSystemLoader(templates),
-        autoescape=select_autoescape(default=True, default_for_string=True),
-        undefined=StrictUndefined,  # a misspelt name fails the build, not the page
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+    environment = page_environment(templates)
     shared = {"scenes": [_card(scene) for scene in scenes], **assets}
     _write(out / "index.html", environment, "gallery.html", root="", **shared)
     _write(
@@ -40,6 +34,17 @@ def write_pages(
         page = out / "scenes" / scene.id / "index.html"
         told = _scene(scene, figures[scene.id])
         _write(page, environment, "scene.html", root="../../", scene=told, **shared)
+
+
+def page_environment(templates: Path) -> Environment:
+    """Jinja2 as every page uses it: all values are escaped."""
+    return Environment(
+        loader=FileSystemLoader(templates),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        undefined=StrictUndefined,  # a misspelt name fails the build, not the page
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
 
 
 def _write(page: Path, environment: Environment, template: str, **context: Any) -> None:
