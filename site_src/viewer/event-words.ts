@@ -1,5 +1,5 @@
 /** The player's sentences: one for each event, and under it its numbers. */
-import type { LightShare, RayEvent, Term } from "./state/events";
+import type { Degrees, LightShare, RayEvent, Term } from "./state/events";
 import type { LineKind } from "./state/lines";
 import type { Vec3 } from "./trace/types";
 import { bytes, LINE_WORDS, number, vector } from "./words";
@@ -14,7 +14,8 @@ export interface Told {
 
 const bold = (text: string): Phrase => [text, ""];
 const percent = (share: number) => `${Math.round(share * 1000) / 10}\u202f%`;
-const degrees = (angle: number) => `${angle.toFixed(1)}\u00b0`;
+const at = (angle: Degrees) => (angle === null ? "" : ` \u00b7 angle ${angle.toFixed(1)}\u00b0`);
+const bends = (angle: Degrees, bent: Degrees) => (angle === null || bent === null ? "" : `${at(angle)} to ${bent.toFixed(1)}\u00b0`);
 const index = (n: number) => n.toFixed(2);
 /** A grey as one number, a colour as three. */
 const tone = (v: Vec3) => (v.every((each) => number(each) === number(v[0])) ? number(v[0]) : vector(v));
@@ -58,20 +59,18 @@ export function tell(event: RayEvent): Told {
     }
     case "reflected": {
       const ray: Phrase = ["reflected ray", "reflected"];
-      const at = ", at the angle the last one came in.";
-      if (event.clear) return { says: [bold(event.name), " mirrors a part: it sends a ", ray, " on", at], numbers: `share ${percent(event.share)} \u00b7 angle ${degrees(event.angle)}` };
-      const own = event.keeps > 0 ? " mirrors as well: it sends a " : " has no colour of its own: it sends a ";
-      return { says: [bold(event.name), own, ray, " on", at], numbers: `share ${percent(event.share)} \u00b7 angle ${degrees(event.angle)}` };
+      const why = event.clear ? " mirrors a part" : event.keeps > 0 ? " mirrors as well" : " has no colour of its own";
+      return { says: [bold(event.name), `${why}: it sends a `, ray, " on, at the angle the last one came in."], numbers: `share ${percent(event.share)}${at(event.angle)}` };
     }
     case "refracted":
       return {
         says: ["A ", ["refracted ray", "refracted"], event.enters ? " goes into " : " comes out of ", bold(event.name), event.from === event.to ? ", straight on." : ", bent at its surface."],
-        numbers: `index ${index(event.from)} to ${index(event.to)} \u00b7 angle ${degrees(event.angle)} to ${degrees(event.bent)} \u00b7 share ${percent(event.share)}`,
+        numbers: `index ${index(event.from)} to ${index(event.to)}${bends(event.angle, event.bent)} \u00b7 share ${percent(event.share)}`,
       };
     case "total":
       return {
         says: ["Too flat to get out of ", bold(event.name), ": the ray is ", ["totally reflected", "total"], "."],
-        numbers: `index ${index(event.from)} to ${index(event.to)} \u00b7 angle ${degrees(event.angle)} \u00b7 share ${percent(event.share)}`,
+        numbers: `index ${index(event.from)} to ${index(event.to)}${at(event.angle)} \u00b7 share ${percent(event.share)}`,
       };
     case "stops":
       return {

@@ -22,11 +22,13 @@ export interface Term {
   colour: Vec3;
 }
 
+export type Degrees = number | null; // null: between points too close together to measure it
+
 export type Happening =
   | { what: "camera"; pixel: readonly [number, number] }
-  | { what: "reflected"; name: string; share: number; keeps: number; clear: boolean; angle: number }
-  | { what: "refracted"; name: string; share: number; enters: boolean; from: number; to: number; angle: number; bent: number }
-  | { what: "total"; name: string; share: number; from: number; to: number; angle: number }
+  | { what: "reflected"; name: string; share: number; keeps: number; clear: boolean; angle: Degrees }
+  | { what: "refracted"; name: string; share: number; enters: boolean; from: number; to: number; angle: Degrees; bent: Degrees }
+  | { what: "total"; name: string; share: number; from: number; to: number; angle: Degrees }
   | { what: "meets"; name: string; t: number; point: Vec3; hits: readonly { name: string; t: number }[] }
   | { what: "background"; colour: Vec3 }
   | { what: "reached" | "away" | "unasked"; name: string }
@@ -45,8 +47,8 @@ export type RayEvent = Happening & {
 
 const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked" } as const;
 
-/** Degrees between a way and the line along a normal. */
-const angle = (way: Vec3, normal: Vec3) => (Math.acos(Math.min(1, Math.abs(dot(way, normal)))) * 180) / Math.PI;
+const MEASURABLE = 1 / 30; // of the scene's radius: the file rounds points, shorter ways would be off by over 0.1 degrees
+const TURN = 180 / Math.PI;
 
 export function lightShares(trace: Trace, scene: SceneData, ray: number): LightShare[] {
   return scene.lights.map(({ name, colour }, light) => {
@@ -74,7 +76,10 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   const place = [pixel % trace.n, Math.floor(pixel / trace.n)] as const;
   const events: RayEvent[] = [];
   const nameOf = (object: number) => scene.objects[object]?.name ?? "?";
-  const way = (ray: number) => unit(sub(triple(trace.point, ray), originOf(trace, scene, ray)));
+  const way = (ray: number) => sub(triple(trace.point, ray), originOf(trace, scene, ray));
+  /** Between a ray and the line along a normal. */
+  const angle = (ray: number, normal: Vec3): Degrees =>
+    length(way(ray)) < MEASURABLE * scene.bounds.radius ? null : TURN * Math.acos(Math.min(1, Math.abs(dot(unit(way(ray)), normal))));
   const put = (ray: number, happening: Happening, { light = -1, line = null as LineKind | null, long = 0 } = {}) =>
     events.push({ ...happening, ray, light, line, long });
 
@@ -84,10 +89,10 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
     if (parent < 0) return { what: "camera", pixel: place };
     const material = scene.materials[trace.material[parent]];
     const normal = triple(trace.normal, parent);
-    const base = { name: nameOf(trace.object[parent]), share: trace.weight[ray], angle: angle(way(parent), normal) };
+    const base = { name: nameOf(trace.object[parent]), share: trace.weight[ray], angle: angle(parent, normal) };
     const leaves = trace.inside[parent] === 1;
     const from = leaves && !media.length ? material.ior : indexIn(media, scene);
-    if (kind === "refracted") return { what: kind, ...base, enters: !leaves, from, to: indexIn(after, scene), bent: angle(way(ray), normal) };
+    if (kind === "refracted") return { what: kind, ...base, enters: !leaves, from, to: indexIn(after, scene), bent: angle(ray, normal) };
     if (kind === "total") return { what: kind, ...base, from, to: indexIn(crossed(media, trace.object[parent], !leaves), scene) };
     return { what: "reflected", ...base, keeps: trace.localWeight[parent], clear: material.transmit > 0 };
   }
@@ -128,7 +133,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   /** media: what the ray travels in; before: what its parent came through. */
   function walk(ray: number, media: Media, before: Media) {
     const line = KIND_NAMES[trace.kind[ray]];
-    put(ray, departure(ray, before, media), { line, long: length(sub(triple(trace.point, ray), originOf(trace, scene, ray))) });
+    put(ray, departure(ray, before, media), { line, long: length(way(ray)) });
     put(ray, arrival(ray), { line });
     const object = trace.object[ray];
     const sent = children.get(ray) ?? [];

@@ -1,0 +1,166 @@
+/** The step-by-step player: by key, by button, by the scrub bar, from the address. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats } from "./browser.mjs";
+
+const rich = richScene();
+const START = "still=1&n=15&p=5,8";
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+  await open(page, ON_DISK, rich.path, START);
+});
+after(() => browser.close());
+const button = (name) => page.getByRole("button", { name });
+const scrub = () => page.getByRole("slider", { name: "Event" });
+const told = async () => (await state(page)).event;
+const says = () => page.locator(".lesson-text").innerText();
+const lines = async () => (await stats(page)).lines.length;
+
+test("at first no event is told: all of the pixel's rays show, and the scene's sentence", async () => {
+  assert.equal(await told(), null);
+  const { lines, events } = await stats(page);
+  assert.equal(lines.length, events.filter((event) => event.long > 0).length);
+  assert.equal(await page.locator(".event-says").count(), 0);
+  await press(page, ",");
+  assert.equal(await told(), null);
+});
+
+test("full stop and comma go on and back: each event's line, row and sentence belong together", async () => {
+  await follow(page, START);
+  const { events } = await stats(page);
+  const sentences = new Set();
+  for (const [k, event] of events.entries()) {
+    await press(page, ".");
+    assert.equal(await told(), k);
+    const now = await stats(page);
+    assert.deepEqual(now.lit, { ray: event.ray, light: event.light });
+    assert.equal(now.lines.length, events.slice(0, k + 1).filter((each) => each.long > 0).length);
+    if (event.long > 0) assert.deepEqual([now.lines.at(-1).ray, now.lines.at(-1).light], [event.ray, event.light]);
+    const rows = await page.locator("li.ray.lit").evaluateAll((rows) => rows.map((row) => [Number(row.dataset.ray), Number(row.dataset.light)]));
+    assert.deepEqual(rows, [[event.ray, event.light]]);
+    const inSight = await page.locator("li.ray.lit").evaluate((row) => row.getBoundingClientRect().top >= row.parentElement.getBoundingClientRect().top - 1);
+    assert.ok(inSight);
+    assert.equal(await page.locator(".lesson-text").getAttribute("aria-live"), "polite");
+    sentences.add(await page.locator(".event-says").innerText());
+  }
+  assert.equal(sentences.size, events.length, "each has its own sentence");
+  const { tiles } = await stats(page);
+  assert.ok((await says()).includes(tiles.slice(3 * (8 * 15 + 5), 3 * (8 * 15 + 5) + 3).join(", ")), "the last one names the pixel's colour");
+  await press(page, ".");
+  assert.equal(await told(), events.length - 1);
+  await press(page, ",");
+  assert.equal(await told(), events.length - 2);
+  await press(page, "Escape");
+  assert.equal(await told(), null);
+});
+
+test("the buttons do the same", async () => {
+  await follow(page, START);
+  await button("One event on").click();
+  await button("One event on").click();
+  assert.equal(await told(), 1);
+  await button("One event back").click();
+  await button("One event back").click();
+  assert.equal(await told(), null);
+  await button("One event on").click();
+  await button("Leave the step-by-step player").click();
+  assert.equal(await told(), null);
+  assert.ok(!(await button("Leave the step-by-step player").isVisible()));
+});
+
+test("the event is in the address, and its end is what a link shows", async () => {
+  await follow(page, START);
+  await press(page, ".", ".", ".");
+  await page.waitForFunction(() => location.hash.includes("e=3"));
+  const there = await lines();
+  await follow(page, `${START}&e=3`);
+  assert.equal(await told(), 2);
+  assert.equal(await lines(), there);
+  await follow(page, `${START}&e=99`);
+  assert.equal(await told(), null);
+  assert.match(await page.locator("#notice").innerText(), /\(e\)/);
+});
+
+test("another pixel, another grid and a lesson's step begin anew", async () => {
+  for (const key of ["ArrowRight", "+"]) {
+    await follow(page, `${START}&e=3`);
+    await press(page, key);
+    assert.equal(await told(), null);
+  }
+  await follow(page, `${START}&e=3`);
+  await button("Start the lesson").click();
+  assert.equal(await told(), null);
+});
+
+test("the scrub bar is a slider for hand and keyboard, and says the sentence", async () => {
+  await follow(page, START);
+  await scrub().focus();
+  await press(page, "ArrowRight", "ArrowRight");
+  assert.equal(await told(), 1);
+  assert.match(await scrub().getAttribute("aria-valuetext"), /^2 of \d+: It meets /);
+  await press(page, "ArrowLeft");
+  assert.equal(await told(), 0);
+  await press(page, "End");
+  assert.equal(await told(), (await stats(page)).events.length - 1);
+  await press(page, "Home");
+  assert.equal(await told(), null);
+  assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows move the bar, not the pixel");
+  await press(page, ".", "Escape");
+  assert.equal(await told(), null, "other keys still work from there");
+  const box = await scrub().boundingBox();
+  await page.mouse.click(box.x + 0.5 * box.width, box.y + box.height / 2);
+  assert.ok((await told()) > 1);
+  await scrub().evaluate((bar) => bar.blur());
+});
+
+test("P plays: time moves the line on, P pauses it there, and the end is the last event", async () => {
+  await follow(page, "n=15&p=5,8&still=1");
+  await press(page, "p");
+  assert.equal(await told(), (await stats(page)).events.length - 1, "without a clock it is at the end at once");
+  await page.evaluate(() => window.raywalk.hold());
+  await follow(page, "n=15&p=5,8");
+  await press(page, "p");
+  assert.equal((await state(page)).playing, true);
+  assert.equal(await page.locator(".lesson-text").getAttribute("aria-live"), "off");
+  let before = 0;
+  for (let k = 0; k < 5; k++) {
+    await page.evaluate(() => window.raywalk.advance(0.1));
+    const { grown, lines } = await stats(page);
+    assert.ok(grown > before && grown < 1 && lines.length === 1 && lines[0].growing);
+    before = grown;
+  }
+  await button("Pause").click();
+  await page.evaluate(() => window.raywalk.advance(1));
+  assert.equal((await stats(page)).grown, before);
+  await button("Play the rays").click();
+  await page.evaluate(() => window.raywalk.advance(1000));
+  const now = await state(page);
+  assert.deepEqual([now.playing, now.event], [false, (await stats(page)).events.length - 1]);
+});
+
+test("speed is one for rendering and playing", async () => {
+  await follow(page, "n=15&p=5,8&speed=4");
+  await press(page, "p");
+  await page.evaluate(() => window.raywalk.advance(0.05));
+  const fast = (await stats(page)).grown;
+  await follow(page, "n=15&p=5,8&speed=1");
+  await press(page, "p");
+  await page.evaluate(() => window.raywalk.advance(0.2));
+  assert.ok(Math.abs((await stats(page)).grown - fast) < 1e-9);
+  await press(page, " ");
+  assert.equal((await state(page)).playing, false, "rendering takes over");
+});
+
+test("pointing at a row wins over the told event as long as it lasts", async () => {
+  await follow(page, `${START}&e=1`);
+  await page.locator("li.ray").nth(1).hover();
+  await settled(page);
+  assert.notDeepEqual((await stats(page)).lit.ray, (await stats(page)).events[0].ray);
+  await page.mouse.move(2, 2);
+  await settled(page);
+  assert.equal((await stats(page)).lit.ray, (await stats(page)).events[0].ray);
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
