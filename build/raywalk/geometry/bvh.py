@@ -90,15 +90,18 @@ def widest_axis(centroid, members):
 
 
 @kernel
-def box_entry(low, high, o, d, t_max):
-    """Where a ray enters a box (0 if it starts inside); inf if it misses it before t_max."""
+def box_entry(low, high, node, o, d, t_max):
+    """Where a ray enters a node's box (0 if it starts inside); inf if it misses it before t_max.
+
+    low, high: (nodes, 3); o, d: three numbers each.
+    """
     t_in, t_out = 0.0, t_max
     for k in range(3):
         if d[k] == 0.0:
-            if o[k] < low[k] or o[k] > high[k]:
+            if o[k] < low[node, k] or o[k] > high[node, k]:
                 return np.inf
             continue
-        a, b = (low[k] - o[k]) / d[k], (high[k] - o[k]) / d[k]
+        a, b = (low[node, k] - o[k]) / d[k], (high[node, k] - o[k]) / d[k]
         if a > b:
             a, b = b, a
         # Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013: two ulps keep it watertight.
@@ -120,7 +123,7 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
     best, who, u, v = t_max, -1, 0.0, 0.0
     while True:
         tests += 1
-        if box_entry(bvh.low[node], bvh.high[node], o, d, best) < np.inf:
+        if box_entry(bvh.low, bvh.high, node, o, d, best) < np.inf:
             if bvh.held[node] == 0:
                 stack[depth] = bvh.second[node]
                 depth += 1
@@ -129,12 +132,12 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 tests += 1
-                t, a, b = triangle_hit(o, corners[triangle], kx, ky, kz, sx, sy, sz)
+                t, a, b = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
                 if not 0.0 < t <= best or triangle == own:
                     continue
                 if t == best and not (0 <= who and triangle < who):
                     continue
-                if bound > 0.0 and abs(height_over(o, corners[triangle])) <= bound:
+                if bound > 0.0 and abs(height_over(o, corners, triangle)) <= bound:
                     continue
                 best, who, u, v = t, triangle, a, b
         if depth == 0:
@@ -155,17 +158,17 @@ def bvh_all(bvh, corners, o, d, found, entering):
     stack = np.empty(STACK, np.int32)
     depth, node, filled = 0, 0, 0
     while True:
-        if box_entry(bvh.low[node], bvh.high[node], o, d, np.inf) < np.inf:
+        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) < np.inf:
             if bvh.held[node] == 0:
                 stack[depth] = bvh.second[node]
                 depth += 1
                 node += 1
                 continue
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
-                corner = corners[bvh.order[place]]
-                t, _, _ = triangle_hit(o, corner, kx, ky, kz, sx, sy, sz)
+                triangle = bvh.order[place]
+                t, _, _ = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
                 if 0.0 < t < np.inf:
-                    nx, ny, nz = triangle_normal(corner)
+                    nx, ny, nz = triangle_normal(corners, triangle)
                     insert(found, entering, filled, t, nx * d[0] + ny * d[1] + nz * d[2] < 0.0)
                     filled += 1
         if depth == 0:

@@ -14,7 +14,7 @@ from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
 from raywalk.geometry.float32_copy import STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.nearest import POINT_ERROR
-from raywalk.geometry.triangle import shear, triangle_hit, triangle_normal
+from raywalk.geometry.triangle import shear, triangle_hit, triangle_normal, vector
 from raywalk.optics.compiled import kernel
 
 # In the unit-sized copy, where float32 steps are 6e-8:
@@ -119,24 +119,22 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
     for i in range(origin.shape[0]):
         for k in range(3):
             local[i, k] = origin[i, k] - centre[k]
-        d = direction[i]
+        o, d = vector(local, i), vector(direction, i)
         length_sq = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
         # NaN passes every box test, and costs Embree as much as hundreds of other rays.
-        if not 0.0 < length_sq < np.inf or np.isnan(local[i, 0] + local[i, 1] + local[i, 2]):
+        if not 0.0 < length_sq < np.inf or np.isnan(o[0] + o[1] + o[2]):
             continue
-        entry = box_entry(bvh.low[0], bvh.high[0], local[i], d, t_max[i])
+        entry = box_entry(bvh.low, bvh.high, 0, o, d, t_max[i])
         if not entry < np.inf:
             continue
-        lift = np.zeros(3)
+        side, n = 0.0, (0.0, 0.0, 0.0)
         if own[i] >= 0:
-            nx, ny, nz = triangle_normal(corners[own[i]])
-            along = nx * d[0] + ny * d[1] + nz * d[2]
-            side = LIFT if along > 0.0 else -LIFT
-            lift[0], lift[1], lift[2] = side * nx, side * ny, side * nz
+            n = triangle_normal(corners, own[i])
+            side = LIFT if n[0] * d[0] + n[1] * d[1] + n[2] * d[2] > 0.0 else -LIFT
         else:
             entry -= EARLIER / (scale * np.sqrt(length_sq))
         for k in range(3):
-            starts[filled, k] = (local[i, k] + entry * d[k]) * scale + lift[k]
+            starts[filled, k] = (o[k] + entry * d[k]) * scale + side * n[k]
         crossing[filled] = i
         filled += 1
     return crossing[:filled]
@@ -152,18 +150,17 @@ def decide(corners, trusted, local, direction, t_max, own, crossing, proposed, t
     open_cases = 0
     for place in range(crossing.shape[0]):
         i, who = crossing[place], proposed[place]
-        d = direction[i]
-        if own[i] >= 0 and not starts_clear(corners[own[i]], trusted[own[i]], local[i]):
+        o, d = vector(local, i), vector(direction, i)
+        if own[i] >= 0 and not starts_clear(corners, trusted, own[i], o):
             redo[open_cases] = i
             open_cases += 1
             continue
         if who < 0:
             continue
         kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
-        distance, u, v = triangle_hit(local[i], corners[who], kx, ky, kz, sx, sy, sz)
-        least = trusted[who]
-        clear = 1.0 - u - v > least[0] and u > least[1] and v > least[2]
-        if who == own[i] or not clear or not distance > 0.0 or is_grazed(corners[who], d):
+        distance, u, v = triangle_hit(o, corners, who, kx, ky, kz, sx, sy, sz)
+        clear = is_clear(trusted, who, u, v)
+        if who == own[i] or not clear or not distance > 0.0 or is_grazed(corners, who, d):
             redo[open_cases] = i
             open_cases += 1
         elif distance < t_max[i]:
@@ -172,20 +169,26 @@ def decide(corners, trusted, local, direction, t_max, own, crossing, proposed, t
 
 
 @kernel
-def is_grazed(corner, d):
-    """Whether a direction runs so flat along a triangle that float32 loses the depth of a hit."""
-    nx, ny, nz = triangle_normal(corner)
+def is_clear(trusted, k, u, v):
+    """Whether a place on triangle k is far enough from its edges, and from other triangles."""
+    return 1.0 - u - v > trusted[k, 0] and u > trusted[k, 1] and v > trusted[k, 2]
+
+
+@kernel
+def is_grazed(corners, k, d):
+    """Whether a direction runs so flat along triangle k that float32 loses the depth of a hit."""
+    nx, ny, nz = triangle_normal(corners, k)
     along = nx * d[0] + ny * d[1] + nz * d[2]
     return along * along < STEEPEST * STEEPEST * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
 
 
 @kernel
-def starts_clear(corner, least, at):
-    """Whether a point of a triangle lies where nothing else is so close that LIFT could skip it."""
-    nx, ny, nz = triangle_normal(corner)
+def starts_clear(corners, trusted, k, at):
+    """Whether a point of triangle k lies where nothing else is so close that LIFT could skip it."""
+    nx, ny, nz = triangle_normal(corners, k)
     kx, ky, kz, sx, sy, sz = shear(nx, ny, nz)
-    _, u, v = triangle_hit(at, corner, kx, ky, kz, sx, sy, sz)  # straight down on its plane
-    return 1.0 - u - v > least[0] and u > least[1] and v > least[2]
+    _, u, v = triangle_hit(at, corners, k, kx, ky, kz, sx, sy, sz)  # straight down on its plane
+    return is_clear(trusted, k, u, v)
 
 
 @kernel
@@ -198,7 +201,7 @@ def settle(bvh, corners, centre, local, direction, t_max, own, redo, t, triangle
             reach = abs(local[i, 0]) + abs(local[i, 1]) + abs(local[i, 2])
             bound = POINT_ERROR * (reach + 2.0 * middle)
         distance, who, u, v, _ = bvh_nearest(
-            bvh, corners, local[i], direction[i], t_max[i], own[i], bound
+            bvh, corners, vector(local, i), vector(direction, i), t_max[i], own[i], bound
         )
         t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
 
@@ -209,11 +212,11 @@ def every_hit(bvh, corners, local, direction):
     found, entering = np.empty(corners.shape[0]), np.empty(corners.shape[0], np.bool_)
     total = 0
     for i in range(local.shape[0]):
-        total += bvh_all(bvh, corners, local[i], direction[i], found, entering)
+        total += bvh_all(bvh, corners, vector(local, i), vector(direction, i), found, entering)
     ray, t = np.empty(total, np.int32), np.empty(total)
     filled = 0
     for i in range(local.shape[0]):
-        n = bvh_all(bvh, corners, local[i], direction[i], found, entering)
+        n = bvh_all(bvh, corners, vector(local, i), vector(direction, i), found, entering)
         ray[filled : filled + n], t[filled : filled + n] = i, found[:n]
         filled += n
     return ray, t
@@ -226,7 +229,7 @@ def tests_made(bvh, corners, local, direction, t_max, own, bound):
     for i in range(local.shape[0]):
         at_surface = bound if own[i] >= 0 else 0.0
         _, _, _, _, tests[i] = bvh_nearest(
-            bvh, corners, local[i], direction[i], t_max[i], own[i], at_surface
+            bvh, corners, vector(local, i), vector(direction, i), t_max[i], own[i], at_surface
         )
     return tests
 
@@ -245,22 +248,31 @@ def mesh_surface(
     for i in range(direction.shape[0]):
         if met[i] != index:
             continue
-        corner, face, u, v = corners[triangle[i]], faces[triangle[i]], uv[i, 0], uv[i, 1]
+        k, u, v = triangle[i], uv[i, 0], uv[i, 1]
         w = 1.0 - u - v
-        for k in range(3):
-            point[i, k] = centre[k] + (w * corner[0, k] + u * corner[1, k] + v * corner[2, k])
-        gx, gy, gz = triangle_normal(corner)
-        d = direction[i]
+        for c in range(3):
+            mean = w * corners[k, 0, c] + u * corners[k, 1, c] + v * corners[k, 2, c]
+            point[i, c] = centre[c] + mean
+        gx, gy, gz = triangle_normal(corners, k)
+        d = vector(direction, i)
         inside[i] = gx * d[0] + gy * d[1] + gz * d[2] > 0.0
         sign = -1.0 if inside[i] else 1.0
         geometric[i, 0], geometric[i, 1], geometric[i, 2] = sign * gx, sign * gy, sign * gz
-        normal[i] = geometric[i]
-        if normals.shape[0] == 0:
-            continue
-        n = sign * (w * normals[face[0]] + u * normals[face[1]] + v * normals[face[2]])
-        away = n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
-        if away > 0.0:
-            n -= away * d
-        length = np.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
-        if length > 0.0:
-            normal[i] = n / length
+        nx, ny, nz = sign * gx, sign * gy, sign * gz
+        if normals.shape[0] > 0:
+            nx, ny, nz = smooth_normal(normals, faces, k, u, v, sign, d, nx, ny, nz)
+        normal[i, 0], normal[i, 1], normal[i, 2] = nx, ny, nz
+
+
+@kernel
+def smooth_normal(normals, faces, k, u, v, sign, d, gx, gy, gz):
+    """Unit interpolated normal on the ray's side; the geometric one g where that has no length."""
+    a, b, c, w = faces[k, 0], faces[k, 1], faces[k, 2], 1.0 - u - v
+    x = sign * (w * normals[a, 0] + u * normals[b, 0] + v * normals[c, 0])
+    y = sign * (w * normals[a, 1] + u * normals[b, 1] + v * normals[c, 1])
+    z = sign * (w * normals[a, 2] + u * normals[b, 2] + v * normals[c, 2])
+    away = x * d[0] + y * d[1] + z * d[2]
+    if away > 0.0:
+        x, y, z = x - away * d[0], y - away * d[1], z - away * d[2]
+    length = np.sqrt(x * x + y * y + z * z)
+    return (x / length, y / length, z / length) if length > 0.0 else (gx, gy, gz)

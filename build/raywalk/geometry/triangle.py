@@ -12,6 +12,12 @@ from raywalk.optics.compiled import kernel
 
 
 @kernel
+def vector(rows, i):
+    """Row i of (n, 3) as three numbers: a view of the row would cost more than the arithmetic."""
+    return rows[i, 0], rows[i, 1], rows[i, 2]
+
+
+@kernel
 def shear(dx, dy, dz):
     """Axis order and shear constants (kx, ky, kz, sx, sy, sz) of a ray direction."""
     ax, ay, az = abs(dx), abs(dy), abs(dz)
@@ -25,19 +31,20 @@ def shear(dx, dy, dz):
 
 
 @kernel
-def triangle_hit(o, corners, kx, ky, kz, sx, sy, sz):
+def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
     """(t, u, v) with point = (1-u-v) a + u b + v c; t is inf where the ray's line misses.
 
-    o: (3,) origin; corners: (3, 3) float64 rows a, b, c, in the same frame. Either side hits.
-    Edges count as inside. A degenerate triangle is never hit.
+    o: origin, three numbers; corners: (n, 3, 3) float64, of which row k is asked, its rows a, b,
+    c in the same frame. Either side hits. Edges count as inside. A degenerate triangle is
+    never hit.
     """
-    az, bz, cz = corners[0, kz] - o[kz], corners[1, kz] - o[kz], corners[2, kz] - o[kz]
-    ax = corners[0, kx] - o[kx] - sx * az
-    ay = corners[0, ky] - o[ky] - sy * az
-    bx = corners[1, kx] - o[kx] - sx * bz
-    by = corners[1, ky] - o[ky] - sy * bz
-    cx = corners[2, kx] - o[kx] - sx * cz
-    cy = corners[2, ky] - o[ky] - sy * cz
+    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
+    ax = corners[k, 0, kx] - o[kx] - sx * az
+    ay = corners[k, 0, ky] - o[ky] - sy * az
+    bx = corners[k, 1, kx] - o[kx] - sx * bz
+    by = corners[k, 1, ky] - o[ky] - sy * bz
+    cx = corners[k, 2, kx] - o[kx] - sx * cz
+    cy = corners[k, 2, ky] - o[ky] - sy * cz
     wa = cx * by - cy * bx
     wb = ax * cy - ay * cx
     wc = bx * ay - by * ax
@@ -52,17 +59,17 @@ def triangle_hit(o, corners, kx, ky, kz, sx, sy, sz):
 
 
 @kernel
-def triangle_normal(corners):
-    """Unit normal by the winding a, b, c (right hand rule)."""
+def triangle_normal(corners, k):
+    """Unit normal of row k of corners (n, 3, 3) by the winding a, b, c (right hand rule)."""
     ux, uy, uz = (
-        corners[1, 0] - corners[0, 0],
-        corners[1, 1] - corners[0, 1],
-        corners[1, 2] - corners[0, 2],
+        corners[k, 1, 0] - corners[k, 0, 0],
+        corners[k, 1, 1] - corners[k, 0, 1],
+        corners[k, 1, 2] - corners[k, 0, 2],
     )
     vx, vy, vz = (
-        corners[2, 0] - corners[0, 0],
-        corners[2, 1] - corners[0, 1],
-        corners[2, 2] - corners[0, 2],
+        corners[k, 2, 0] - corners[k, 0, 0],
+        corners[k, 2, 1] - corners[k, 0, 1],
+        corners[k, 2, 2] - corners[k, 0, 2],
     )
     nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
     length = math.sqrt(nx * nx + ny * ny + nz * nz)
@@ -70,7 +77,8 @@ def triangle_normal(corners):
 
 
 @kernel
-def height_over(o, corners):
-    """Signed distance of a point from the triangle's plane, positive on the normal's side."""
-    nx, ny, nz = triangle_normal(corners)
-    return nx * (o[0] - corners[0, 0]) + ny * (o[1] - corners[0, 1]) + nz * (o[2] - corners[0, 2])
+def height_over(o, corners, k):
+    """Signed distance of a point from triangle k's plane, positive on the normal's side."""
+    nx, ny, nz = triangle_normal(corners, k)
+    x, y, z = o[0] - corners[k, 0, 0], o[1] - corners[k, 0, 1], o[2] - corners[k, 0, 2]
+    return nx * x + ny * y + nz * z
