@@ -5,6 +5,7 @@ export interface Label {
   x: number; // CSS pixels: what the label belongs to
   y: number;
   kind: "sign" | "hit"; // hit: coordinates, in figures of equal width
+  below?: boolean; // rather than beside: the thing is wide
 }
 
 export interface Box {
@@ -20,8 +21,9 @@ const HEIGHT = 22;
 
 const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-/** Right, left, below, above: the first that is free and inside. */
-function place(label: Label, width: number, height: number, taken: readonly Box[]): Box | null {
+/** Right, left, below, above: the first that is free, inside and not struck through by a line; failing
+ *  that, the first that is free. strokes: places along the lines, x y x y ... */
+function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[]): Box | null {
   const w = label.text.length * CHAR[label.kind] + 8;
   const spots = [
     [label.x + GAP, label.y - HEIGHT / 2],
@@ -30,10 +32,19 @@ function place(label: Label, width: number, height: number, taken: readonly Box[
     [label.x - w / 2, label.y - GAP - HEIGHT],
     [label.x + GAP, label.y + GAP],
     [label.x + GAP, label.y - GAP - HEIGHT],
+    [label.x - GAP - w, label.y + GAP],
+    [label.x - GAP - w, label.y - GAP - HEIGHT],
   ];
+  if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - HEIGHT]);
   const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + HEIGHT }));
   const inside = (b: Box) => b.left >= 4 && b.top >= 4 && b.right <= width - 4 && b.bottom <= height - 4;
-  return boxes.find((box) => inside(box) && !taken.some((other) => overlap(box, other))) ?? null;
+  const free = boxes.filter((box) => inside(box) && !taken.some((other) => overlap(box, other)));
+  const struck = ({ left, top, right, bottom }: Box) => {
+    for (let k = 0; k < strokes.length; k += 2)
+      if (strokes[k] > left && strokes[k] < right && strokes[k + 1] > top && strokes[k + 1] < bottom) return true;
+    return false;
+  };
+  return free.find((box) => !struck(box)) ?? free[0] ?? null;
 }
 
 export function createLabels() {
@@ -54,7 +65,7 @@ export function createLabels() {
   return {
     element,
     /** Most important first; taken: places that are not free. */
-    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = []) {
+    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = []) {
       const used = [...taken];
       const alive = new Set(labels.map((label) => label.key));
       for (const [key, span] of spans) if (!alive.has(key)) span.remove(), spans.delete(key);
@@ -62,7 +73,7 @@ export function createLabels() {
         const span = spanOf(label);
         if (span.textContent !== label.text) span.textContent = label.text;
         span.className = label.kind;
-        const box = place(label, width, height, used);
+        const box = place(label, width, height, used, strokes);
         span.hidden = !box;
         if (!box) continue;
         used.push(box);

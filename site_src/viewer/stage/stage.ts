@@ -8,6 +8,7 @@ import { createFlatRenderer } from "./flat";
 import { listenToGestures } from "./gestures";
 import { createLabels, type Box, type Label } from "./labels";
 import type { LitLine } from "./line-set";
+import type { Line } from "../state/lines";
 import type { StageRenderer, StageView } from "./renderer";
 import { createWebglRenderer } from "./webgl";
 
@@ -21,6 +22,7 @@ export interface StageActs {
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const NEAR_A_LINE = 9; // pixels
+const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
 /** over: what stands on the stage and must not hide a label. */
 export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLElement | null) {
@@ -72,9 +74,21 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     const hit = trace && lit !== undefined && arrived && state.tiles !== "filling" && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
     return [
       ...(hit ? label("hit", STAGE_WORDS.point(hit), hit, "hit") : []),
-      ...(state.observer === "camera" ? [] : label("camera", STAGE_WORDS.camera, scene.camera.eye, "sign")),
+      ...(state.observer === "camera" ? [] : label("camera", STAGE_WORDS.camera, scene.camera.eye, "sign").map((each) => ({ ...each, below: true }))),
       ...scene.lights.flatMap((light) => label(`light ${light.name}`, light.name, light.position, "sign")),
     ];
+  }
+
+  /** Places every few pixels along the chosen lines, for labels to keep clear of. */
+  function strokesOf(lines: readonly Line[]): number[] {
+    const strokes: number[] = [];
+    for (const { from, to } of lines.slice(0, STROKES_OF)) {
+      const [a, b] = [projection!.project(from), projection!.project(to)];
+      if (a.depth <= 0 || b.depth <= 0) continue;
+      const steps = Math.min(300, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / 6));
+      for (let k = 0; k <= steps; k++) strokes.push(a.x + (k / steps) * (b.x - a.x), a.y + (k / steps) * (b.y - a.y));
+    }
+    return strokes;
   }
 
   function draw() {
@@ -82,7 +96,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     observer = observerOf(view.state.observer, view.scene, view.plane, size.width / size.height);
     projection = createProjection(observer, size.width, size.height);
     renderer.draw(view, observer, projection);
-    labels.show(labelsOf(view), size.width, size.height, taken);
+    labels.show(labelsOf(view), size.width, size.height, taken, strokesOf(view.chosen));
     frames++;
   }
 
