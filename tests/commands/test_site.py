@@ -45,14 +45,32 @@ view = {{ resolution = 7, pixel = [3, 3] }}
 """
 
 
-@pytest.fixture
-def scenes(tmp_path):
-    """A folder with two scenes."""
+def write_scenes(folder: Path) -> None:
     for key, radius in ("1", 0.9), ("2", 0.5):
-        folder = tmp_path / "scenes" / f"0{key}-ball"
-        folder.mkdir(parents=True)
+        place = folder / "scenes" / f"0{key}-ball"
+        place.mkdir(parents=True)
         text = SMALL.format(key=key, title=f"Ball {key}", radius=radius)
-        (folder / "scene.toml").write_text(text, encoding="utf-8")
+        (place / "scene.toml").write_text(text, encoding="utf-8")
+
+
+def site(folder: Path) -> int:
+    places = {"--scenes": "scenes", "--out": "dist", "--work": "work"}
+    return main(["site", *(str(x) for key, name in places.items() for x in (key, folder / name))])
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """A folder with two scenes and the site of them, for tests that only look."""
+    folder = tmp_path_factory.mktemp("site")
+    write_scenes(folder)
+    assert site(folder) == 0
+    return folder
+
+
+@pytest.fixture
+def scenes(tmp_path, built):
+    """A folder with two scenes, traced before, for tests that change something."""
+    shutil.copytree(built, tmp_path, dirs_exist_ok=True)
     return tmp_path / "scenes"
 
 
@@ -61,10 +79,9 @@ def build(tmp_path, scenes, capsys):
     """A function that builds the site: exit code, what it printed, and the site's folder."""
 
     def run():
-        out, work = tmp_path / "dist", tmp_path / "work"
-        code = main(["site", "--scenes", str(scenes), "--out", str(out), "--work", str(work)])
+        code = site(tmp_path)
         printed = capsys.readouterr()
-        return code, printed.out + printed.err, out
+        return code, printed.out + printed.err, tmp_path / "dist"
 
     return run
 
@@ -77,21 +94,18 @@ def contents(folder: Path) -> dict[str, bytes]:
     }
 
 
-def test_a_site_has_pages_pictures_scene_data_and_every_grid(build):
+def test_a_site_has_pages_pictures_scene_data_and_every_grid(built):
     """Everything the viewer asks for, and nothing of the workshop."""
-    code, said, out = build()
-    assert code == 0
-    assert "2 scenes: 2 traced, 0 unchanged" in said
-    files = contents(out)
+    files = contents(built / "dist")
     for scene in ("01-ball", "02-ball"):
         expected = "index.html picture.png thumb.png scene.js 7.js 7.json.gz 21.js 21.json.gz"
         assert all(f"scenes/{scene}/{name}" in files for name in expected.split())
     assert not [name for name in files if name.endswith((".npz", "facts.json", "manifest.json"))]
 
 
-def test_every_tile_has_the_colour_of_the_pictures_pixel_at_its_centre(build):
+def test_every_tile_has_the_colour_of_the_pictures_pixel_at_its_centre(built):
     """One trace, many resolutions: the same rays, to the last bit."""
-    _, _, out = build()
+    out = built / "dist"
     for scene in (out / "scenes").iterdir():
         picture = np.asarray(Image.open(scene / "picture.png").convert("RGB"))
         for n in (7, 21):
@@ -101,9 +115,9 @@ def test_every_tile_has_the_colour_of_the_pictures_pixel_at_its_centre(build):
             np.testing.assert_array_equal(tiles, centres)
 
 
-def test_words_of_a_scene_file_cannot_become_markup(build):
+def test_words_of_a_scene_file_cannot_become_markup(built):
     """A title is text, and a script in a lesson is shown, not run."""
-    _, _, out = build()
+    out = built / "dist"
     page = (out / "scenes" / "01-ball" / "index.html").read_text(encoding="utf-8")
     assert "<script>alert" not in page
     assert "&lt;script&gt;alert(1)&lt;/script&gt;" in page
@@ -112,10 +126,9 @@ def test_words_of_a_scene_file_cannot_become_markup(build):
 
 
 def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp_path):
-    """Twice from the store, and once more from nothing."""
-    _, _, out = build()
-    first = contents(out)
-    _, said, _ = build()
+    """Once from the store, and once more from nothing."""
+    first = contents(tmp_path / "dist")
+    _, said, out = build()
     assert "0 traced, 2 unchanged" in said
     assert contents(out) == first
     shutil.rmtree(tmp_path / "work")
@@ -126,7 +139,6 @@ def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp
 
 def test_a_changed_colour_touches_that_scene_alone_and_a_changed_text_traces_nothing(build, scenes):
     """Keys are made of what a trace depends on."""
-    build()
     path = scenes / "02-ball" / "scene.toml"
     path.write_text(path.read_text().replace("Look,", "See,"), encoding="utf-8")
     _, said, out = build()
@@ -139,7 +151,7 @@ def test_a_changed_colour_touches_that_scene_alone_and_a_changed_text_traces_not
 
 def test_bad_input_leaves_the_old_site_as_it_was(build, scenes):
     """All mistakes at once, exit code 1, dist untouched, nothing half-written beside it."""
-    _, _, out = build()
+    out = scenes.parent / "dist"
     before = contents(out)
     for key, bad in ("1", "radius = -1"), ("2", "radius = nan"):
         path = scenes / f"0{key}-ball" / "scene.toml"
@@ -155,23 +167,22 @@ def test_bad_input_leaves_the_old_site_as_it_was(build, scenes):
 
 def test_a_damaged_store_is_noticed_and_made_again(build, tmp_path):
     """A flipped byte in a kept picture does not reach the site."""
-    _, _, out = build()
-    before = contents(out)
+    before = contents(tmp_path / "dist")
     [kept, *_] = sorted((tmp_path / "work").glob("*/picture.png"))
     data = bytearray(kept.read_bytes())
     data[len(data) // 2] ^= 1
     kept.write_bytes(data)
-    _, said, _ = build()
+    _, said, out = build()
     assert "1 traced, 1 unchanged" in said
     assert contents(out) == before
 
 
-def test_the_viewers_data_names_what_the_scene_names(build):
+def test_the_viewers_data_names_what_the_scene_names(built):
     """scene.js holds the objects in the scene's order, with their places."""
     import base64
     import gzip
 
-    _, _, out = build()
+    out = built / "dist"
     script = (out / "scenes" / "01-ball" / "scene.js").read_text()
     name, payload = json.loads("[" + script.removeprefix("raywalkReceive(").rstrip(");\n") + "]")
     data = json.loads(gzip.decompress(base64.b64decode(payload)))
@@ -182,3 +193,28 @@ def test_the_viewers_data_names_what_the_scene_names(build):
         0.9, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 1
     ]  # fmt: skip
     assert data["start"] == {"resolution": 7, "pixel": [3, 3]}
+
+
+def test_inspect_prints_a_pixels_ray_tree_from_either_file(built, capsys):
+    """As text from the script that the viewer loads, as JSON from the file for everyone."""
+    out = built / "dist"
+    place = out / "scenes" / "01-ball"
+    assert main(["inspect", str(place / "7.js"), "--pixel", "3,3"]) == 0
+    assert "camera ray meets ball" in capsys.readouterr().out
+    assert main(["inspect", str(place / "7.json.gz"), "--pixel", "3,3", "--json"]) == 0
+    tree = json.loads(capsys.readouterr().out)["tree"]
+    assert (tree["kind"], tree["objectName"]) == ("camera", "ball")
+    assert [child["kind"] for child in tree["children"]] == ["reflected"]
+
+
+@pytest.mark.parametrize(
+    ("file", "pixel", "words"),
+    [("7.js", "7,0", "pixel 7,0"), ("9.js", "0,0", "cannot be read"), ("picture.png", "0,0", "")],
+)
+def test_inspect_names_what_it_cannot_read(built, capsys, file, pixel, words):
+    """A pixel outside, a file that is not there, a file that is no trace: exit code 1."""
+    out = built / "dist"
+    assert main(["inspect", str(out / "scenes/01-ball" / file), "--pixel", pixel]) == 1
+    error = capsys.readouterr().err
+    assert file in error and words in error
+    assert "Traceback" not in error
