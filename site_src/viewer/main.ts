@@ -83,6 +83,7 @@ function start() {
       doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
     observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
     step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
+    turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
     play: () => telling(player.pressPlay),
     event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
     time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
@@ -129,7 +130,7 @@ function start() {
   const card = createCard({ move: acts.move, light: acts.light });
   const controls = createControls(acts);
   const legend = createLegend();
-  const lesson = createLesson({ step: acts.step });
+  const lesson = createLesson(acts);
   const steps = createPlayer(acts);
   find("#viewer").append(
     element(

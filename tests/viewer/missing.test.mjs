@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats, until, DIST } from "./browser.mjs";
+import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -16,15 +17,18 @@ after(async () => {
   server.close();
 });
 
+let shared; // one page for all of them: what a test answered differently is taken back after it
 async function withPage(task, options) {
-  const page = await newPage(browser, options);
+  const page = options ? await newPage(browser, options) : (shared ??= await newPage(browser));
   page.home = server.url;
+  page.faults.length = 0;
   try {
     await task(page);
   } finally {
-    await page.close();
+    await (options ? page.close() : page.unrouteAll({ behavior: "ignoreErrors" }));
   }
 }
+const start = readScene(rich.id).start;
 const answer = (page, file, reply) => page.route(`**/scenes/${rich.id}/${file}`, reply);
 const notice = (page) => page.locator("#notice .notice-text").innerText();
 const pictureShows = (page, selector) => page.locator(selector).evaluate((image) => image.complete && image.naturalWidth > 0);
@@ -44,7 +48,7 @@ test("without JavaScript the page shows picture, lesson and figures", () =>
 
 test("a missing trace: the scene in space, the picture and the lesson stay, and another grid works", () =>
   withPage(async (page) => {
-    const { n } = await startOf(page);
+    const n = start.resolution;
     await answer(page, `${n}.js`, (route) => route.fulfill({ status: 404 }));
     await open(page, server.url, rich.path, "still=1");
     assert.match(await notice(page), /could not be loaded; the picture, the lesson and the scene in space still work/);
@@ -65,7 +69,7 @@ const DAMAGES = {
 for (const [how, script] of Object.entries(DAMAGES))
   test(`a damaged trace (${how}) is told, and the rest works`, () =>
     withPage(async (page) => {
-      const { n } = await startOf(page);
+      const n = start.resolution;
       await answer(page, `${n}.js`, (route) => route.fulfill({ contentType: "text/javascript", body: script(`${rich.id}/${n}`) }));
       await open(page, server.url, rich.path, "still=1");
       assert.match(await notice(page), /damaged; the picture, the lesson and the scene in space still work/);
@@ -141,8 +145,3 @@ test("a browser that refuses WebGL gets the flat drawing and one sentence", asyn
     await refusing.close();
   }
 });
-
-async function startOf(page) {
-  await open(page, server.url, rich.path, "still=1");
-  return state(page);
-}

@@ -40,40 +40,38 @@ test("with still=1 two screenshots of the same state are the same bytes", async 
   assert.ok((await shot()).equals(await shot()));
 });
 
-test("a scene or grid that is loaded already shows its filled plane within 100 ms", async () => {
+const FRAMES = 6; // a tenth of a second on a screen of 60 frames a second
+
+test("a scene or grid that is loaded already shows its filled plane within six frames of an empty page", async () => {
   await open(page, ON_DISK, rich.path, "still=1&tiles=filled");
   const other = scenesOfSite().find((scene) => scene.key && scene.id !== rich.id);
-  for (const key of [other.key, rich.key, "+", "-"]) {
+  const changes = [other.key, rich.key, "+", "-"];
+  for (const key of changes) {
     await press(page, key);
-    await until(page, (s, t) => t.tiles.length === 3 * s.n * s.n && t.tilesShown === s.n * s.n);
+    await until(page, (s, t) => t.shown.scene === s.scene && t.shown.n === s.n && t.shown.tiles === s.n * s.n);
   }
-  /** Milliseconds from the key to the drawn plane. */
-  const change = ([key, id]) =>
-    page.evaluate(
-      ([key, id]) =>
-        new Promise((done) => {
-          const from = performance.now();
-          const look = () => {
-            const { shown } = window.raywalk.stats();
-            if (shown.scene === id && shown.tiles === shown.n * shown.n) done(performance.now() - from);
-            else setTimeout(look);
-          };
-          window.dispatchEvent(new KeyboardEvent("keydown", { key }));
-          look();
-        }),
-      [key, id],
-    );
-  const took = [];
-  for (let round = 0; round < 5; round++)
-    for (const to of [[other.key, other.id], [rich.key, rich.id]]) took.push(await change(to));
-  // On a busy machine everything takes longer, an empty frame as well: by so much the limit grows.
-  const frame = await page.evaluate(async () => {
-    const times = [];
-    for (let k = 0; k < 21; k++) times.push(await new Promise((done) => requestAnimationFrame(done)));
-    return times.slice(1).map((time, k) => time - times[k]).sort((a, b) => a - b)[10];
-  });
-  const limit = 100 * Math.max(1, frame / 17);
-  assert.ok(Math.min(...took) < limit, `${took.map(Math.round).join(", ")} ms; limit ${limit.toFixed(0)} ms`);
+  /** From the key to the drawn plane, over what one frame takes in which nothing is drawn (still=1). */
+  const change = (key) =>
+    page.evaluate(async (key) => {
+      const frame = () => new Promise((done) => requestAnimationFrame(done));
+      const empty = [];
+      for (let from = await frame(), k = 0; k < 7; k++) {
+        const to = await frame();
+        empty.push(to - from);
+        from = to;
+      }
+      const was = JSON.stringify(window.raywalk.stats().shown);
+      const from = performance.now();
+      window.dispatchEvent(new KeyboardEvent("keydown", { key }));
+      const isThere = ({ shown }) => JSON.stringify(shown) !== was && shown.tiles === shown.n * shown.n;
+      while (!isThere(window.raywalk.stats())) await new Promise((done) => setTimeout(done));
+      return (performance.now() - from) / empty.sort((a, b) => a - b)[3];
+    }, key);
+  // Other programs only ever add time: of many tries the quickest counts, and only a quiet moment is waited for.
+  const best = new Map(changes.map((key) => [key, Infinity]));
+  for (let round = 0; round < 30 && [...best.values()].some((ratio) => ratio > FRAMES); round++)
+    for (const key of changes) best.set(key, Math.min(best.get(key), await change(key)));
+  for (const [key, ratio] of best) assert.ok(ratio <= FRAMES, `key ${key}: ${ratio.toFixed(1)} frames`);
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -13,29 +13,22 @@ function telling(event: RayEvent): HTMLElement[] {
   return [element("p", "event-says", ...phrases), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
 }
 
-export function createLesson(acts: { step: (step: number | null) => void }) {
+export function createLesson(acts: { step: (step: number | null) => void; turn: (by: 1 | -1) => void }) {
   const text = element("div", "lesson-text");
   const place = element("span", "lesson-place numbers");
-  const previous = button("\u2039", WORDS.previous, () => go(-1), { className: "sign" });
-  const next = button("\u203a", WORDS.next, () => go(1), { className: "sign" });
+  const previous = button("\u2039", WORDS.previous, () => acts.turn(-1), { className: "sign" });
+  const next = button("\u203a", WORDS.next, () => acts.turn(1), { className: "sign" });
   const end = button("\u00d7", WORDS.end, () => acts.step(null), { className: "sign quiet" });
   const start = button(WORDS.start, WORDS.start, () => acts.step(0), { className: "primary start-lesson" });
   const steps = element("div", "lesson-steps", previous, place, next, end);
   const root = element("section", "lesson", text, element("div", "lesson-buttons", start, steps));
   root.setAttribute("aria-label", WORDS.region);
-  let now: { state: ViewState; scene: SceneData } | null = null;
   let shown: readonly unknown[] = [];
-
-  function go(by: number) {
-    const step = (now?.state.step ?? 0) + by;
-    if (now?.scene.lesson[step]) acts.step(step);
-  }
 
   return {
     element: root,
     /** told: the event the player is at. */
     show(state: ViewState, scene: SceneData, told: RayEvent | null) {
-      now = { state, scene };
       const { step } = state;
       const running = step !== null;
       start.hidden = running || scene.lesson.length === 0;

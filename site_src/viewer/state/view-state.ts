@@ -123,6 +123,10 @@ export function goToStep(scene: SceneData, state: ViewState, step: number | null
   return applyView(scene, { ...state, step }, scene.lesson[step].view);
 }
 
+/** The lesson's next or previous step; the same state at either end. */
+export const turnStep = (scene: SceneData, state: ViewState, by: 1 | -1): ViewState =>
+  state.step !== null && scene.lesson[state.step + by] ? goToStep(scene, state, state.step + by) : state;
+
 export const pixelIndex = ({ pixel, n }: Pick<ViewState, "pixel" | "n">): number => pixel[1] * n + pixel[0];
 
 /** 8-bit colour of a tile as the picture has it. */
