@@ -26,18 +26,19 @@ const hitList = (hits: readonly { name: string; t: number }[]) => hits.map(({ na
 function lightNumbers({ name, seen, diffuse, specular, colour }: LightShare, of: { diffuse: Vec3; specular: Vec3 }): string {
   if (seen === "blocked") return `${name}: 0, in shadow`;
   if (seen === "away") return `${name}: 0, faces away`;
-  const parts = [isBlack(of.diffuse) ? "" : `diffuse ${number(diffuse)} \u00d7 ${tone(of.diffuse)}`, isBlack(of.specular) ? "" : `specular ${number(specular)} \u00d7 ${tone(of.specular)}`];
-  const sum = parts.filter(Boolean).join(" + ");
-  return `${name}: ${sum === "" ? "0" : isWhite(colour) ? sum : `(${sum}) \u00d7 its colour ${tone(colour)}`}`;
+  const part = (word: string, factor: number, paint: Vec3) => (isBlack(paint) || number(factor) === number(0) ? [] : [`${word} ${number(factor)} \u00d7 ${tone(paint)}`]);
+  const parts = [...part("diffuse", diffuse, of.diffuse), ...part("specular", specular, of.specular)];
+  const sum = parts.length > 1 && !isWhite(colour) ? `(${parts.join(" + ")})` : parts.join(" + ");
+  return `${name}: ${sum === "" ? "0" : isWhite(colour) ? sum : `${sum} \u00d7 its colour ${tone(colour)}`}`;
 }
 
-const termNumbers = ({ of, share, colour }: Term) => `${of === "local" ? "own" : LINE_WORDS[of]} ${share === 1 ? "" : `${percent(share)} of `}${tone(colour)}`;
+const termNumbers = ({ of, share, colour }: Term) => `${of === "local" ? "own" : of === "background" ? of : LINE_WORDS[of]} ${share === 1 ? "" : `${percent(share)} of `}${tone(colour)}`;
 const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || "nothing"} = ${tone(colour)}`;
 
 export function tell(event: RayEvent): Told {
   switch (event.what) {
     case "camera":
-      return { says: ["A ", ["camera ray", "camera"], ` leaves through pixel (${event.pixel.join(", ")}).`], numbers: "" };
+      return { says: ["A ", ["camera ray", "camera"], ` leaves through pixel (${event.pixel.join(", ")}).`], numbers: `from the eye ${vector(event.eye)}` };
     case "meets": {
       const nearest = event.hits.length > 1 ? `${hitList(event.hits)}: the nearest wins` : `distance ${number(event.t)}`;
       return { says: ["It meets ", bold(event.name), event.hits.length > 1 ? " first: of all it would meet, the nearest counts." : "."], numbers: `${nearest} \u00b7 point ${vector(event.point)}` };

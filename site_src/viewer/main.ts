@@ -1,6 +1,8 @@
 /** The viewer: one state, one render. Reads as the table of contents of what a person can do. */
 import { giveKeysBack, listenToLinks } from "./links";
 import { createLoader } from "./load";
+import { createAddressBar } from "./address-bar";
+import { countsOf, exposeForTests } from "./for-tests";
 import { listenToKeys } from "./keys";
 import { contrastWith } from "./palette";
 import { createCard, type CardLine } from "./panels/card";
@@ -14,7 +16,7 @@ import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
 import { createViewPad } from "./panels/view-pad";
 import { createStage } from "./stage/stage";
-import { followAddress, readAddress, writeAddress } from "./state/address";
+import { followAddress, readAddress } from "./state/address";
 import { createBeat } from "./beat";
 import { createShown } from "./state/shown";
 import * as player from "./state/play";
@@ -38,6 +40,7 @@ function start() {
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.scenes a[data-scene]")];
   const ids = links.map((link) => link.dataset.scene!);
 
+  const addressBar = createAddressBar({ home, onDisk, links });
   const loader = createLoader(root);
   const notice = createNotice(find("#notice"));
   const page = createPage({ root, article: find("#page"), title: find("#title"), links });
@@ -172,19 +175,9 @@ function start() {
     addressTimer = window.setTimeout(() => writeHash("replace"), ADDRESS_AFTER);
   }
 
-  function addressOf(now: ViewState, of: SceneData): string {
-    const hash = writeAddress(now, of, onDisk && now.scene !== home);
-    const to = new URL(onDisk ? location.href : links[ids.indexOf(now.scene)].href);
-    to.hash = hash;
-    if (!onDisk) to.search = location.search;
-    return hash ? to.href : to.href.replace(/#$/, "");
-  }
-
   function writeHash(how: "replace" | "push") {
     clearTimeout(addressTimer);
-    if (!state || !scene) return;
-    const address = addressOf(state, scene);
-    if (address !== location.href) history[how === "push" ? "pushState" : "replaceState"](null, "", address);
+    if (state && scene) addressBar.write(how, state, scene);
   }
 
   // ---- loading ----
@@ -293,33 +286,22 @@ function start() {
   let ready = followPage();
   window.addEventListener("popstate", () => (ready = followPage()));
   window.addEventListener("pagehide", () => writeHash("replace"));
-  exposeForTests();
-
-  function exposeForTests() {
-    const read = {
-      state: () => structuredClone(state),
-      get ready() {
-        return ready;
-      },
-      stats: () => {
-        const view = state && scene ? shown.of(state, scene, current()) : null;
-        const { growing, grown, left, timeline } = view ?? { growing: null, grown: 1, left: 0, timeline: null };
-        const counts = { tilesShown: view?.tiles ?? 0, chosen: view?.chosen.length ?? 0, thin: view?.thin.length ?? 0, left, kinds: [...(view?.kinds ?? [])] };
-        const bright = lit ?? told();
-        const now = { growing, grown, events: timeline?.events ?? [], lines: view?.chosen ?? [], lit: bright && { ray: bright.ray, light: bright.light } };
-        return { ...stage.stats(), ...counts, ...now, shown: drawn, renders, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
-      },
-      lesson: () => scene?.lesson.map((step) => step.view) ?? [],
-      loseContext: stage.loseContext,
-      /** Time stands still from now on, and moves by so many seconds when asked to. */
-      hold: () => void (held = true),
-      advance(seconds: number) {
-        pass(seconds);
-        render();
-      },
-    };
-    Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });
-  }
+  exposeForTests({
+    state: () => state,
+    ready: () => ready,
+    stats() {
+      const bright = lit ?? told();
+      const shownNow = state && scene ? shown.of(state, scene, current()) : null;
+      return { ...stage.stats(), ...countsOf(shownNow), lit: bright && { ray: bright.ray, light: bright.light }, shown: drawn, renders, notice: notice.text(), tiles: [...(current()?.tiles ?? [])] };
+    },
+    lesson: () => scene?.lesson.map((step) => step.view) ?? [],
+    loseContext: stage.loseContext,
+    hold: () => void (held = true),
+    advance(seconds: number) {
+      pass(seconds);
+      render();
+    },
+  });
 }
 
 const TROUBLE_OF_TRACE = new Set<string>();

@@ -66,6 +66,7 @@ test("the buttons do the same", async () => {
   assert.equal(await told(), null);
   await button("One event on").click();
   await button("Leave the step-by-step player").click();
+  await settled(page);
   assert.equal(await told(), null);
   assert.ok(!(await button("Leave the step-by-step player").isVisible()));
 });
@@ -89,8 +90,9 @@ test("another pixel, another grid and a lesson's step begin anew", async () => {
     await press(page, key);
     assert.equal(await told(), null);
   }
-  await follow(page, `${START}&e=3`);
-  await button("Start the lesson").click();
+  await follow(page, `${START}&step=1&e=3`);
+  assert.equal(await told(), 2);
+  await button("Next step").click();
   assert.equal(await told(), null);
 });
 

@@ -17,7 +17,7 @@ export interface LightShare {
 
 /** One term of a colour: share x colour. */
 export interface Term {
-  of: "local" | LineKind;
+  of: "local" | "background" | LineKind;
   share: number;
   colour: Vec3;
 }
@@ -25,7 +25,7 @@ export interface Term {
 export type Degrees = number | null; // null: between points too close together to measure it
 
 export type Happening =
-  | { what: "camera"; pixel: readonly [number, number] }
+  | { what: "camera"; pixel: readonly [number, number]; eye: Vec3 }
   | { what: "reflected"; name: string; share: number; keeps: number; clear: boolean; angle: Degrees }
   | { what: "refracted"; name: string; share: number; enters: boolean; from: number; to: number; angle: Degrees; bent: Degrees }
   | { what: "total"; name: string; share: number; from: number; to: number; angle: Degrees }
@@ -86,7 +86,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   function departure(ray: number, media: Media, after: Media): Happening {
     const parent = trace.parent[ray];
     const kind = KIND_NAMES[trace.kind[ray]];
-    if (parent < 0) return { what: "camera", pixel: place };
+    if (parent < 0) return { what: "camera", pixel: place, eye: scene.camera.eye };
     const material = scene.materials[trace.material[parent]];
     const normal = triple(trace.normal, parent);
     const base = { name: nameOf(trace.object[parent]), share: trace.weight[ray], angle: angle(parent, normal) };
@@ -124,7 +124,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
 
   function terms(ray: number): Term[] {
     const sent = (children.get(ray) ?? []).map((child): Term => ({ of: KIND_NAMES[trace.kind[child]], share: trace.weight[child], colour: triple(trace.colour, child) }));
-    if (trace.object[ray] < 0) return [{ of: "local", share: 1, colour: scene.background }];
+    if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
     if (trace.localWeight[ray] === 0) return sent;
     const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
     return [{ of: "local", share: trace.localWeight[ray], colour: own }, ...sent];

@@ -1,0 +1,23 @@
+/** Writes the view into the address bar: from a server each scene has its page's address, from a disk the page stays. */
+import { writeAddress } from "./state/address";
+import type { ViewState } from "./state/view-state";
+import type { SceneData } from "./trace/types";
+
+export function createAddressBar(page: { home: string; onDisk: boolean; links: readonly HTMLAnchorElement[] }) {
+  const { home, onDisk, links } = page;
+
+  function addressOf(now: ViewState, of: SceneData): string {
+    const hash = writeAddress(now, of, onDisk && now.scene !== home);
+    const to = new URL(onDisk ? location.href : links.find((link) => link.dataset.scene === now.scene)!.href);
+    to.hash = hash;
+    if (!onDisk) to.search = location.search;
+    return hash ? to.href : to.href.replace(/#$/, "");
+  }
+
+  return {
+    write(how: "replace" | "push", now: ViewState, of: SceneData) {
+      const address = addressOf(now, of);
+      if (address !== location.href) history[how === "push" ? "pushState" : "replaceState"](null, "", address);
+    },
+  };
+}
