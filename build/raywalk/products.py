@@ -11,6 +11,7 @@ from PIL import Image
 
 from raywalk.geometry.display import display_triangles
 from raywalk.geometry.mesh_file import Triangles
+from raywalk.geometry.overlap import overlap_warnings
 from raywalk.scene.model import Mesh, Scene
 from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
@@ -30,7 +31,10 @@ def write_products(scene: Scene, folder: Path, threads: int) -> None:
     for n in sorted(scene.render.resolutions):
         write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
     write_display(folder / "display.npz", scene, tracer)
-    facts = counts(traced.tree) | {"dropped": dropped_triangles(tracer)}
+    facts = counts(traced.tree) | {
+        "dropped": dropped_triangles(tracer),
+        "warnings": overlap_warnings(scene, tracer.compiled),
+    }
     (folder / "facts.json").write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
 
 

@@ -18,7 +18,7 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.site.assets import BundleError, write_assets
-from raywalk.site.figures import has_glass, scene_figures
+from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages
 from raywalk.site.publish import staged
@@ -56,6 +56,8 @@ def run(chosen: Namespace) -> Iterator[str]:
     ):
         yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
     entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
+    for scene in scenes:
+        yield from remarks(scene, facts_of(entries[scene.id]))
     with staged(chosen.out) as out:
         try:
             assets = write_assets(out, SITE_SOURCE)
@@ -115,6 +117,14 @@ def read_display(scene: Scene, path: Path) -> Display:
         if isinstance(obj.shape, Mesh)
     }
     return Display(arrays["centre"], float(arrays["radius"]), meshes)
+
+
+def remarks(scene: Scene, facts: dict[str, Any]) -> Iterator[str]:
+    """What an author should know though nothing is wrong."""
+    for name, why in left_out(facts["dropped"]):
+        yield f'{scene.id}: left out of "{name}": triangles {why}'
+    for warning in facts["warnings"]:
+        yield f"{scene.id}: warning: {warning}"
 
 
 def facts_of(entry: Entry) -> dict[str, Any]:

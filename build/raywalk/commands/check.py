@@ -22,23 +22,30 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """A line a scene that is in order. Raises SourceErrors with all that is not."""
     scenes, problems = _read(chosen)
+    warnings: list[str] = []
     for scene in scenes:
         try:
-            check_geometry(scene)
+            warnings += [f"{scene.id}: warning: {warning}" for warning in check_geometry(scene)]
         except SourceErrors as raised:
             problems += raised.errors
     if problems:
         raise SourceErrors(problems)
+    yield from warnings
     for scene in scenes:
         yield f"{scene.id}: {len(scene.objects)} objects, {len(scene.lights)} lights: in order"
 
 
-def check_geometry(scene: Scene) -> None:
-    """What only compiled geometry knows: unreadable meshes, open glass, buried cameras."""
-    if any(isinstance(obj.shape, Mesh) for obj in scene.objects):
-        from raywalk.trace.wavefront import Tracer  # numba and Embree: only where needed
+def check_geometry(scene: Scene) -> list[str]:
+    """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
+    and buried cameras; returns warnings of overlapping glass."""
+    clear = [obj for obj in scene.objects if scene.materials[obj.material].transmit > 0]
+    if len(clear) < 2 and not any(isinstance(obj.shape, Mesh) for obj in scene.objects):
+        return []
+    # numba and Embree: only where needed
+    from raywalk.geometry.overlap import overlap_warnings
+    from raywalk.trace.wavefront import Tracer
 
-        Tracer(scene)
+    return overlap_warnings(scene, Tracer(scene).compiled)
 
 
 def scene_file(named: str, folder: Path) -> Path:

@@ -29,10 +29,17 @@ def scene_figures(scene: Scene, facts: dict[str, Any]) -> Figures:
     ]
     if has_glass(scene):
         figures.append(("Shadow rays at glass", GLASS_SHADOWS[scene.render.glass_shadows]))
-    for name, reasons in facts["dropped"].items():
-        dropped = ", ".join(f"{count} {reason}" for reason, count in reasons.items())
-        figures.append((f"Triangles left out of {name}", dropped))
+    figures += [(f"Triangles left out of {name}", why) for name, why in left_out(facts["dropped"])]
+    figures += [("Note", warning) for warning in facts["warnings"]]
     return figures + [("Model", credit) for credit in model_credits(scene)]
+
+
+def left_out(dropped: dict[str, dict[str, int]]) -> Figures:
+    """Object and "2 without area, 1 not finite" for each mesh with unusable triangles."""
+    return [
+        (name, ", ".join(f"{count} {reason}" for reason, count in reasons.items()))
+        for name, reasons in dropped.items()
+    ]
 
 
 def has_glass(scene: Scene) -> bool:

@@ -1,0 +1,83 @@
+"""Glass that overlaps other glass with neither inside the other: no order of media is right.
+
+A ray's medium is the one it entered last. That is right for glass inside glass, and for
+glass beside glass; where two bodies share a part, either could fill it, and an author
+should know.
+"""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import numpy as np
+
+from raywalk.geometry.compiled import CompiledScene
+from raywalk.geometry.containment import winding_number
+from raywalk.geometry.nearest import to_local
+from raywalk.geometry.solids import BOX, CYLINDER, PLANE, height
+from raywalk.scene.model import Scene
+
+SAMPLES = 256  # points a surface: overlaps of a few per cent are found, slighter ones may not be
+# Closer to a surface than this share of its body's size is on it: touching is not overlapping.
+TOUCHING = 1e-6
+
+
+def overlap_warnings(scene: Scene, compiled: CompiledScene) -> list[str]:
+    """A sentence for each pair of overlapping glass objects."""
+    glass = [k for k, obj in enumerate(scene.objects) if scene.materials[obj.material].transmit > 0]
+    points = {k: surface_points(compiled, k) for k in glass}
+    pairs = {
+        (min(one, other), max(one, other))
+        for one, other in permutations(glass, 2)
+        if _is_cut(levels(compiled, other, points[one]))
+    }
+    return [
+        f'"{scene.objects[a].name}" and "{scene.objects[b].name}" are both clear and overlap, and '
+        "neither lies inside the other: in the part they share, light is in the one it entered last"
+        for a, b in sorted(pairs)
+    ]
+
+
+def _is_cut(level: np.ndarray) -> bool:
+    """Whether a surface lies partly inside and partly outside a body."""
+    return bool((level < -TOUCHING).any() and (level > TOUCHING).any())
+
+
+def surface_points(compiled: CompiledScene, k: int) -> np.ndarray:
+    """(n, 3) points spread over a closed object's surface; none of an endless plane."""
+    for mesh in compiled.meshes:
+        if mesh.index == k:
+            corners = mesh.corners.reshape(-1, 3)
+            return np.asarray(mesh.centre + corners[:: max(1, len(corners) // SAMPLES)])
+    table, row = compiled.primitives, compiled.primitives.row_of[k]
+    shape, points = table.shape[row], _on_sphere(SAMPLES)
+    if shape == PLANE:
+        return np.empty((0, 3))
+    if shape == BOX:
+        points = points / np.abs(points).max(axis=1, keepdims=True)
+    if shape == CYLINDER:
+        rim = np.maximum(np.hypot(points[:, 0], points[:, 1]), np.abs(points[:, 2]))
+        points = points / rim[:, None]
+    return np.asarray(table.centre[row] + points @ table.to_world[row].T)
+
+
+def levels(compiled: CompiledScene, k: int, points: np.ndarray) -> np.ndarray:
+    """(n,) how far outside a closed object points are, about in shares of its size."""
+    for mesh in compiled.meshes:
+        if mesh.index == k:
+            turns = [winding_number(mesh.corners, point - mesh.centre) for point in points]
+            return 0.5 - np.array(turns)
+    table, row = compiled.primitives, compiled.primitives.row_of[k]
+    shape, matrix = table.shape[row], table.to_local[row]
+    local = [to_local(matrix, *(point - table.centre[row])) for point in points]
+    if shape == PLANE:
+        return np.array([y for _, y, _ in local])
+    return np.array([height(shape, x, y, z) for x, y, z in local])
+
+
+def _on_sphere(count: int) -> np.ndarray:
+    """(n, 3) unit vectors, evenly spread: a spiral by the golden angle (Vogel, 1979)."""
+    z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
+    angle = np.arange(count) * np.pi * (3.0 - np.sqrt(5.0))
+    ring = np.sqrt(1.0 - z * z)
+    return np.column_stack([ring * np.cos(angle), ring * np.sin(angle), z])
