@@ -21,7 +21,7 @@ export const LINE_WORDS: Readonly<Record<LineKind, string>> = {
 /** Whole numbers as people write them: 11 025. */
 export const grouped = (value: number): string => String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
-export const LEFT_OUT = (left: number): string => `Of so many rays the ${grouped(left)} shadow rays are not drawn.`;
+export const LEFT_OUT = (left: number, most: number): string => `${grouped(left)} shadow rays are left out: above ${grouped(most)} lines they are not drawn.`;
 
 /** The first word of a card's line. */
 export const KIND_WORDS: Readonly<Record<string, string>> = {

@@ -88,10 +88,10 @@ test("with the keyboard alone every control can be reached, seen and used", asyn
   assert.equal((await state(page)).tiles, "empty", "and does not render as well");
 });
 
-for (const path of ["index.html", rich.path])
-  test(`axe finds nothing wrong on ${path}`, async () => {
+for (const [path, hash] of [["index.html", ""], [rich.path, "still=1&tiles=filled"], [rich.path, "still=1&step=1&e=5"]])
+  test(`axe finds nothing wrong on ${path} ${hash}`, async () => {
     await size(page, 1280, 800);
-    await open(page, ON_DISK, path, path === "index.html" ? "" : "still=1&tiles=filled");
+    await open(page, ON_DISK, path, hash);
     await page.evaluate(axe);
     const found = await page.evaluate(async () => (await window.axe.run(document, { preload: false, runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"] })).violations);
     assert.deepEqual(found.map((each) => `${each.id}: ${each.nodes.map((node) => node.target).join(" ")}`), []);

@@ -1,7 +1,8 @@
 /** The step-by-step player: by key, by button, by the scrub bar, from the address. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats, until } from "./browser.mjs";
+import { readTrace } from "./scene-files.mjs";
 
 const rich = richScene();
 const START = "still=1&n=15&p=5,8";
@@ -121,8 +122,11 @@ test("P plays: time moves the line on, P pauses it there, and the end is the las
   await follow(page, "n=15&p=5,8&still=1");
   await press(page, "p");
   assert.equal(await told(), (await stats(page)).events.length - 1, "without a clock it is at the end at once");
+  await follow(page, "n=15&p=5,8&speed=8");
+  await press(page, "p");
+  await until(page, (s) => s.event > 0);
   await page.evaluate(() => window.raywalk.hold());
-  await follow(page, "n=15&p=5,8");
+  await follow(page, "n=15&p=5,8&speed=1");
   await press(page, "p");
   assert.equal((await state(page)).playing, true);
   assert.equal(await page.locator(".lesson-text").getAttribute("aria-live"), "off");
@@ -153,6 +157,27 @@ test("speed is one for rendering and playing", async () => {
   assert.ok(Math.abs((await stats(page)).grown - fast) < 1e-9);
   await press(page, " ");
   assert.equal((await state(page)).playing, false, "rendering takes over");
+});
+
+test("the card names each hit's normal and what each light gives there", async () => {
+  await follow(page, START);
+  const { trace } = await readTrace(rich.id, 15);
+  const shown = (v) => v.toFixed(3).replace("-", "\u2212").replace(/^\u2212(0\.000)$/, "$1");
+  const rows = await page.locator("li.ray").evaluateAll((rows) => rows.map((row) => [Number(row.dataset.ray), Number(row.dataset.light), row.innerText]));
+  assert.ok(rows.some(([, light]) => light >= 0));
+  for (const [ray, light, text] of rows) {
+    const at = ray * trace.lights + light;
+    if (light < 0 && trace.object[ray] >= 0) assert.ok(text.includes(`normal (${[...trace.normal.slice(3 * ray, 3 * ray + 3)].map(shown).join(", ")})`), text);
+    if (light >= 0 && trace.visibility[at] === 1) assert.ok(text.includes(`diffuse ${shown(trace.diffuse[at])} \u00b7 specular ${shown(trace.specular[at])}`), text);
+    if (light >= 0) assert.ok(trace.localWeight[ray] > 0, "a mirror asks no light");
+  }
+});
+
+test("while the player tells, the legend stays as it is", async () => {
+  await follow(page, START);
+  const all = (await stats(page)).kinds;
+  await press(page, ".");
+  assert.deepEqual((await stats(page)).kinds, all);
 });
 
 test("pointing at a row wins over the told event as long as it lasts", async () => {

@@ -110,7 +110,7 @@ test("where All leaves shadow rays out, the legend says so in a sentence", async
   await page.waitForFunction(() => window.raywalk.stats().shown.n === 105 && window.raywalk.stats().shown.lines > 0);
   const { left } = await stats(page);
   assert.ok(left > 0);
-  assert.match(await page.locator(".legend .left-out").innerText(), /shadow rays are not drawn\.$/);
+  assert.match(await page.locator(".legend .left-out").innerText(), /^[\d\u202f]+ shadow rays are left out: .* not drawn\.$/);
   await press(page, "a");
   assert.ok(!(await page.locator(".legend .left-out").isVisible()));
 });

@@ -1,11 +1,12 @@
 /** What the colours and dashes of the lines on the stage mean: only the kinds that are there. */
 import { LINES } from "../palette";
 import { LINE_KINDS, type LineKind } from "../state/lines";
+import { CROWD } from "../state/shown";
 import { LEFT_OUT, LINE_WORDS } from "../words";
 import { element } from "./element";
 
 const SVG = "http://www.w3.org/2000/svg";
-const LONG = 34; // pixels of sample line
+const LONG = 26; // pixels of sample line
 
 function sample(kind: LineKind): SVGElement {
   const make = (tag: string, attributes: Record<string, string | number>) => {
@@ -38,7 +39,7 @@ export function createLegend() {
     /** left: shadow rays that are not drawn. */
     show(kinds: ReadonlySet<LineKind>, left: number) {
       note.hidden = left === 0;
-      if (left) note.textContent = LEFT_OUT(left);
+      if (left) note.textContent = LEFT_OUT(left, CROWD);
       for (const { kind, item } of items) item.hidden = !kinds.has(kind);
     },
     dispose: () => root.remove(),

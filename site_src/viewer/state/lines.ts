@@ -93,6 +93,15 @@ export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
   return lines;
 }
 
+/** Every kind of line that any pixel has. */
+export function kindsIn(trace: Trace): Set<LineKind> {
+  const kinds = new Set<LineKind>();
+  for (const kind of new Set(trace.kind)) kinds.add(KIND_NAMES[kind]);
+  if (trace.visibility.includes(VISIBILITY.reached)) kinds.add("reached");
+  if (trace.visibility.includes(VISIBILITY.blocked)) kinds.add("blocked");
+  return kinds;
+}
+
 /** Pixels of the selected row, of the column, or of all: the ones drawn thin. */
 export function thinPixels({ rays, n, pixel }: Pick<ViewState, "rays" | "n" | "pixel">): number[] {
   if (rays.includes("all")) return Array.from({ length: n * n }, (_, k) => k);

@@ -2,7 +2,7 @@
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
-import { linesOf, thinPixels, type Line, type LineKind } from "./lines";
+import { kindsIn, linesOf, thinPixels, type Line, type LineKind } from "./lines";
 import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
 import { pixelIndex, tileColour, tilesShown, type ViewState } from "./view-state";
 
@@ -12,7 +12,7 @@ export interface Shown {
   chosen: readonly Line[]; // drawn thick: of the selected pixel, or of the tile being rendered
   thin: readonly Line[];
   left: number; // shadow rays that are not drawn because there are too many lines
-  kinds: ReadonlySet<LineKind>;
+  kinds: ReadonlySet<LineKind>; // while lines grow: also of those to come, or the legend would flicker
   ringOn: readonly [number, number, number] | null; // colour the selected tile shows; null while it is empty
   growing: Growing | null; // the tile being rendered
   timeline: Timeline | null; // the selected pixel's events; null without a trace
@@ -77,6 +77,14 @@ export function createShown() {
     return chosen([scene, trace, pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
   }
 
+  function kindsOf(state: ViewState, scene: SceneData, trace: Trace | null, thick: readonly Line[], thin: readonly Line[]): ReadonlySet<LineKind> {
+    if (trace && state.tiles === "filling") return kinds([trace], () => kindsIn(trace));
+    const isTold = trace && state.event !== null;
+    const index = pixelIndex(state);
+    const needs = isTold ? [trace, index, thin] : [thick, thin];
+    return kinds(needs, () => new Set([...(isTold ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
+  }
+
   return {
     of(state: ViewState, scene: SceneData, trace: Trace | null): Shown {
       const index = pixelIndex(state);
@@ -90,7 +98,7 @@ export function createShown() {
         chosen: thick,
         thin: lines,
         left,
-        kinds: kinds([thick, lines], () => new Set([...thick, ...lines].map((line) => line.kind))),
+        kinds: kindsOf(state, scene, trace, thick, lines),
         ringOn: trace && index < tiles ? tileColour(trace, index) : null,
         growing: growingOf(state),
         timeline: told,
