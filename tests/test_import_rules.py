@@ -29,7 +29,8 @@ VIEWER_MAY_IMPORT = {
     "trace": {"trace"},
     "state": {"state", "trace"},
     "stage": {"stage", "state", "trace"},
-    "panels": {"panels", "state", "trace"},
+    # event-words holds the sentences for the state's events, which only panels show.
+    "panels": {"panels", "state", "trace", "event-words"},
 }
 FOR_ANYONE = {"words", "palette"}
 
