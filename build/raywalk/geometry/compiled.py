@@ -44,6 +44,10 @@ class Hits(NamedTuple):
     inside: np.ndarray  # (n,) bool: met from the inner side
     material: np.ndarray  # (n,) int32, -1 if nothing is met
 
+    def take(self, chosen: np.ndarray) -> Hits:
+        """The hits at these indices (or where this mask holds)."""
+        return Hits(*(column[chosen] for column in self))
+
 
 def rays_from(origin: np.ndarray, direction: np.ndarray) -> Rays:
     """Rays that start in free space, such as camera rays."""

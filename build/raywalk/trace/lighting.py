@@ -37,7 +37,7 @@ def light_hits(
     asked = np.flatnonzero(local_weight > 0.0)
     if not len(asked):
         return out
-    seen = Hits(*(column[asked] for column in hits))
+    seen = hits.take(asked)
     incoming = rays.direction[asked]
     for k in range(many):
         to_light, distance, facing = towards_light(seen.point, seen.geometric, lights.position[k])
@@ -102,7 +102,7 @@ def through_glass(
         clear = materials.transmit[hits.material]
         on = (clear > 0.0) & (hits.t < reach[going] - base[going])
         going, clear = going[on], clear[on]
-        hits = Hits(*(column[on] for column in hits))
+        hits = hits.take(on)
         passed[going] *= clear
         base[going] += hits.t
         rays.origin[going], rays.leaving[going] = hits.point, hits.object

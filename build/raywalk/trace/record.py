@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 # A ray that leaves the scene is drawn a little beyond the sphere round everything finite.
 BEYOND = 1.25
 
-SHAPES = {"point": 3, "normal": 3, "local": 3, "colour": 3}
 LIGHT_COLUMNS = ("visibility", "blocker", "blocked_at", "diffuse", "specular")
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -37,11 +37,6 @@ class Wave:
     hits: Hits
     lighting: Lighting
     colour: np.ndarray  # (n, 3), final once the waves behind have been gathered
-
-
-def take_rows(columns: Lighting, chosen: np.ndarray) -> Lighting:
-    """The same columns at some rows."""
-    return Lighting(*(getattr(columns, field.name)[chosen] for field in fields(columns)))
 
 
 @kernel

@@ -12,7 +12,6 @@ from raywalk.trace_file.precision import COLOUR
 from raywalk.trace_file.walk import Ray
 
 EXACT = ("kind", "parent", "depth", "object", "material", "inside", "visibility", "blocker")
-MOST_TILE = 1  # of 255: more means that picture and tree disagree
 
 
 def measured_errors(

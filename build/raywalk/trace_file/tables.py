@@ -14,7 +14,7 @@ from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.patches import Patch
-from raywalk.trace_file.precision import coordinate_step, light_step, point_error
+from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
 
 SAME_SHARE = 1e-12  # weights closer together are one constant
 
@@ -73,7 +73,7 @@ def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[s
 
 def allowed_error(patch: Patch, extent: float) -> float:
     error = point_error(extent, patch.way)
-    return error * 10 if patch.object < 0 else error
+    return error * LEAVING if patch.object < 0 else error
 
 
 def material_rows(tree: RayTree, scene: Scene) -> list[dict[str, Any]]:
