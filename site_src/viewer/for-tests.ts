@@ -1,12 +1,10 @@
 /** window.raywalk: what tests may ask of the page, and the one thing they may do, move time. */
+import type { Session } from "./session";
 import type { Shown } from "./state/shown";
-import type { ViewState } from "./state/view-state";
 
 export interface Asked {
-  state: () => ViewState | null;
   ready: () => Promise<void>;
   stats: () => object;
-  lesson: () => readonly object[];
   loseContext: () => void;
   /** Time stands still from now on, and moves by so many seconds when asked to. */
   hold: () => void;
@@ -14,7 +12,7 @@ export interface Asked {
 }
 
 /** What is drawn, or nothing. */
-export const countsOf = (view: Shown | null) => ({
+const countsOf = (view: Shown | null) => ({
   tilesShown: view?.tiles ?? 0,
   chosen: view?.chosen.length ?? 0,
   lines: view?.chosen ?? [],
@@ -26,12 +24,22 @@ export const countsOf = (view: Shown | null) => ({
   events: view?.timeline?.events ?? [],
 });
 
-export function exposeForTests(asked: Asked) {
+export function exposeSession(session: Session, asked: Asked) {
   const read = {
     ...asked,
-    state: () => structuredClone(asked.state()),
     get ready() {
       return asked.ready();
+    },
+    state: () => structuredClone(session.state),
+    lesson: () => session.scene?.lesson.map((step) => step.view) ?? [],
+    stats() {
+      const bright = session.lit ?? session.told();
+      return {
+        ...asked.stats(),
+        ...countsOf(session.shown()),
+        lit: bright && { ray: bright.ray, light: bright.light },
+        tiles: [...(session.trace()?.tiles ?? [])],
+      };
     },
   };
   Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });

@@ -1,0 +1,57 @@
+/** What a person can do, whatever the hand does it with: each act makes the next state out of this one. */
+import type { CardLine } from "./panels/card";
+import type { Session } from "./session";
+import * as player from "./state/play";
+import type { Timeline } from "./state/timeline";
+import * as change from "./state/view-state";
+import type { ViewState } from "./state/view-state";
+import type { SceneData } from "./trace/types";
+
+export interface Outside {
+  draw: () => void;
+  turnScene: (by: 1 | -1) => void;
+  sceneOfKey: (key: string) => void;
+}
+
+export function createActions(session: Session, outside: Outside) {
+  const doing = (act: (now: ViewState, scene: SceneData) => ViewState) => {
+    const { state, scene } = session;
+    if (state && scene) session.set(act(state, scene));
+  };
+  /** Of the player: without a timeline nothing can be told. */
+  const telling = (act: (now: ViewState, told: Timeline) => ViewState) => {
+    const told = session.timeline();
+    if (session.state && told) session.set(act(session.state, told));
+  };
+
+  return {
+    render: () => doing((now) => (session.trace() ? change.pressRender(now) : now)),
+    speed: () => doing((now) => ({ ...now, speed: change.nextSpeed(now.speed) })),
+    rays: (choice: change.RayChoice) => doing((now) => change.toggleRays(now, choice)),
+    level: (by: 1 | -1) => doing((now, of) => change.stepLevel(now, of, by)),
+    move: (right: number, down: number) => doing((now) => change.move(now, right, down)),
+    pick: (column: number, row: number) =>
+      doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
+    observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
+    camera: () => doing((now) => ({ ...now, observer: "camera" })),
+
+    step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
+    turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
+
+    play: () => telling(player.pressPlay),
+    event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
+    time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
+    endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
+
+    light(line: CardLine | null) {
+      if (line?.ray === session.lit?.ray && line?.light === session.lit?.light) return;
+      session.lit = line;
+      outside.draw();
+    },
+
+    scene: outside.turnScene,
+    sceneKey: outside.sceneOfKey,
+  };
+}
+
+export type Actions = ReturnType<typeof createActions>;

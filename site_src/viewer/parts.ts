@@ -1,0 +1,81 @@
+/** The page's parts, where they stand, and what each of them shows of the present. */
+import type { Actions } from "./actions";
+import { contrastWith } from "./palette";
+import { createCard } from "./panels/card";
+import { createControls } from "./panels/controls";
+import { element } from "./panels/element";
+import { createLegend } from "./panels/legend";
+import { createLesson } from "./panels/lesson";
+import { createPage, type PageParts } from "./panels/page";
+import { createPicture } from "./panels/picture";
+import { createPlayer } from "./panels/player";
+import { createViewPad } from "./panels/view-pad";
+import type { Session } from "./session";
+import { createStage } from "./stage/stage";
+import { TROUBLE } from "./words";
+
+export interface Surroundings {
+  home: HTMLElement; // what the parts go into
+  page: PageParts;
+  withGl: boolean;
+  say: (sentence: string) => void;
+  /** The stage is drawn in a simpler way from now on. */
+  simpler: (why: string) => void;
+}
+
+export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, say, simpler }: Surroundings) {
+  const flat = (why: "refused" | "lost") => {
+    document.body.dataset.renderer = "flat";
+    simpler(TROUBLE[why]);
+  };
+  const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, withGl, () => document.querySelector(".view-pad"));
+  const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
+  const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => say(TROUBLE.pictureMissing) });
+  const card = createCard({ move: acts.move, light: acts.light });
+  const controls = createControls(acts);
+  const legend = createLegend();
+  const lesson = createLesson(acts);
+  const player = createPlayer(acts);
+  const page = createPage(pageParts);
+
+  home.append(
+    element(
+      "div",
+      "work",
+      element("section", "stage", stage.element, legend.element, pad.element),
+      lesson.element,
+      player.element,
+      controls.element,
+    ),
+    element("div", "side", picture.element, card.element),
+  );
+
+  let renders = 0;
+  let drawn = { scene: "", n: 0, tiles: 0, lines: 0 }; // by the last render
+  return {
+    /** Shows the present. dark: the selected tile's ring blinks off. */
+    render(dark: boolean) {
+      const { state, scene, lit, missing } = session;
+      const view = session.shown();
+      if (!state || !scene || !view) return;
+      renders++;
+      const trace = session.trace();
+      const event = session.told();
+      const ring = dark ? null : contrastWith(view.ringOn);
+      stage.show({ ...view, scene, trace, state, lit: lit ?? event, ring });
+      legend.show(view.kinds, view.left);
+      picture.show(state, scene, trace);
+      card.show(state, scene, trace, missing);
+      card.light(lit ?? event, !lit);
+      controls.show(state, scene);
+      lesson.show(state, scene, event);
+      player.show(state, view.timeline);
+      page.show(scene, trace);
+      drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
+    },
+    linesDrawn: () => drawn.lines,
+    /** For tests. */
+    stats: () => ({ ...stage.stats(), shown: drawn, renders }),
+    loseContext: stage.loseContext,
+  };
+}
