@@ -13,17 +13,19 @@ from raywalk.geometry.display import display_triangles
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.overlap import overlap_warnings
 from raywalk.scene.model import Mesh, Scene
+from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
 from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
+from raywalk.trace_file.script import write_script
 
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
 
 def write_products(scene: Scene, folder: Path, threads: int) -> None:
-    """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, facts.json,
-    display.npz into a folder."""
+    """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
+    facts.json, display.npz into a folder."""
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     traced = trace_picture(tracer, threads)
     write_png(folder / "picture.png", traced.picture)
@@ -31,6 +33,8 @@ def write_products(scene: Scene, folder: Path, threads: int) -> None:
     for n in sorted(scene.render.resolutions):
         write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
     write_display(folder / "display.npz", scene, tracer)
+    sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
+    write_script(folder / "sections.js", f"{scene.id}/sections", sections.encode())
     facts = counts(traced.tree) | {
         "dropped": dropped_triangles(tracer),
         "warnings": overlap_warnings(scene, tracer.compiled),
