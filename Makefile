@@ -35,7 +35,7 @@ stress: site $(TEST_READY) ## the tracer's hardest cases against their bounds (a
 	@$(PYTHON) -m raywalk stress
 
 clean: ## remove what was built; keeps installed packages
-	rm -rf dist dist.partial dist.old .work test-output
+	rm -rf dist dist.*.partial .work test-output
 	@# compiled kernels too: each state of their sources has left a folder
 	find build tests -name __pycache__ -prune -exec rm -rf {} +
 

@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import argparse
 import sys
+from importlib import import_module
 from pathlib import Path
 
-from raywalk.bench.cases import BrokenBounds
-from raywalk.commands import bench, build_site, check, inspect, pixel, probe, serve, stress
-from raywalk.errors import SourceErrors
+from raywalk.errors import Told
+
+# Word on the command line -> its module in commands/. Only the one that runs is imported: what
+# the others need takes longer than a build with nothing to do.
+COMMANDS = {
+    "site": "build_site",
+    "check": "check",
+    "inspect": "inspect",
+    "probe": "probe",
+    "pixel": "pixel",
+    "serve": "serve",
+    "bench": "bench",
+    "stress": "stress",
+}
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns its exit code: 0 done, 1 bad input, 2 wrong usage."""
-    chosen = _parser().parse_args(arguments)
+    arguments = sys.argv[1:] if arguments is None else arguments
+    chosen = _parser(arguments).parse_args(arguments)
     try:
         for line in chosen.run(chosen):
             print(line, flush=True)
-    except (SourceErrors, BrokenBounds) as problems:
+    except Told as problems:
         print(problems, file=sys.stderr)
         return 1
     except BrokenPipeError:
@@ -28,11 +41,13 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(arguments: list[str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="raywalk", description="Walk every ray.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for module in (build_site, check, inspect, probe, pixel, serve, bench, stress):
-        module.add_to(commands)
+    named = arguments[0] if arguments else ""
+    for word, module in COMMANDS.items():
+        if word == named or named not in COMMANDS:
+            import_module(f"raywalk.commands.{module}").add_to(commands)
     for command in commands.choices.values():
         command.add_argument(
             "--scenes", type=Path, default=Path("scenes"), help="folder of scene folders"

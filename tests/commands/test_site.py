@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -53,9 +58,10 @@ def write_scenes(folder: Path) -> None:
         (place / "scene.toml").write_text(text, encoding="utf-8")
 
 
-def site(folder: Path) -> int:
+def site(folder: Path, *options: str) -> int:
     places = {"--scenes": "scenes", "--out": "dist", "--work": "work"}
-    return main(["site", *(str(x) for key, name in places.items() for x in (key, folder / name))])
+    named = (str(x) for key, name in places.items() for x in (key, folder / name))
+    return main(["site", *named, *options])
 
 
 @pytest.fixture(scope="module")
@@ -78,8 +84,8 @@ def scenes(tmp_path, built):
 def build(tmp_path, scenes, capsys):
     """A function that builds the site: exit code, what it printed, and the site's folder."""
 
-    def run():
-        code = site(tmp_path)
+    def run(*options):
+        code = site(tmp_path, *options)
         printed = capsys.readouterr()
         return code, printed.out + printed.err, tmp_path / "dist"
 
@@ -147,6 +153,97 @@ def test_a_changed_colour_touches_that_scene_alone_and_a_changed_text_traces_not
     path.write_text(path.read_text().replace("radius = 0.5", "radius = 0.6"), encoding="utf-8")
     _, said, _ = build()
     assert "1 traced, 1 unchanged" in said
+
+
+def test_explain_says_why_each_thing_is_made_again(build, scenes, tmp_path):
+    """The scene's key that changed; a text makes the page's data only; damage is named."""
+    path = scenes / "02-ball" / "scene.toml"
+    path.write_text(path.read_text().replace("radius = 0.5", "radius = 0.6"), encoding="utf-8")
+    said = build("--explain")[1]
+    assert "02-ball is traced: objects[0].shape.radius 0.5 -> 0.6" in said
+    assert "01-ball" not in said.split("[1/1]")[0]
+    path.write_text(path.read_text().replace("Look,", "See,"), encoding="utf-8")
+    said = build("--explain")[1]
+    assert "is traced" not in said and "02-ball: page data is made: lesson[0].text" in said
+    assert "nothing is made again" in build("--explain")[1]
+    [kept, *_] = sorted((tmp_path / "work").glob("*/thumb.png"))
+    kept.write_bytes(b"")
+    shutil.rmtree(tmp_path / "dist")
+    assert "its kept thumb.png is damaged" in build("--explain")[1]
+
+
+def test_a_site_that_was_changed_by_hand_is_made_anew(build, tmp_path):
+    """Though no input changed: what is there must be what was built."""
+    before = contents(tmp_path / "dist")
+    (tmp_path / "dist" / "index.html").write_text("mine", encoding="utf-8")
+    (tmp_path / "dist" / "scenes" / "01-ball" / "7.js").unlink()
+    build()
+    assert contents(tmp_path / "dist") == before
+
+
+def test_a_build_with_nothing_to_do_imports_nothing_that_traces_or_writes(built):
+    """It hashes files and ends: neither numba nor numpy, neither pydantic nor jinja2."""
+    code = (
+        "import sys; from raywalk.__main__ import main; "
+        f"code = main(['site', '--scenes', {str(built / 'scenes')!r}, "
+        f"'--out', {str(built / 'dist')!r}, '--work', {str(built / 'work')!r}]); "
+        "print(code, *sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    said, imported = done.stdout.strip().splitlines()
+    assert "0 traced, 2 unchanged" in said
+    heavy = {"numba", "numpy", "pydantic", "jinja2", "trimesh", "embreex", "markdown", "PIL"}
+    assert imported.startswith("0 ") and not heavy & set(imported.split())
+
+
+def test_a_new_text_imports_no_engine(build, scenes):
+    """Page edits never trace, and never pay for what traces."""
+    path = scenes / "02-ball" / "scene.toml"
+    path.write_text(path.read_text().replace("Look,", "See,"), encoding="utf-8")
+    folder = scenes.parent
+    code = (
+        "import sys; from raywalk.__main__ import main; "
+        f"code = main(['site', '--scenes', {str(scenes)!r}, "
+        f"'--out', {str(folder / 'dist')!r}, '--work', {str(folder / 'work')!r}]); "
+        "print(code, *sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"numba", "trimesh", "embreex"} & set(done.stdout.splitlines()[-1].split())
+
+
+@pytest.mark.parametrize("seconds", [0.5, 2.0])
+def test_a_killed_build_leaves_a_whole_site_and_the_next_one_resumes(
+    build, scenes, tmp_path, seconds
+):
+    """kill -9 at any moment: the old site stands, or the new one; no scraps stay."""
+    before = contents(tmp_path / "dist")
+    for scene in scenes.iterdir():
+        path = scene / "scene.toml"
+        path.write_text(path.read_text().replace("depth = 2", "depth = 3"), encoding="utf-8")
+    command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(scenes)]
+    command += ["--out", str(tmp_path / "dist"), "--work", str(tmp_path / "work")]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, start_new_session=True) as process:
+        time.sleep(seconds)
+        os.killpg(process.pid, signal.SIGKILL)
+    killed = contents(tmp_path / "dist")
+    build()
+    after = contents(tmp_path / "dist")
+    assert killed in (before, after) and after != before
+    assert after.keys() == before.keys()
+    assert not [path.name for path in tmp_path.rglob("*.partial")]
+
+
+def test_two_builds_at_once_make_the_same_site_as_one(scenes, tmp_path):
+    """Two processes on one tree, from an empty store into one folder."""
+    before = contents(tmp_path / "dist")
+    shutil.rmtree(tmp_path / "work")
+    shutil.rmtree(tmp_path / "dist")
+    command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(scenes)]
+    command += ["--out", str(tmp_path / "dist"), "--work", str(tmp_path / "work")]
+    both = [subprocess.Popen(command, stdout=subprocess.DEVNULL) for _ in range(2)]
+    assert [process.wait() for process in both] == [0, 0]
+    assert contents(tmp_path / "dist") == before
+    assert not [path.name for path in tmp_path.rglob("*.partial")]
 
 
 def test_bad_input_leaves_the_old_site_as_it_was(build, scenes):

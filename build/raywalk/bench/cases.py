@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from raywalk.errors import Told
+
 
 @dataclass(frozen=True)
 class Case:
@@ -41,7 +43,7 @@ class Case:
         )
 
 
-class BrokenBounds(Exception):
+class BrokenBounds(Told):
     """Stated bounds that a measurement broke; str() is what the command line prints."""
 
     def __init__(self, broken: Iterable[str]):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import subprocess
-import tempfile
 from pathlib import Path
 
 
@@ -12,14 +11,9 @@ class BundleError(Exception):
     """The viewer could not be bundled; str() says what esbuild or the check said."""
 
 
-def write_assets(out: Path, site_src: Path) -> dict[str, str]:
-    """Bundles the viewer and joins the styles into out/assets; returns their names in the site.
-
-    Needs node and the packages of package-lock.json. Raises BundleError.
-    """
-    with tempfile.TemporaryDirectory() as scratch:
-        _bundle(site_src / "bundle.mjs", Path(scratch))
-        script = (Path(scratch) / "viewer.js").read_bytes()
+def write_assets(out: Path, site_src: Path, script: bytes) -> dict[str, str]:
+    """Writes the bundled viewer and the joined styles into out/assets; returns their names in
+    the site."""
     styles = sorted((site_src / "styles").glob("*.css"))
     sheet = b"\n".join(style.read_bytes() for style in styles)
     return {
@@ -28,8 +22,12 @@ def write_assets(out: Path, site_src: Path) -> dict[str, str]:
     }
 
 
-def _bundle(bundler: Path, out: Path) -> None:
-    command = ["node", str(bundler), "--out", str(out)]
+def bundle_viewer(site_src: Path, folder: Path) -> None:
+    """Writes folder/viewer.js. Needs node and the packages of package-lock.json.
+
+    Raises BundleError.
+    """
+    command = ["node", str(site_src / "bundle.mjs"), "--out", str(folder)]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     except FileNotFoundError:

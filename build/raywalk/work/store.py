@@ -1,21 +1,29 @@
 """A store of finished work, addressed by what it was made from.
 
-An entry is a folder of files with a manifest of their hashes. It is written beside and
-renamed, so an interrupted build leaves no half entry; a damaged one is noticed and made
-again.
+An entry is a folder of files with a manifest: what it was made from, and the files' hashes.
+It is written beside and renamed, so an interrupted build leaves no half entry; a damaged one
+is noticed and made again. Branches share the store: what any of them used lately is kept.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
+import os
 import shutil
 import tempfile
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+
+from raywalk.work.digests import digest
+from raywalk.work.leftovers import owned_name, remove_leftovers
 
 MANIFEST = "manifest.json"
+# What no build has used for so long goes, and beyond so many bytes what was used longest ago.
+DAYS_KEPT = 30
+MOST_BYTES = 2_000_000_000
 
 
 @dataclass(frozen=True)
@@ -37,48 +45,105 @@ class Store:
         self.folder = folder
 
     def find(self, key: str) -> Entry | None:
-        """The entry of a key, if it is there and undamaged."""
+        """The entry of a key, if it is there and undamaged; it counts as used from then on."""
         place = self.folder / key
-        return Entry(place, was_found=True) if _is_whole(place) else None
+        if damage_of(place) is not None:
+            return None
+        _touch(place)
+        return Entry(place, was_found=True)
 
     def get(self, key: str) -> Entry:
         """The entry of a key that is known to be there."""
         return Entry(self.folder / key, was_found=True)
 
-    def entry(self, key: str, make: Callable[[Path], None]) -> Entry:
+    def entry(self, key: str, make: Callable[[Path], None], made_from: Any = None) -> Entry:
         """The entry of a key; `make` fills a new folder with its files if there is none."""
         place = self.folder / key
         if found := self.find(key):
             return found
         self.folder.mkdir(parents=True, exist_ok=True)
-        fresh = Path(tempfile.mkdtemp(prefix=f"{key}.", suffix=".partial", dir=self.folder))
+        fresh = Path(tempfile.mkdtemp(dir=self.folder, **owned_name(f"{key}.")))
         try:
             make(fresh)
-            hashes = {path.name: _digest(path) for path in sorted(fresh.iterdir())}
-            (fresh / MANIFEST).write_text(json.dumps(hashes, indent=1), encoding="utf-8")
+            hashes = {path.name: digest(path) for path in sorted(fresh.iterdir())}
+            manifest = json.dumps({"made_from": made_from, "files": hashes}, indent=1)
+            (fresh / MANIFEST).write_text(manifest, encoding="utf-8")
             self._keep(fresh, place)
         finally:
             shutil.rmtree(fresh, ignore_errors=True)
         return Entry(place, was_found=False)
 
+    def newest(self, what: str, of: str) -> Any:
+        """What the newest entry of this kind and name was made from; None if there is none."""
+        for place in sorted(self._places(), key=_used, reverse=True):
+            made_from = _manifest(place).get("made_from") or {}
+            if (made_from.get("what"), made_from.get("of")) == (what, of):
+                return made_from
+        return None
+
+    def prune(self, keep: set[str], days: float = DAYS_KEPT, most: int = MOST_BYTES) -> int:
+        """Removes what no build used lately, but never these keys; returns the bytes freed."""
+        remove_leftovers(self.folder)
+        freed, total, now = 0, 0, time.time()
+        for place in sorted(self._places(), key=_used, reverse=True):
+            size = sum(path.stat().st_size for path in place.iterdir())
+            total += size
+            is_old = now - _used(place) > days * 86_400
+            if place.name not in keep and (is_old or total > most):
+                shutil.rmtree(place, ignore_errors=True)
+                total, freed = total - size, freed + size
+        return freed
+
+    def _places(self) -> list[Path]:
+        if not self.folder.is_dir():
+            return []
+        return [path for path in self.folder.iterdir() if (path / MANIFEST).is_file()]
+
     def _keep(self, fresh: Path, place: Path) -> None:
-        if _is_whole(place):
+        if damage_of(place) is None:
             return  # another build on the same tree was quicker, and may be reading it
         shutil.rmtree(place, ignore_errors=True)
         try:
             fresh.rename(place)
         except OSError:
-            if not _is_whole(place):  # unless it came in between these two lines
+            if damage_of(place) is not None:  # unless it came in between these two lines
                 raise
 
 
-def _is_whole(place: Path) -> bool:
+def damage_of(place: Path) -> str | None:
+    """None for a whole entry, else what is wrong with it; "" if there is none at all."""
+    if not place.is_dir():
+        return ""
+    files = _manifest(place).get("files")
+    if not isinstance(files, dict):
+        return MANIFEST
+    for name, made in files.items():
+        try:
+            if digest(place / name) != made:
+                return name
+        except OSError:
+            return name
+    return None
+
+
+def _manifest(place: Path) -> dict[str, Any]:
     try:
-        hashes = json.loads((place / MANIFEST).read_text(encoding="utf-8"))
-        return all(_digest(place / name) == digest for name, digest in hashes.items())
-    except (OSError, ValueError, AttributeError):
-        return False
+        manifest = json.loads((place / MANIFEST).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return manifest if isinstance(manifest, dict) else {}
 
 
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+def _used(place: Path) -> float:
+    """When a build last used an entry, seconds."""
+    try:
+        return (place / MANIFEST).stat().st_mtime
+    except OSError:
+        return 0.0
+
+
+def _touch(place: Path) -> None:
+    try:
+        os.utime(place / MANIFEST)
+    except OSError:
+        return  # a store that may only be read still serves

@@ -1,0 +1,184 @@
+"""Scene files in, site out. The pipeline's table of contents."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import time
+from argparse import Namespace
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raywalk.bench.report import publish_reports
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.scene import read_scenes
+from raywalk.scene.model import Mesh, Scene
+from raywalk.site.assets import BundleError, bundle_viewer, write_assets
+from raywalk.site.figures import has_glass, left_out, scene_figures
+from raywalk.site.mesh_data import DisplayMesh
+from raywalk.site.pages import write_pages
+from raywalk.site.scene_data import Display, scene_data
+from raywalk.trace_file.script import write_script
+from raywalk.work.digests import key_of
+from raywalk.work.explain import why
+from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
+from raywalk.work.pool import cores, run_all
+from raywalk.work.publish import staged
+from raywalk.work.store import Entry, Store, damage_of
+
+# Of an entry, what stays behind: the pages are made from these.
+NOT_PUBLISHED = ("facts.json", "display.npz")
+
+
+@dataclass(frozen=True)
+class Built:
+    """What the command line and the record of this build need to know."""
+
+    traced: str  # how many scenes were traced, in words
+    also_read: list[Path]  # files outside of the usual places: meshes
+    said: dict[str, Any]  # what the next build tells again if nothing changed
+
+
+def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
+    """Builds the site, telling what was traced, kept and written."""
+    scenes = read_scenes(chosen.scenes)
+    store = Store(chosen.work)
+    parts = {scene.id: trace_parts(scene) for scene in scenes}
+    keys = {id: key_of(made_from) for id, made_from in parts.items()}
+    missing = [scene for scene in scenes if not store.find(keys[scene.id])]
+    if chosen.explain:
+        for scene in missing:
+            yield f"{scene.id} is traced: {reason(store, parts[scene.id])}"
+    if missing:
+        yield f"tracing {len(missing)} of {len(scenes)} scenes on {cores()} cores"
+    work = partial(trace_into, store, parts)
+    for number, (scene, seconds) in enumerate(
+        run_all(work, sorted(missing, key=guessed_cost)), start=1
+    ):
+        yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
+    entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
+    facts = {scene.id: facts_of(entries[scene.id]) for scene in scenes}
+    notes = [line for scene in scenes for line in remarks(scene, facts[scene.id])]
+    yield from notes
+    viewer = yield from kept(store, viewer_parts(site_source), partial(bundle, site_source), chosen)
+    data = {}
+    for scene in scenes:
+        data[scene.id] = yield from kept(
+            store, page_data_parts(scene, keys[scene.id]),
+            partial(write_page_data, scene, entries[scene.id]), chosen,
+        )  # fmt: skip
+    with staged(chosen.out) as out:
+        script = (viewer.folder / "viewer.js").read_bytes()
+        assets = write_assets(out, site_source, script)
+        for scene in scenes:
+            publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
+        figures = {scene.id: scene_figures(scene, facts[scene.id]) for scene in scenes}
+        publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
+        write_pages(out, site_source / "templates", scenes, figures, assets)
+    used = [*entries.values(), *data.values(), viewer]
+    store.prune(keep={entry.folder.name for entry in used})
+    size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
+    return Built(
+        f"{len(scenes)} scenes: {len(missing)} traced, {len(scenes) - len(missing)} unchanged",
+        [
+            obj.shape.path
+            for scene in scenes
+            for obj in scene.objects
+            if isinstance(obj.shape, Mesh)
+        ],
+        {"scenes": len(scenes), "size": size, "remarks": notes},
+    )
+
+
+def kept(
+    store: Store, made_from: Parts, make: Any, chosen: Namespace
+) -> Generator[str, None, Entry]:
+    """An entry of the store, made if it is not there; tells why, if that is asked."""
+    key = key_of(made_from)
+    if found := store.find(key):
+        return found
+    if chosen.explain:
+        yield f"{made_from['of']}: {made_from['what']} is made: {reason(store, made_from)}"
+    return store.entry(key, make, made_from)
+
+
+def reason(store: Store, made_from: Parts) -> str:
+    """Why a piece of work that is not in the store has to be made."""
+    before = store.newest(made_from["what"], made_from["of"])
+    return why(before, made_from, damage_of(store.folder / key_of(made_from)) or "")
+
+
+def guessed_cost(scene: Scene) -> float:
+    """Negative and only for the order: long work is started first, or a core waits at the end."""
+    is_mesh = any(isinstance(obj.shape, Mesh) for obj in scene.objects)
+    bounces = scene.render.depth + 1
+    return -len(scene.objects) * bounces * (4 if has_glass(scene) else 1) * (3 if is_mesh else 1)
+
+
+def trace_into(store: Store, parts: dict[str, Parts], scene: Scene, threads: int) -> float:
+    """Traces a scene into the store, under its key; returns the seconds it took."""
+    # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
+    from raywalk.products import write_products
+
+    begun = time.monotonic()
+    made_from = parts[scene.id]
+    store.entry(key_of(made_from), lambda folder: write_products(scene, folder, threads), made_from)
+    return time.monotonic() - begun
+
+
+def bundle(site_source: Path, folder: Path) -> None:
+    """The viewer's script, into a folder. Raises SourceErrors."""
+    try:
+        bundle_viewer(site_source, folder)
+    except BundleError as problem:
+        raise SourceErrors([SourceError(site_source, "", str(problem))]) from None
+
+
+def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
+    """scene.js: what the viewer is told of a scene."""
+    data = scene_data(scene, read_display(scene, entry.folder / "display.npz"))
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
+
+
+def publish_scene(folder: Path, trace: Entry, data: Entry) -> None:
+    """Copies a scene's files into the site."""
+    folder.mkdir(parents=True)
+    for path in [*trace.files(), *data.files()]:
+        if path.name not in NOT_PUBLISHED:
+            shutil.copyfile(path, folder / path.name)
+
+
+def read_display(scene: Scene, path: Path) -> Display:
+    """The drawing data that the trace stage handed on."""
+    arrays = np.load(path)
+    meshes = {
+        obj.name: DisplayMesh(
+            centre=arrays[f"{k}.centre"],
+            vertices=arrays[f"{k}.vertices"],
+            faces=arrays[f"{k}.faces"],
+            normals=arrays.get(f"{k}.normals"),
+        )
+        for k, obj in enumerate(scene.objects)
+        if isinstance(obj.shape, Mesh)
+    }
+    return Display(arrays["centre"], float(arrays["radius"]), meshes)
+
+
+def remarks(scene: Scene, facts: dict[str, Any]) -> Iterator[str]:
+    """What an author should know though nothing is wrong."""
+    for name, reasons in left_out(facts["dropped"]):
+        yield f'{scene.id}: left out of "{name}": triangles {reasons}'
+    for warning in facts["warnings"]:
+        yield f"{scene.id}: warning: {warning}"
+
+
+def facts_of(entry: Entry) -> dict[str, Any]:
+    """What the trace stage counted."""
+    facts: dict[str, Any] = json.loads((entry.folder / "facts.json").read_text(encoding="utf-8"))
+    return facts
