@@ -77,6 +77,8 @@ export const LESSON_WORDS = {
   end: "End the lesson",
   previous: "Previous step",
   next: "Next step",
+  reveal: ["Reveal", "Reveal the answer"],
+  covered: "Predict first: the numbers come with the answer.",
   place: (step: number, of: number) => `Step ${step + 1} of ${of}`,
 };
 
@@ -110,6 +112,7 @@ export const CARD_WORDS = {
 
 export const FIGURE_WORDS = {
   title: "Figures",
+  answer: "Answer",
   size: ["Picture", (size: number) => `${size} \u00d7 ${size} pixels`],
   levels: ["Grids", (levels: readonly number[]) => levels.join(", ")],
   depth: ["Most bounces", (depth: number) => String(depth)],

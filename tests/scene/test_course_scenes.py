@@ -149,10 +149,13 @@ def test_the_bunny_stands_where_the_course_put_it(rounds):
 
 
 def test_every_scene_has_a_lesson_that_asks_and_answers(scene):
-    """Six to nine steps, at least one prediction, and a step after it that reveals."""
-    texts = [step.text for step in scene.lesson]
-    assert 6 <= len(texts) <= 9
-    assert any(text.startswith("**Predict.**") for text in texts[:-1])
+    """Six to twelve steps; the last one, and at most one more, asks and holds an answer."""
+    steps = scene.lesson
+    texts = [text for step in steps for text, _ in step.stops()]
+    assert 6 <= len(steps) <= 12
+    asking = [step for step in steps if step.answer]
+    assert steps[-1].answer and 1 <= len(asking) <= 2
+    assert all(step.text.startswith("**Predict.**") == bool(step.answer) for step in steps)
     assert all(len(text) < 450 for text in texts)  # short enough to be read aloud
 
 

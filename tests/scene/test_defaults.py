@@ -62,6 +62,19 @@ def test_a_view_keeps_only_the_keys_it_gives(scene_from):
     }
 
 
+def test_an_answer_is_a_stop_of_its_own_and_keeps_what_its_view_leaves_out(scene_from):
+    """Question and answer one after the other, as a person walks through them."""
+    step = (
+        '[[lesson]]\ntext = "What colour?"\nview = { resolution = 15, rays = [] }\n'
+        'answer = "Red."\nanswer_view = { rays = ["pixel"] }\n'
+    )
+    [lesson] = scene_from(step).lesson
+    assert lesson.stops() == [
+        ("What colour?", {"resolution": 15, "rays": []}),
+        ("Red.", {"resolution": 15, "rays": ["pixel"]}),
+    ]
+
+
 @pytest.mark.parametrize(
     "size, fitting", [(105, (5, 7, 15, 21, 105)), (1155, Render().resolutions)]
 )

@@ -87,7 +87,8 @@ def tree(tracers, key, n, pixel):
 
 def words(tracers, key):
     """All texts of a lesson, with single spaces."""
-    return " ".join(" ".join(step.text for step in tracers[key].scene.lesson).split())
+    stops = [stop for step in tracers[key].scene.lesson for stop in step.stops()]
+    return " ".join(" ".join(text for text, _ in stops).split())
 
 
 @pytest.mark.parametrize("key, n, pixel", SAID)
@@ -103,7 +104,8 @@ def test_a_lessons_ray_meets_what_the_text_says(key, n, pixel, tracers):
 @pytest.mark.parametrize("key", list("890"))
 def test_no_step_is_left_unchecked(key, tracers):
     """A step whose pixel is not in the table above would be a claim without a test."""
-    views = [step.view for step in tracers[key].scene.lesson]
+    steps = tracers[key].scene.lesson
+    views = [view for step in steps for _, view in step.stops()]
     chosen = {(key, view["resolution"], tuple(view["pixel"])) for view in views}
     assert chosen <= set(SAID)
     assert 7 <= len(views) <= 10

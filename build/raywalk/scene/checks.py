@@ -20,7 +20,7 @@ from raywalk.scene.model import (
 )
 from raywalk.scene.placement import placement
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema import CameraTable, LightTable, StepTable
+from raywalk.scene.schema import CameraTable, LightTable, ViewTable
 from raywalk.scene.wording import joined, plain, quoted
 
 # Sine of the angle below which two directions are one to the eye: up that runs along the
@@ -117,10 +117,9 @@ def is_strictly_inside(point: Sequence[float], obj: SceneObject) -> bool:
 
 
 def check_view(
-    step: StepTable, resolutions: Sequence[int], at: Location, problems: Problems
+    view: ViewTable, resolutions: Sequence[int], at: Location, problems: Problems
 ) -> None:
-    """A step shows a frustum that exists and a ray that is in it."""
-    view = step.view
+    """A view shows a frustum that exists and a ray that is in it."""
     if view.resolution is not None and view.resolution not in resolutions:
         problems.add(
             (*at, "resolution"),

@@ -30,7 +30,7 @@ from raywalk.scene.models import Models
 from raywalk.scene.names import with_defaults
 from raywalk.scene.problems import Problems
 from raywalk.scene.resolutions import resolutions_of
-from raywalk.scene.schema import SceneFile, ViewTable
+from raywalk.scene.schema import SceneFile, StepTable, ViewTable
 from raywalk.scene.schema_objects import ObjectTable, PlaneTable
 from raywalk.scene.shapes import shape_of
 from raywalk.scene.transforms import is_singular, product
@@ -92,9 +92,17 @@ def _lights(draft: Draft, problems: Problems) -> list[Light]:
 
 def _lesson(draft: Draft, render: Render | None, problems: Problems) -> list[LessonStep]:
     for i, step in draft.lesson.items():
-        if render is not None:
-            check_view(step, render.resolutions, ("lesson", i, "view"), problems)
-    return [LessonStep(step.text.strip(), _plain(step.view)) for step in draft.lesson.values()]
+        for key, view in (("view", step.view), ("answer_view", step.answer_view)):
+            if render is not None and view is not None:
+                check_view(view, render.resolutions, ("lesson", i, key), problems)
+    return [_step(step) for step in draft.lesson.values()]
+
+
+def _step(step: StepTable) -> LessonStep:
+    revealed = _plain(step.answer_view) if step.answer_view else {}
+    return LessonStep(
+        step.text.strip(), _plain(step.view), (step.answer or "").strip(), revealed
+    )
 
 
 def _plain(view: ViewTable) -> dict[str, object]:

@@ -148,8 +148,15 @@ class Render:
 
 @dataclass(frozen=True)
 class LessonStep:
-    text: str  # Markdown
+    text: str  # Markdown; a question if there is an answer
     view: dict[str, Any]  # see the schema's View; keys that differ from the start view
+    answer: str = ""  # Markdown, revealed when asked for
+    answer_view: dict[str, Any] = field(default_factory=dict)  # keys that differ from `view`
+
+    def stops(self) -> list[tuple[str, dict[str, Any]]]:
+        """Text and view, and then those of the answer: as one goes through a lesson."""
+        asked = [(self.text, self.view)]
+        return [*asked, (self.answer, self.view | self.answer_view)] if self.answer else asked
 
 
 @dataclass(frozen=True, eq=False)

@@ -156,10 +156,22 @@ class ViewTable(Table):
 
 
 class StepTable(Table):
-    """A step of the lesson."""
+    """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
-    text: Text = Field(description="what is said, in Markdown")
+    text: Text = Field(description="what is said or asked, in Markdown")
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
+    answer: Maybe[Text] = Field(
+        default=None, description="what is said once everyone has predicted, in Markdown"
+    )
+    answer_view: Maybe[ViewTable] = Field(
+        default=None, description="what is shown with the answer; what is left out is as in view"
+    )
+
+    @model_validator(mode="after")
+    def _answers(self) -> Self:
+        if self.answer_view is not None and self.answer is None:
+            raise refusal("there is no answer to show it with", at="answer_view")
+        return self
 
 
 def _tables(name: str) -> Allowed:

@@ -80,5 +80,8 @@ def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
         "depth": scene.render.depth,
         "shadows": scene.render.shadows,
         "figures": figures,
-        "lesson": [{"html": lesson_html(step.text)} for step in scene.lesson],
+        "lesson": [
+            {"html": lesson_html(step.text), "answer": lesson_html(step.answer)}
+            for step in scene.lesson
+        ],
     }

@@ -11,6 +11,7 @@ from raywalk.scene.model import (
     Camera,
     Cylinder,
     Ellipsoid,
+    LessonStep,
     Light,
     Material,
     Mesh,
@@ -55,8 +56,13 @@ def scene_data(scene: Scene, display: Display) -> Json:
         "objects": [_object(obj, display) for obj in scene.objects],
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
-        "lesson": [{"html": lesson_html(step.text), "view": step.view} for step in scene.lesson],
+        "lesson": [_step(step) for step in scene.lesson],
     }
+
+
+def _step(step: LessonStep) -> Json:
+    said, *revealed = [{"html": lesson_html(text), "view": view} for text, view in step.stops()]
+    return said | {"answer": revealed[0]} if revealed else said
 
 
 def _start(scene: Scene) -> Json:

@@ -1,6 +1,6 @@
 /** The sentence under the stage: what the scene teaches, the lesson's current step, or what the player tells. */
 import type { RayEvent } from "../state/events";
-import type { ViewState } from "../state/view-state";
+import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { tell } from "../event-words";
 import { LESSON_WORDS as WORDS } from "../words";
@@ -14,6 +14,7 @@ function telling(event: RayEvent): HTMLElement[] {
 }
 
 export function createLesson(acts: { step: (step: number | null) => void; turn: (by: 1 | -1) => void }) {
+  const reveal = button(WORDS.reveal[0], WORDS.reveal[1], () => acts.turn(1), { className: "primary reveal" });
   const text = element("div", "lesson-text");
   const place = element("span", "lesson-place numbers");
   const previous = button("\u2039", WORDS.previous, () => acts.turn(-1), { className: "sign" });
@@ -21,7 +22,7 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
   const end = button("\u00d7", WORDS.end, () => acts.step(null), { className: "sign quiet" });
   const start = button(WORDS.start, WORDS.start, () => acts.step(0), { className: "primary start-lesson" });
   const steps = element("div", "lesson-steps", previous, place, next, end);
-  const root = element("section", "lesson", text, element("div", "lesson-buttons", start, steps));
+  const root = element("section", "lesson", text, element("div", "lesson-buttons", start, reveal, steps));
   root.setAttribute("aria-label", WORDS.region);
   let shown: readonly unknown[] = [];
 
@@ -29,8 +30,11 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
     element: root,
     /** told: the event the player is at. */
     show(state: ViewState, scene: SceneData, told: RayEvent | null) {
-      const { step } = state;
+      const { step, revealed } = state;
       const running = step !== null;
+      const asking = isAsking(state, scene);
+      if (document.activeElement === reveal && !asking) next.focus(); // the focus must not fall off the page
+      reveal.hidden = !asking || !!told;
       start.hidden = running || scene.lesson.length === 0;
       steps.hidden = !running;
       root.classList.toggle("running", running);
@@ -38,15 +42,15 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
       text.setAttribute("aria-live", state.playing ? "off" : "polite"); // playing, sentences would fall over one another
       if (running) {
         place.textContent = WORDS.place(step, scene.lesson.length);
-        previous.setAttribute("aria-disabled", String(step === 0));
-        next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1));
+        previous.setAttribute("aria-disabled", String(step === 0 && !revealed));
+        next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1 && !asking));
       }
-      const key = [scene.id, step, told];
+      const key = [scene.id, step, revealed, told];
       if (key.every((each, k) => each === shown[k])) return;
       shown = key;
       // The pipeline has sanitised a step's HTML.
       if (told) text.replaceChildren(...telling(told));
-      else if (running) text.innerHTML = scene.lesson[step].html;
+      else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
       else text.replaceChildren(element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
     },

@@ -33,9 +33,14 @@ export function createPage({ root, article, title, links }: PageParts) {
     picture.src = `${root}scenes/${scene.id}/${scene.picture}`;
     picture.alt = PICTURE_WORDS.alt(scene.title);
     const lesson = element("ol", "plain-lesson");
-    for (const { html } of scene.lesson) {
+    for (const { html, answer } of scene.lesson) {
       const item = element("li");
       item.innerHTML = html; // sanitised by the pipeline
+      if (answer) {
+        const folded = element("details", "", element("summary", "", WORDS.answer));
+        folded.insertAdjacentHTML("beforeend", answer.html);
+        item.append(folded);
+      }
       lesson.append(item);
     }
     const figures = element("dl", "figures");

@@ -3,7 +3,7 @@ import type { SceneData, View } from "../trace/types";
 import { applyView, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "step", "e", "speed", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "step", "answer", "e", "speed", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const place = (eye: Vec3, target: Vec3) => [...eye, ...target].map((v) => String(Number(v.toPrecision(5)))).join(",");
@@ -21,6 +21,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   if (state.observer === "camera") put("cam", "camera");
   else if (state.observer !== "start") put("cam", place(state.observer.eye, state.observer.target));
   if (state.step !== null) put("step", state.step + 1);
+  if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
   if (state.speed !== 1) put("speed", state.speed);
   if (state.still) put("still", 1);
@@ -82,9 +83,10 @@ export function followAddress(
   view.tiles = read("tiles", (text) => (text === "empty" || text === "filled" ? text : null));
   view.observer = read("cam", readObserver) ?? undefined;
   const step = read("step", (text) => (scene.lesson[whole(text) - 1] ? whole(text) - 1 : null)) ?? null;
+  const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
   // How many events there are is known with the trace.
   const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;
   const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;
   const state = applyView(scene, startState(scene, { ...kept, speed }), view);
-  return { state: { ...state, step, event }, damaged };
+  return { state: { ...state, step, revealed, event }, damaged };
 }

@@ -20,6 +20,7 @@ export interface ViewState {
   speed: number;
   observer: ObserverChoice;
   step: number | null; // of the lesson
+  revealed: boolean; // the step's answer
   still: boolean; // no clock: no blinking, tiles fill at once, no line grows
   event: number | null; // of the selected pixel, told step by step; null: all of it shows
   share: number; // of that event's time that has passed, 0..1
@@ -46,6 +47,7 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
     drawn: 0,
     observer: "start",
     step: null,
+    revealed: false,
     ...NOT_TOLD,
     speed: kept.speed,
     still: kept.still,
@@ -115,17 +117,28 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     tiles: view.tiles ?? start.tiles,
     observer: view.observer ?? start.observer,
     step: state.step,
+    revealed: state.revealed,
   };
 }
 
-export function goToStep(scene: SceneData, state: ViewState, step: number | null): ViewState {
-  if (step === null || !scene.lesson[step]) return { ...state, step: null };
-  return applyView(scene, { ...state, step }, scene.lesson[step].view);
+/** revealed: with the step's answer, if it has one. */
+export function goToStep(scene: SceneData, state: ViewState, step: number | null, revealed = false): ViewState {
+  const asked = step === null ? undefined : scene.lesson[step];
+  if (!asked) return { ...state, step: null, revealed: false };
+  const stop = (revealed && asked.answer) || asked;
+  return applyView(scene, { ...state, step, revealed: stop !== asked }, stop.view);
 }
 
-/** The lesson's next or previous step; the same state at either end. */
-export const turnStep = (scene: SceneData, state: ViewState, by: 1 | -1): ViewState =>
-  state.step !== null && scene.lesson[state.step + by] ? goToStep(scene, state, state.step + by) : state;
+/** The lesson's next or previous stop, steps and answers alike; the same state at either end. */
+export function turnStep(scene: SceneData, state: ViewState, by: 1 | -1): ViewState {
+  const { step, revealed } = state;
+  if (step === null) return state;
+  if (by > 0 ? scene.lesson[step].answer && !revealed : revealed) return goToStep(scene, state, step, by > 0);
+  return scene.lesson[step + by] ? goToStep(scene, state, step + by, by < 0) : state;
+}
+
+/** Does the step ask something that is still to be predicted? */
+export const isAsking = ({ step, revealed }: ViewState, scene: SceneData): boolean => step !== null && !revealed && !!scene.lesson[step]?.answer;
 
 export const pixelIndex = ({ pixel, n }: Pick<ViewState, "pixel" | "n">): number => pixel[1] * n + pixel[0];
 

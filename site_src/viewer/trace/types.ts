@@ -101,9 +101,14 @@ export interface View {
   observer?: "start" | "camera" | { eye: Vec3; target: Vec3 };
 }
 
-export interface LessonStepData {
+interface LessonStop {
   html: string; // rendered and sanitised by the pipeline
   view: View;
+}
+
+/** With an answer, the step is a question. */
+export interface LessonStepData extends LessonStop {
+  answer?: LessonStop;
 }
 
 /** scenes/<id>/scene.js */
