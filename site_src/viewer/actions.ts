@@ -9,7 +9,7 @@ import type { SceneData } from "./trace/types";
 
 export interface Outside {
   draw: () => void;
-  turnScene: (by: 1 | -1) => void;
+  turnScene: (by: 1 | -1, intoLesson?: boolean) => void;
   sceneOfKey: (key: string) => void;
 }
 
@@ -37,6 +37,14 @@ export function createActions(session: Session, outside: Outside) {
 
     step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
     turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
+    /** As clickers turn pages: through the lesson that is given and on to the next one; else through the scenes. */
+    page(by: 1 | -1) {
+      const { state, scene } = session;
+      if (!state || !scene) return;
+      const next = change.turnStep(scene, state, by);
+      if (next !== state) session.set(next);
+      else if (state.step === null || by > 0) outside.turnScene(by, state.step !== null);
+    },
 
     play: () => telling(player.pressPlay),
     event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
@@ -49,7 +57,6 @@ export function createActions(session: Session, outside: Outside) {
       outside.draw();
     },
 
-    scene: outside.turnScene,
     sceneKey: outside.sceneOfKey,
   };
 }

@@ -31,7 +31,7 @@ export function exposeSession(session: Session, asked: Asked) {
       return asked.ready();
     },
     state: () => structuredClone(session.state),
-    lesson: () => session.scene?.lesson.map((step) => step.view) ?? [],
+    lesson: () => session.scene?.lesson ?? [],
     stats() {
       const bright = session.lit ?? session.told();
       return {

@@ -7,7 +7,8 @@ export interface KeyActs {
   move: (right: number, down: number) => void;
   level: (by: 1 | -1) => void;
   sceneKey: (key: string) => void;
-  scene: (by: 1 | -1) => void;
+  /** The lesson's next or previous stop while one is given, else the next or previous scene. */
+  page: (by: 1 | -1) => void;
   camera: () => void;
   play: () => void;
   event: (by: 1 | -1) => void;
@@ -31,8 +32,8 @@ export function listenToKeys(acts: KeyActs) {
     "+": () => acts.level(1),
     "=": () => acts.level(1), // + without Shift on many keyboards
     "-": () => acts.level(-1),
-    PageUp: () => acts.scene(-1),
-    PageDown: () => acts.scene(1),
+    PageUp: () => acts.page(-1),
+    PageDown: () => acts.page(1),
     r: acts.camera,
     p: acts.play,
     ",": () => acts.event(-1),

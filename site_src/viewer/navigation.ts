@@ -88,11 +88,12 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     if (followed.damaged.length) notice.say(TROUBLE.address(followed.damaged));
   }
 
-  async function open(id: string) {
+  /** lesson: at its first step. */
+  async function open(id: string, lesson = false) {
     const kept = session.state;
     if (!kept || id === kept.scene) return;
     writeAddress("replace"); // what is left behind, before a new entry is made
-    const fields = new Map(kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
+    const fields = new Map(lesson ? [["step", "1"]] : kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
     try {
       await show(id, fields, kept);
       writeAddress("push");
@@ -131,9 +132,9 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     loadTrace,
     open,
     /** The next or the previous scene, round and round. */
-    turn(by: 1 | -1) {
+    turn(by: 1 | -1, intoLesson = false) {
       const at = ids.indexOf(session.state?.scene ?? home);
-      void open(ids[(at + by + ids.length) % ids.length]);
+      void open(ids[(at + by + ids.length) % ids.length], intoLesson);
     },
     ofKey(key: string) {
       const link = links.find((each) => each.dataset.key === key);

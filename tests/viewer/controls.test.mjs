@@ -239,23 +239,6 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.deepEqual((await state(page)).pixel, [2, 2]);
     });
 
-    test("the lesson's steps apply their views", async () => {
-      await fresh();
-      await button("Start the lesson").click();
-      const steps = await page.evaluate(() => window.raywalk.lesson());
-      for (let k = 0; k < steps.length; k++) {
-        const now = await state(page);
-        assert.equal(now.step, k);
-        if (steps[k].resolution) assert.equal(now.n, steps[k].resolution);
-        if (steps[k].pixel) assert.deepEqual(now.pixel, steps[k].pixel);
-        if (steps[k].rays) assert.deepEqual([...now.rays].sort(), [...steps[k].rays].sort());
-        assert.equal(now.tiles, steps[k].tiles ?? "empty");
-        if (k < steps.length - 1) await button("Next step").click();
-      }
-      await button("End the lesson").click();
-      assert.equal((await state(page)).step, null);
-    });
-
     test("pointing at a card's line lights its ray, and pointing at the ray lights the line", async () => {
       await fresh("still=1");
       await page.locator("li.ray[tabindex]").first().hover();

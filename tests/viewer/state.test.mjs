@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "./typescript.mjs";
 
-const { startState, select, move, stepLevel, setLevel, pressRender, advance, tilesShown, applyView, writeAddress, followAddress, readAddress } =
+const { startState, select, move, stepLevel, setLevel, pressRender, advance, tilesShown, applyView, goToStep, isAsking, turnStep, writeAddress, followAddress, readAddress } =
   await load("state/view-state.ts", "state/address.ts");
 const { picturePlane, onPlane, observerOf, orbit, pan, zoom, createProjection, contrastWith, treeOf, linesOf } = await load(
   "state/frustum.ts", "state/observer.ts", "state/projection.ts", "state/lines.ts", "palette.ts",
@@ -102,6 +102,20 @@ test("rendering fills by time, in ten seconds at speed 1, and still fills at onc
 test("what a lesson's view leaves out is as at the scene's start", () => {
   const far = { ...select(start, 1, 1), rays: ["all"], tiles: "filled", observer: "camera" };
   assert.deepEqual({ ...applyView(scene, far, {}), step: null }, start);
+});
+
+test("a lesson is walked stop by stop, an answer after its question, and stays at either end", () => {
+  const asks = { ...scene, lesson: [{ html: "", view: {} }, { html: "", view: { rays: [] }, answer: { html: "", view: { rays: ["row"] } } }, { html: "", view: {} }] };
+  let state = goToStep(asks, start, 0);
+  const stops = [];
+  for (let k = 0; k < 4; k++, state = turnStep(asks, state, 1)) stops.push([state.step, state.revealed, isAsking(state, asks), state.rays.join()]);
+  assert.deepEqual(stops, [[0, false, false, "pixel"], [1, false, true, ""], [1, true, false, "row"], [2, false, false, "pixel"]]);
+  assert.equal(turnStep(asks, state, 1), state);
+  for (const stop of stops.slice(0, -1).reverse()) {
+    state = turnStep(asks, state, -1);
+    assert.deepEqual([state.step, state.revealed], stop.slice(0, 2));
+  }
+  assert.equal(turnStep(asks, state, -1), state);
 });
 
 test("a stage pixel over a tile's middle finds that tile, from every side (seed 11)", () => {

@@ -100,9 +100,7 @@ def _lesson(draft: Draft, render: Render | None, problems: Problems) -> list[Les
 
 def _step(step: StepTable) -> LessonStep:
     revealed = _plain(step.answer_view) if step.answer_view else {}
-    return LessonStep(
-        step.text.strip(), _plain(step.view), (step.answer or "").strip(), revealed
-    )
+    return LessonStep(step.text.strip(), _plain(step.view), (step.answer or "").strip(), revealed)
 
 
 def _plain(view: ViewTable) -> dict[str, object]:

@@ -1,25 +1,27 @@
-/** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is at its start is left out. */
+/** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is as at the scene's start is
+ *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
-import { applyView, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
+import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
 import { length, sub, type Vec3 } from "./vectors";
 
 const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "step", "answer", "e", "speed", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
-const place = (eye: Vec3, target: Vec3) => [...eye, ...target].map((v) => String(Number(v.toPrecision(5)))).join(",");
+const placeOf = (observer: ViewState["observer"]) =>
+  typeof observer === "string" ? observer : [...observer.eye, ...observer.target].map((v) => String(Number(v.toPrecision(5)))).join(",");
 
 /** withScene: from file:// the page stays, so the scene goes into the address too. */
 export function writeAddress(state: ViewState, scene: SceneData, withScene: boolean): string {
-  const start = startState(scene, state);
+  const start = goToStep(scene, startState(scene, state), state.step, state.revealed);
   const parts: string[] = [];
   const put = (key: string, value: string | number) => parts.push(`${key}=${value}`);
   if (withScene) put("scene", state.scene);
   if (state.n !== start.n) put("n", state.n);
   if (state.pixel.join() !== start.pixel.join() || state.n !== start.n) put("p", state.pixel.join());
   if (state.rays.join() !== start.rays.join()) put("rays", state.rays.join() || "none");
-  if (state.tiles !== "empty") put("tiles", "filled");
-  if (state.observer === "camera") put("cam", "camera");
-  else if (state.observer !== "start") put("cam", place(state.observer.eye, state.observer.target));
+  const filled = ({ tiles }: ViewState) => (tiles === "empty" ? tiles : "filled");
+  if (filled(state) !== filled(start)) put("tiles", filled(state));
+  if (placeOf(state.observer) !== placeOf(start.observer)) put("cam", placeOf(state.observer));
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
@@ -69,21 +71,24 @@ export function followAddress(
     if (value === null) damaged.push(key);
     return value ?? undefined;
   };
-  const view: { -readonly [K in keyof View]: View[K] } = {};
-  view.resolution = read("n", (text) => (scene.levels.includes(whole(text)) ? whole(text) : null));
-  const n = view.resolution ?? scene.start.resolution;
-  view.pixel = read("p", (text) => {
-    const p = text.split(",").map(whole);
-    return p.length === 2 && p.every((k) => k < n) ? ([p[0], p[1]] as const) : null;
-  });
-  view.rays = read("rays", (text) => {
-    const asked = text === "none" ? [] : text.split(",");
-    return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
-  });
-  view.tiles = read("tiles", (text) => (text === "empty" || text === "filled" ? text : null));
-  view.observer = read("cam", readObserver) ?? undefined;
   const step = read("step", (text) => (scene.lesson[whole(text) - 1] ? whole(text) - 1 : null)) ?? null;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
+  const told = step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view;
+  const resolution = read("n", (text) => (scene.levels.includes(whole(text)) ? whole(text) : null)) ?? told.resolution;
+  const n = resolution ?? scene.start.resolution;
+  const view: View = {
+    resolution,
+    pixel: read("p", (text) => {
+      const p = text.split(",").map(whole);
+      return p.length === 2 && p.every((k) => k < n) ? ([p[0], p[1]] as const) : null;
+    }) ?? (n === told.resolution ? told.pixel : undefined),
+    rays: read("rays", (text) => {
+      const asked = text === "none" ? [] : text.split(",");
+      return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
+    }) ?? told.rays,
+    tiles: read("tiles", (text) => (text === "empty" || text === "filled" ? text : null)) ?? told.tiles,
+    observer: read("cam", readObserver) ?? told.observer,
+  };
   // How many events there are is known with the trace.
   const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;
   const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;

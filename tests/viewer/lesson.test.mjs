@@ -1,0 +1,103 @@
+/** Every scene's lesson: walked by button, by key and by clicker, and every stop of it reached by its link. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, until } from "./browser.mjs";
+import { readTrace } from "./scene-files.mjs";
+
+const scenes = scenesOfSite();
+const QUICK = "still=1&gl=none"; // a lesson is the same on the flat stage, which needs no compiled shaders
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+const button = (name) => page.getByRole("button", { name });
+const words = (html) => html.replace(/<[^>]+>/g, "").replace(/&[^;]+;/g, "").replace(/\s+/g, " ").trim();
+/** Steps and answers in the order in which they are walked. */
+const stopsOf = (lesson) =>
+  lesson.flatMap(({ html, view, answer }, step) => [
+    { step, revealed: false, asks: !!answer, html, view },
+    ...(answer ? [{ step, revealed: true, asks: false, ...answer }] : []),
+  ]);
+
+function fits(now, stop, scene) {
+  const { step, revealed, view } = stop;
+  assert.deepEqual([now.step, now.revealed], [step, revealed]);
+  assert.equal(now.n, view.resolution ?? scene.start.resolution);
+  if (view.pixel) assert.deepEqual(now.pixel, view.pixel);
+  assert.deepEqual([...now.rays].sort(), [...(view.rays ?? ["pixel"])].sort());
+  assert.equal(now.tiles, view.tiles ?? "empty");
+  assert.deepEqual(now.observer, view.observer ?? "start");
+}
+
+for (const { id, path } of scenes)
+  test(`${id}: one click starts the lesson, Next and Page down walk it to its end, and every stop's link comes back to it`, async () => {
+    const { scene } = await readTrace(id, 15);
+    const stops = stopsOf(scene.lesson);
+    assert.ok(scene.lesson.length >= 6 && scene.lesson.length <= 12, `${scene.lesson.length} steps`);
+    assert.ok(stops.at(-1).revealed, "it ends with an answer");
+    await open(page, ON_DISK, path, QUICK);
+    await button("Start the lesson").click();
+    const links = [];
+    for (const [k, stop] of stops.entries()) {
+      await settled(page);
+      const there = await state(page);
+      fits(there, stop, scene);
+      assert.ok(words(await page.locator(".lesson-text").innerText()).startsWith(words(stop.html).slice(0, 40)));
+      assert.equal(await button("Reveal the answer").isVisible(), stop.asks);
+      await page.waitForFunction((part) => location.hash.endsWith(part), `step=${stop.step + 1}${stop.revealed ? "&answer=1" : ""}&still=1&gl=none`);
+      const hash = new URL(page.url()).hash.slice(1);
+      assert.deepEqual([...new URLSearchParams(hash).keys()].sort(), ["gl", "still", "step", ...(stop.revealed ? ["answer"] : [])].sort(), "a stop as it is needs no more");
+      links.push([hash, there]);
+      if (k === stops.length - 1) break;
+      if (k % 2) await press(page, "PageDown");
+      else await button("Next step").click();
+    }
+    for (const [hash, there] of links.reverse().slice(1)) { // slice: the page is at the last one
+      await follow(page, hash);
+      assert.deepEqual(await state(page), there);
+    }
+  });
+
+test("Page up goes back, first from an answer to its question; the first step stays", async () => {
+  const { scene } = await readTrace(scenes[0].id, 15);
+  const stops = stopsOf(scene.lesson);
+  await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=${scene.lesson.length}&answer=1`);
+  for (const stop of stops.toReversed()) {
+    fits(await state(page), stop, scene);
+    await press(page, "PageUp");
+  }
+  fits(await state(page), stops[0], scene);
+});
+
+test("after the last answer Page down begins the next scene's lesson: a clicker gives the whole course", async () => {
+  const { scene } = await readTrace(scenes[0].id, 15);
+  await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=${scene.lesson.length}&answer=1`);
+  await press(page, "PageDown");
+  await until(page, (s, t, id) => t.shown.scene === id, scenes[1].id);
+  assert.equal((await state(page)).step, 0);
+});
+
+test("Reveal works by keyboard, and the focus goes on to Next", async () => {
+  const { scene } = await readTrace(scenes[0].id, 15);
+  const asking = scene.lesson.findIndex((step) => step.answer);
+  await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=${asking + 1}`);
+  await button("Reveal the answer").focus();
+  await press(page, "Enter");
+  assert.equal((await state(page)).revealed, true);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Next step");
+});
+
+test("a step that was changed keeps the change in its link", async () => {
+  await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=2`);
+  await press(page, "+", "ArrowRight", "h", " ", "r");
+  await until(page, (s, t) => t.tiles.length > 0);
+  await page.waitForFunction(() => location.hash.includes("cam=camera"));
+  const [there, hash] = [await state(page), new URL(page.url()).hash.slice(1)];
+  await follow(page, QUICK);
+  await follow(page, hash);
+  assert.deepEqual(await state(page), there);
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
