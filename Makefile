@@ -25,7 +25,7 @@ test: site $(TEST_READY) ## check types and style, run all tests, in a real brow
 check: $(PYTHON_READY) ## validate the scenes without tracing them
 	@$(PYTHON) -m raywalk check
 
-serve: site ## serve dist/ at http://127.0.0.1:8000/
+serve: $(PYTHON_READY) $(NODE_READY) ## the site at http://127.0.0.1:8000/, built anew whenever a file is saved
 	@$(PYTHON) -m raywalk serve
 
 bench: site $(TEST_READY) ## measure run time against error, beside peers (about 5 minutes)

@@ -16,10 +16,15 @@ SITE_SOURCE = Path("site_src")
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
     parser = commands.add_parser("site", help="trace all scenes and build the site")
+    add_options(parser)
+    parser.set_defaults(run=run)
+
+
+def add_options(parser: Any) -> None:
+    """What every build can be told, also one by `serve`."""
     parser.add_argument("--out", type=Path, default=Path("dist"), help="where the site goes")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
     parser.add_argument("--explain", action="store_true", help="say why each thing is made again")
-    parser.set_defaults(run=run)
 
 
 def run(chosen: Namespace) -> Iterator[str]:

@@ -1,33 +1,81 @@
-"""raywalk serve: the built site at a local address."""
+"""raywalk serve: the site at a local address, built anew whenever a file is saved."""
 
 from __future__ import annotations
 
+import traceback
 from argparse import Namespace
 from collections.abc import Iterator
+from http.server import ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
-from raywalk.errors import SourceError, SourceErrors
+from raywalk.commands import build_site
+from raywalk.errors import SourceError, SourceErrors, Told, shown_path
+from raywalk.site.live import Live
+
+EXTRAS = build_site.SITE_SOURCE / "serve"
+WATCHED = (build_site.SITE_SOURCE, Path("models"))  # besides the scenes
 
 
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
-    parser = commands.add_parser("serve", help="serve the built site on this machine")
-    parser.add_argument("--site", type=Path, default=Path("dist"), help="the built site")
+    about = "serve the site on this machine, and build it whenever a file is saved"
+    parser = commands.add_parser("serve", help=about)
+    build_site.add_options(parser)
+    parser.add_argument("--site", type=Path, help="serve this built site as it is, build nothing")
     parser.add_argument("--port", type=int, default=8000)
     parser.set_defaults(run=run)
 
 
 def run(chosen: Namespace) -> Iterator[str]:
     """Serves until stopped."""
-    from raywalk.site.serve import server
+    if chosen.site:
+        yield from _serve_as_it_is(chosen)
+        return
+    live = Live()
+    service = _server(chosen.out, chosen.port, live)
+    Thread(target=service.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{service.server_port}/  (Ctrl+C stops; saved files show by themselves)"
+    try:
+        yield from _follow(chosen, live)
+    finally:
+        service.shutdown()
 
+
+def _follow(chosen: Namespace, live: Live) -> Iterator[str]:
+    """Builds at once and after each save; mistakes go to the pages and to the terminal."""
+    from raywalk.work.watch import changes
+
+    for changed in changes([chosen.scenes, *WATCHED]):
+        if changed:
+            yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
+        live.begin()
+        try:
+            yield from build_site.run(chosen)
+        except Told as problems:
+            live.failed(str(problems))
+            yield str(problems)
+        except Exception:  # a fault of ours: seen where the author looks, and the next save may do
+            live.failed(traceback.format_exc())
+            yield traceback.format_exc()
+        else:
+            live.done()
+
+
+def _serve_as_it_is(chosen: Namespace) -> Iterator[str]:
     if not (chosen.site / "index.html").is_file():
         raise SourceErrors([SourceError(chosen.site, "", "is no built site", hint="run make")])
-    try:
-        service = server(chosen.site, chosen.port)
-    except (OSError, OverflowError) as problem:
-        message = f"cannot serve on port {chosen.port} ({problem})"
-        raise SourceErrors([SourceError(chosen.site, "--port", message)]) from None
+    service = _server(chosen.site, chosen.port, None)
     yield f"http://127.0.0.1:{service.server_port}/  (Ctrl+C stops)"
     service.serve_forever()
+
+
+def _server(folder: Path, port: int, live: Live | None) -> ThreadingHTTPServer:
+    from raywalk.site.serve import server
+
+    try:
+        return server(folder, port, live, EXTRAS)
+    except (OSError, OverflowError) as problem:
+        message = f"cannot serve on port {port} ({problem})"
+        raise SourceErrors([SourceError(folder, "--port", message)]) from None

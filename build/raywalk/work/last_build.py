@@ -10,10 +10,11 @@ import json
 import sys
 import zlib
 from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from raywalk.work.digests import digest, digest_or_missing
+from raywalk.work.digests import digest, digest_or_missing, digests
 
 PACKAGE = Path(__file__).resolve().parent.parent
 FORMAT = 1
@@ -58,12 +59,12 @@ def inputs_of(scenes: Path, site_source: Path, work: Path) -> dict[str, str]:
     """Hashes of everything a build reads: scenes, models, the site's and the pipeline's code,
     what npm and pip installed, reports."""
     root = site_source.absolute().parent
-    places = [*_files(scenes), *_files(site_source), *_code(), *(work / "reports").glob("*.json")]
+    places = [*_files(scenes), *_files(site_source), *(work / "reports").glob("*.json")]
     places += [folder / "models" / "models.toml" for folder in scenes.absolute().parents]
     places += [root / "package-lock.json", root / "node_modules" / ".package-lock.json"]
     named = {str(path): digest_or_missing(path) for path in places}
     versions = f"{sys.version} {zlib.ZLIB_RUNTIME_VERSION} {' '.join(sorted(_installed()))}"
-    return named | {"versions": versions, "format": str(FORMAT)}
+    return named | _code() | {"versions": versions, "format": str(FORMAT)}
 
 
 def also_read(files: Iterable[str]) -> dict[str, str]:
@@ -79,8 +80,11 @@ def _files(folder: Path) -> Iterator[Path]:
     return (path for path in folder.rglob("*") if path.is_file())
 
 
-def _code() -> Iterator[Path]:
-    return (path for path in _files(PACKAGE) if path.suffix in (".py", ".json", ".css"))
+@cache
+def _code() -> dict[str, str]:
+    """Hashed once a process: what runs is what was imported, however it is edited meanwhile."""
+    files = (path for path in _files(PACKAGE) if path.suffix in (".py", ".json", ".css"))
+    return digests(files, PACKAGE)
 
 
 def _installed() -> Iterator[str]:

@@ -1,0 +1,58 @@
+"""Notices that files were saved, by looking: no package is needed, and any disk will do."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+EVERY = 0.2  # seconds between two looks
+SETTLED = 0.1  # seconds without a change: an editor that saves several files is done
+
+Seen = dict[str, tuple[int, int]]  # path -> time of change, size
+
+
+def changes(folders: Iterable[Path]) -> Iterator[list[str]]:
+    """At once with nothing, then each time files were saved: the paths that changed."""
+    folders = list(folders)
+    seen = look(folders)
+    yield []
+    while True:
+        time.sleep(EVERY)
+        now = look(folders)
+        if now == seen:
+            continue
+        while (later := _later(folders)) != now:
+            now = later
+        changed = {path for path, _ in now.items() ^ seen.items()}
+        seen = now
+        yield sorted(changed)
+
+
+def look(folders: Iterable[Path]) -> Seen:
+    """Every file below some folders, but for editors' swap files and other hidden ones."""
+    seen: Seen = {}
+    for folder in folders:
+        _look_into(str(folder), seen)
+    return seen
+
+
+def _look_into(folder: str, seen: Seen) -> None:
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if entry.name.startswith(".") or entry.name.endswith("~"):
+                    continue
+                if entry.is_dir():
+                    _look_into(entry.path, seen)
+                else:
+                    state = entry.stat()
+                    seen[entry.path] = (state.st_mtime_ns, state.st_size)
+    except OSError:
+        return  # gone between two looks
+
+
+def _later(folders: list[Path]) -> Seen:
+    time.sleep(SETTLED)
+    return look(folders)

@@ -1,0 +1,98 @@
+/** raywalk serve: what is saved shows by itself; mistakes show as text and go when they are mended. */
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { launch, newPage } from "./browser.mjs";
+
+const PATIENCE = 120_000; // ms: the machine may be busy, and kernels may have to be compiled
+const SCENE = `
+version = 1
+key = "1"
+title = "Ball"
+teaches = "A ball."
+camera = { eye = [0, 0, 5], target = [0, 0, 0] }
+render = { size = 63, resolutions = [7, 21], depth = 1 }
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = 0.9
+material = "coloured"
+[[lights]]
+position = [1, 2, 3]
+[[lesson]]
+text = "First words."
+view = { resolution = 7, pixel = [3, 3] }
+`;
+
+let browser, folder, file, serving, page, url;
+
+before(async () => {
+  folder = await mkdtemp(join(tmpdir(), "raywalk-serve-"));
+  file = join(folder, "scenes", "01-ball", "scene.toml");
+  await cp("scenes/01-shading", join(folder, "scenes", "01-ball"), { recursive: true });
+  await writeFile(file, SCENE);
+  const places = ["--scenes", join(folder, "scenes"), "--out", join(folder, "dist"), "--work", join(folder, "work")];
+  serving = spawn(".venv/bin/python", ["-m", "raywalk", "serve", "--port", "0", ...places], { stdio: ["ignore", "pipe", "inherit"] });
+  url = await new Promise((found, failed) => {
+    createInterface({ input: serving.stdout }).on("line", (line) => line.startsWith("http://") && found(line.split(" ")[0]));
+    serving.on("exit", (code) => failed(new Error(`raywalk serve ended with ${code}`)));
+  });
+  browser = await launch();
+  page = await newPage(browser);
+  page.home = url;
+  page.setDefaultTimeout(PATIENCE);
+});
+
+after(async () => {
+  await browser?.close();
+  serving?.removeAllListeners("exit");
+  serving?.kill("SIGINT");
+  await rm(folder, { recursive: true, force: true });
+});
+
+const save = (change) => writeFile(file, change(SCENE));
+const panel = () => page.locator("#raywalk-serve");
+
+test("a page that is asked for before the site is built shows it as soon as it is", async () => {
+  await page.goto(`${url}scenes/01-ball/index.html#n=7&p=2,5`);
+  await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("First words."));
+});
+
+test("a saved lesson shows by itself, and the address keeps its place", async () => {
+  await page.waitForFunction(() => window.raywalk?.state());
+  await save((text) => text.replace("First words.", "Other words."));
+  await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("Other words."));
+  await page.waitForFunction(() => window.raywalk?.state());
+  const now = await page.evaluate(() => ({ ...window.raywalk.state(), hash: location.hash }));
+  assert.deepEqual([now.n, now.pixel], [7, [2, 5]], now.hash);
+});
+
+test("a mistake in a scene shows as text, markup in it too, while the old page stands", async () => {
+  await save((text) => text.replace('"coloured"', '"<img src=x onerror=alert(1)>"'));
+  await page.waitForFunction(() => document.querySelector("#raywalk-serve.trouble"));
+  const told = await panel().innerText();
+  assert.match(told, /scene\.toml: objects\[0\]\.material: no material is named "<img src=x/);
+  assert.match(told, /1 error; nothing was traced/);
+  assert.equal(await page.locator("#raywalk-serve img").count(), 0);
+  assert.ok(await panel().isVisible());
+  assert.ok((await page.locator("#page").textContent()).includes("Other words."));
+});
+
+test("the mistake goes when it is mended", async () => {
+  await save((text) => text.replace("First words.", "Mended words."));
+  await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("Mended words."));
+  await page.waitForFunction(() => !document.querySelector("#raywalk-serve.trouble"));
+});
+
+test("the site on disk has none of this, and pages may talk to their own server only", async () => {
+  const built = await readFile(join(folder, "dist", "scenes", "01-ball", "index.html"), "utf8");
+  assert.ok(!built.includes("raywalk/reload") && !built.includes("connect-src"));
+  const policy = await page.evaluate(() => document.querySelector("meta[http-equiv]").content);
+  assert.ok(policy.startsWith("default-src 'none'; connect-src 'self'; script-src 'self';"));
+  assert.deepEqual(page.faults.filter((fault) => !fault.includes("404")), []);
+});
