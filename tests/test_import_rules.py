@@ -18,12 +18,13 @@ VIEWER = ROOT / "site_src" / "viewer"
 # __main__ and its commands, work and bench tie the others together.
 MAY_IMPORT = {
     "optics": set(),
+    "words": set(),
     "scene": {"errors"},
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.tree", "scene", "errors"},
-    "slides": {"scene", "trace_file", "errors"},
-    "site": {"scene", "trace_file", "errors"},
+    "slides": {"scene", "trace_file", "words", "errors"},
+    "site": {"scene", "trace_file", "words", "errors"},
 }
 VIEWER_MAY_IMPORT = {
     "trace": {"trace"},
@@ -32,7 +33,7 @@ VIEWER_MAY_IMPORT = {
     # event-words holds the sentences for the state's events, which only panels show.
     "panels": {"panels", "state", "trace", "event-words"},
 }
-FOR_ANYONE = {"words", "palette"}
+FOR_ANYONE = {"words", "word-keys", "palette"}
 
 
 def python_files(folder: str) -> list[Path]:

@@ -18,12 +18,13 @@ from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
-from raywalk.site.assets import BundleError, bundle_viewer, write_assets
+from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words
 from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages
 from raywalk.site.scene_data import Display, scene_data
 from raywalk.trace_file.script import write_script
+from raywalk.words import read_words
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
@@ -74,10 +75,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
         )  # fmt: skip
     with staged(chosen.out) as out:
         script = (viewer.folder / "viewer.js").read_bytes()
-        assets = write_assets(out, site_source, script)
+        words = read_words()
+        assets = write_assets(out, site_source, script) | write_words(out, words)
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
-        figures = {scene.id: scene_figures(scene, facts[scene.id]) for scene in scenes}
+        figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
         publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
         write_pages(out, site_source / "templates", scenes, figures, assets)
     used = [*entries.values(), *data.values(), viewer]

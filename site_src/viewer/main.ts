@@ -31,7 +31,7 @@ function start() {
     home: find("#viewer"),
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
-    say: notice.say,
+    notify: notice.say,
     simpler: (why) => notice.say((simpler = why)),
   });
   const beat = createBeat({

@@ -6,7 +6,7 @@ import { followAddress, readAddress } from "./state/address";
 import * as player from "./state/play";
 import type { ViewState } from "./state/view-state";
 import { troubleOfScene, troubleOfTrace } from "./trouble";
-import { TROUBLE } from "./words";
+import { list, say } from "./words";
 
 const ADDRESS_AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
 const PATIENCE = 150; // ms before a missing trace shows
@@ -85,7 +85,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
       followed.damaged.push("e");
       session.set({ ...session.state, ...player.NOT_TOLD });
     }
-    if (followed.damaged.length) notice.say(TROUBLE.address(followed.damaged));
+    if (followed.damaged.length) notice.say(say("trouble.address", { keys: list(followed.damaged) }));
   }
 
   /** lesson: at its first step. */
@@ -113,7 +113,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     const id = named && ids.includes(named) ? named : onDisk ? home : sceneOfPath();
     try {
       await show(id, fields, { speed: 1, still, gl: gl && withGl });
-      if (named && !ids.includes(named)) notice.say(TROUBLE.unknownScene(named));
+      if (named && !ids.includes(named)) notice.say(say("trouble.unknownScene", { id: named }));
     } catch (error) {
       body.classList.remove("live");
       notice.say(troubleOfScene(error));

@@ -12,25 +12,25 @@ import { createPlayer } from "./panels/player";
 import { createViewPad } from "./panels/view-pad";
 import type { Session } from "./session";
 import { createStage } from "./stage/stage";
-import { TROUBLE } from "./words";
+import { say } from "./words";
 
 export interface Surroundings {
   home: HTMLElement; // what the parts go into
   page: PageParts;
   withGl: boolean;
-  say: (sentence: string) => void;
+  notify: (sentence: string) => void;
   /** The stage is drawn in a simpler way from now on. */
   simpler: (why: string) => void;
 }
 
-export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, say, simpler }: Surroundings) {
+export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, notify, simpler }: Surroundings) {
   const flat = (why: "refused" | "lost") => {
     document.body.dataset.renderer = "flat";
-    simpler(TROUBLE[why]);
+    simpler(say(`trouble.${why}`));
   };
   const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, withGl, () => document.querySelector(".view-pad"));
   const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
-  const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => say(TROUBLE.pictureMissing) });
+  const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => notify(say("trouble.pictureMissing")) });
   const card = createCard({ move: acts.move, light: acts.light });
   const controls = createControls(acts);
   const legend = createLegend();

@@ -9,6 +9,7 @@ import pytest
 from raywalk.scene import read_scenes
 from raywalk.site.figures import has_glass, scene_figures
 from raywalk.site.pages import write_pages
+from raywalk.words import read_words
 
 ROOT = Path(__file__).parents[2]
 SCENES = {scene.key: scene for scene in read_scenes(ROOT / "scenes")}
@@ -18,7 +19,7 @@ FACTS = {"camera": 10, "secondary": 5, "shadow": 3, "deepest": 2, "dropped": {},
 @pytest.mark.parametrize("key", "67")
 def test_a_scanned_model_is_credited_on_its_scenes_page(key):
     """With the laboratory's name and the licence."""
-    figures = dict(scene_figures(SCENES[key], FACTS))
+    figures = dict(scene_figures(SCENES[key], FACTS, read_words()))
     assert "Stanford Computer Graphics Laboratory" in figures["Model"]
     assert "public domain" in figures["Model"]
 
@@ -26,7 +27,7 @@ def test_a_scanned_model_is_credited_on_its_scenes_page(key):
 @pytest.mark.parametrize("key", SCENES)
 def test_every_scene_with_glass_names_its_shadow_model_as_a_simplification(key):
     """And a scene without glass says nothing of it."""
-    figures = dict(scene_figures(SCENES[key], FACTS))
+    figures = dict(scene_figures(SCENES[key], FACTS, read_words()))
     assert ("Shadow rays at glass" in figures) == has_glass(SCENES[key])
     if has_glass(SCENES[key]):
         assert "a simplification" in figures["Shadow rays at glass"]
@@ -35,15 +36,15 @@ def test_every_scene_with_glass_names_its_shadow_model_as_a_simplification(key):
 def test_triangles_that_were_left_out_are_told():
     """By object, reason and count."""
     facts = FACTS | {"dropped": {"bunny": {"without area": 2, "not finite": 1}}}
-    figures = dict(scene_figures(SCENES["6"], facts))
+    figures = dict(scene_figures(SCENES["6"], facts, read_words()))
     assert figures["Triangles left out of bunny"] == "2 without area, 1 not finite"
 
 
 def test_the_model_page_lists_every_scene_with_glass_and_its_shadow_model(tmp_path):
     """The page for teachers names each simplification where it is used."""
     scenes = list(SCENES.values())
-    figures = {scene.id: scene_figures(scene, FACTS) for scene in scenes}
-    assets = {"viewer_js": "assets/v.js", "style_css": "assets/s.css"}
+    figures = {scene.id: scene_figures(scene, FACTS, read_words()) for scene in scenes}
+    assets = {"viewer_js": "assets/v.js", "words_js": "assets/w.js", "style_css": "assets/s.css"}
     write_pages(tmp_path, ROOT / "site_src" / "templates", scenes, figures, assets)
     page = (tmp_path / "model" / "index.html").read_text(encoding="utf-8")
     for scene in scenes:

@@ -1,8 +1,13 @@
 /** The viewer's own modules for tests in node: bundled, then imported. */
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 export const VIEWER = fileURLToPath(new URL("../../site_src/viewer/", import.meta.url));
+
+/** A language's sentences, as site_src/words/ has them. */
+export const wordsOf = (language) => JSON.parse(readFileSync(new URL(`../../site_src/words/${language}.json`, import.meta.url), "utf8"));
+globalThis.raywalkWords = wordsOf("en"); // in a page a script before the viewer's does this
 
 /** path: below site_src/viewer, e.g. "state/address.ts". */
 export async function load(...paths) {

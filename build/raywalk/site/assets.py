@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import subprocess
 from pathlib import Path
+
+from raywalk.words import Words
+
+PAGES_ONLY = ("pages",)  # sentences that the viewer never says
 
 
 class BundleError(Exception):
@@ -20,6 +25,15 @@ def write_assets(out: Path, site_src: Path, script: bytes) -> dict[str, str]:
         "viewer_js": _named(out, "viewer", "js", script),
         "style_css": _named(out, "style", "css", sheet),
     }
+
+
+def write_words(out: Path, words: Words) -> dict[str, str]:
+    """A language's sentences as a classic script that sets raywalkWords: apart from the viewer,
+    which is the same in every language, and to be loaded before it."""
+    said = {key: part for key, part in words.tree.items() if key not in PAGES_ONLY}
+    text = json.dumps(said, ensure_ascii=False, separators=(",", ":"))
+    script = f"raywalkWords={text};\n".encode()
+    return {"words_js": _named(out, f"words-{words.code}", "js", script)}
 
 
 def bundle_viewer(site_src: Path, folder: Path) -> None:

@@ -6,32 +6,43 @@ from typing import Any
 
 from raywalk.scene.model import Mesh, Scene
 from raywalk.scene.models import find_catalogue, read_catalogue
+from raywalk.words import Words
 
 Figures = list[tuple[str, str]]  # label, value
 
-GLASS_SHADOWS = {
-    "opaque": "are blocked by it, as by stone: a simplification",
-    "pass": "go straight through, weakened but not bent: a simplification",
-}
 
-
-def scene_figures(scene: Scene, facts: dict[str, Any]) -> Figures:
+def scene_figures(scene: Scene, facts: dict[str, Any], words: Words) -> Figures:
     """Label and value for each line. facts: what the trace stage counted (facts.json)."""
+    say, grouped = words.say, words.numbers.grouped
     size, levels = scene.render.size, sorted(scene.render.resolutions)
     kept = sum(facts[kind] for kind in ("camera", "secondary", "shadow"))
     figures = [
-        ("Picture", f"{size} × {size} pixels, one camera ray each"),
-        ("Frustum grids", f"{len(levels)}, from {_square(levels[0])} to {_square(levels[-1])}"),
-        ("Rays to walk", f"{kept:,}"),
-        ("of these shadow rays", f"{facts['shadow']:,}"),
-        ("Most bounces on one path", f"{facts['deepest']}"),
-        ("Objects and lights", f"{len(scene.objects)} and {len(scene.lights)}"),
+        (
+            say("pages.figures.picture"),
+            say("pages.figures.pictureIs", size=size),
+        ),
+        (
+            say("pages.figures.grids"),
+            say("pages.figures.gridsAre", amount=len(levels), least=levels[0], most=levels[-1]),
+        ),
+        (say("pages.figures.rays"), grouped(kept)),
+        (say("pages.figures.shadowRays"), grouped(facts["shadow"])),
+        (say("pages.figures.deepest"), str(facts["deepest"])),
+        (
+            say("pages.figures.things"),
+            say("pages.figures.thingsAre", objects=len(scene.objects), lights=len(scene.lights)),
+        ),
     ]
     if has_glass(scene):
-        figures.append(("Shadow rays at glass", GLASS_SHADOWS[scene.render.glass_shadows]))
-    figures += [(f"Triangles left out of {name}", why) for name, why in left_out(facts["dropped"])]
-    figures += [("Note", warning) for warning in facts["warnings"]]
-    return figures + [("Model", credit) for credit in model_credits(scene)]
+        at_glass = {"opaque": "glassOpaque", "pass": "glassPass"}[scene.render.glass_shadows]
+        figures.append((say("pages.figures.glassShadows"), say(f"pages.figures.{at_glass}")))
+    figures += [
+        (say("pages.figures.leftOut", name=name), why) for name, why in left_out(facts["dropped"])
+    ]
+    figures += [(say("pages.figures.note"), warning) for warning in facts["warnings"]]
+    return figures + [
+        (say("pages.figures.model"), credit) for credit in model_credits(scene, words)
+    ]
 
 
 def left_out(dropped: dict[str, dict[str, int]]) -> Figures:
@@ -47,15 +58,16 @@ def has_glass(scene: Scene) -> bool:
     return any(scene.materials[obj.material].transmit > 0 for obj in scene.objects)
 
 
-def model_credits(scene: Scene) -> list[str]:
+def model_credits(scene: Scene, words: Words) -> list[str]:
     """Title, credit and licence of each named model in the scene, once each."""
     named = {obj.shape.model for obj in scene.objects if isinstance(obj.shape, Mesh)}
     if not named:
         return []
     models, _ = read_catalogue(find_catalogue(scene.path))
     known = [models.tables[name] for name in sorted(named) if name in models.tables]
-    return [f"{table.title}. {table.credit}. Licence: {table.licence}." for table in known]
-
-
-def _square(side: int) -> str:
-    return f"{side} × {side}"
+    return [
+        words.say(
+            "pages.figures.modelIs", title=table.title, credit=table.credit, licence=table.licence
+        )
+        for table in known
+    ]

@@ -11,8 +11,10 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoes
 from raywalk.scene.model import Scene
 from raywalk.site.figures import Figures, has_glass
 from raywalk.site.lesson_text import lesson_html
+from raywalk.site.saying import sayings
+from raywalk.words import Words, read_words
 
-Assets = dict[str, str]  # viewer_js and style_css, relative to the site's root
+Assets = dict[str, str]  # viewer_js, words_js and style_css, relative to the site's root
 
 
 def write_pages(
@@ -36,15 +38,18 @@ def write_pages(
         _write(page, environment, "scene.html", root="../../", scene=told, **shared)
 
 
-def page_environment(templates: Path) -> Environment:
-    """Jinja2 as every page uses it: all values are escaped."""
-    return Environment(
+def page_environment(templates: Path, words: Words | None = None) -> Environment:
+    """Jinja2 as every page uses it: all values are escaped, `say` and `tell` know the sentences
+    of a language, of the default one if none is given."""
+    environment = Environment(
         loader=FileSystemLoader(templates),
         autoescape=select_autoescape(default=True, default_for_string=True),
         undefined=StrictUndefined,  # a misspelt name fails the build, not the page
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.globals.update(sayings(words or read_words()))
+    return environment
 
 
 def _write(page: Path, environment: Environment, template: str, **context: Any) -> None:
@@ -64,8 +69,7 @@ def _card(scene: Scene) -> dict[str, str]:
 
 
 def _glass(scene: Scene) -> dict[str, str]:
-    words = {"opaque": "opaque", "pass": "shadow rays pass"}
-    return _card(scene) | {"glass_shadows": words[scene.render.glass_shadows]}
+    return _card(scene) | {"glass_shadows": scene.render.glass_shadows}
 
 
 def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:

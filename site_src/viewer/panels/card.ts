@@ -3,8 +3,8 @@ import { KIND_NAMES, treeOf, type LineKind } from "../state/lines";
 import { triple } from "../state/vectors";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
-import { CARD_WORDS as WORDS, CONTROL_WORDS, hexOf, KIND_WORDS, vector, number } from "../words";
-import { button, element, swatch } from "./element";
+import { hexOf, list as listed, number, percent, phrases, say, vector } from "../words";
+import { button, element, marked, swatch } from "./element";
 
 export interface CardLine {
   ray: number;
@@ -16,26 +16,23 @@ const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for wo
 
 const isHit = (trace: Trace, ray: number) => trace.object[ray] >= 0;
 
-const bold = (text: string) => element("b", "", text);
-
 export function createCard(acts: { move: (right: number, down: number) => void; light: (line: CardLine | null) => void }) {
   const chip = swatch("#000");
   const pixel = element("span", "pixel-name");
   const rgb = element("span", "pixel-colour numbers");
-  const moves = CONTROL_WORDS.moves;
   const arrows = element(
     "div",
     "joined arrows",
-    button("\u2190", moves.left, () => acts.move(-1, 0), { className: "sign" }),
-    button("\u2191", moves.up, () => acts.move(0, -1), { className: "sign" }),
-    button("\u2193", moves.down, () => acts.move(0, 1), { className: "sign" }),
-    button("\u2192", moves.right, () => acts.move(1, 0), { className: "sign" }),
+    button("\u2190", say("controls.moves.left"), () => acts.move(-1, 0), { className: "sign" }),
+    button("\u2191", say("controls.moves.up"), () => acts.move(0, -1), { className: "sign" }),
+    button("\u2193", say("controls.moves.down"), () => acts.move(0, 1), { className: "sign" }),
+    button("\u2192", say("controls.moves.right"), () => acts.move(1, 0), { className: "sign" }),
   );
   const title = element("h2", "pixel", pixel, rgb);
   const head = element("div", "card-head", chip, title, arrows);
   const list = element("ul", "rays");
   const root = element("section", "card", head, list);
-  root.setAttribute("aria-label", WORDS.region);
+  root.setAttribute("aria-label", say("card.region"));
   let bright: { line: CardLine | null; list: Element | null } = { line: null, list: null };
   let shown: { trace: Trace | null; pixel: number; missing: boolean } = { trace: null, pixel: -1, missing: false };
 
@@ -58,27 +55,22 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     if (trace.parent[ray] >= 0 || trace.hitsStart.length <= ray + 1) return [];
     const [from, to] = [trace.hitsStart[ray], trace.hitsStart[ray + 1]];
     if (to - from < 2) return []; // a single hit is the one named above
-    const line = element("span", "meets numbers", `${WORDS.meets} `);
-    for (let k = from; k < to; k++) {
-      const text = `${scene.objects[trace.hitsObject[k]]?.name ?? "?"} ${number(trace.hitsT[k])}`;
-      line.append(k > from ? ", " : "", k === from ? bold(`${text} (${WORDS.nearest})`) : text);
-    }
-    return [line];
+    const [nearest, ...others] = Array.from({ length: to - from }, (_, k) => `${scene.objects[trace.hitsObject[from + k]]?.name ?? "?"} ${number(trace.hitsT[from + k])}`);
+    return [element("span", "meets numbers", ...marked(phrases("card.meets", { nearest, others: listed(others) })))];
   }
 
   function rayRow(trace: Trace, scene: SceneData, ray: number): HTMLElement {
     const kind = KIND_NAMES[trace.kind[ray]];
     const object = scene.objects[trace.object[ray]];
     const material = scene.materials[trace.material[ray]];
-    const words = object ? WORDS.hits(KIND_WORDS[kind], object.name) : WORDS.leaves(KIND_WORDS[kind]);
-    const first = element("span", "says", bold(words[0]), words[1], bold(words[2]));
+    const first = element("span", "says", ...marked(object ? phrases(`card.hits.${kind}`, { object: object.name }) : phrases(`card.leaves.${kind}`)));
     if (material && material.name !== object?.name) first.append(element("span", "material", ` \u00b7 ${material.name}`));
     const colour = triple(trace.colour, ray);
-    const brings = element("span", "brings numbers", swatch(hexOf(colour)), colour.map(number).join(", "));
-    brings.title = WORDS.brings;
-    if (trace.parent[ray] >= 0) brings.append(` \u00b7 ${WORDS.share(trace.weight[ray])}`);
+    const brings = element("span", "brings numbers", swatch(hexOf(colour)), listed(colour.map(number)));
+    brings.title = say("card.brings");
+    if (trace.parent[ray] >= 0) brings.append(` \u00b7 ${say("card.share", { share: percent(trace.weight[ray]) })}`);
     const where = isHit(trace, ray)
-      ? [element("span", "where numbers", WORDS.t(trace.t[ray]), "\u2003", vector(triple(trace.point, ray))), element("span", "where numbers", WORDS.normal(triple(trace.normal, ray)))]
+      ? [element("span", "where numbers", say("card.t", { t: number(trace.t[ray]) }), "\u2003", vector(triple(trace.point, ray))), element("span", "where numbers", say("card.normal", { normal: vector(triple(trace.normal, ray)) }))]
       : [];
     return row(kind, trace.depth[ray], { ray, light: -1 }, first, ...where, brings, ...meets(trace, scene, ray));
   }
@@ -89,19 +81,17 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     const name = scene.lights[light].name;
     const depth = trace.depth[ray] + 1;
     if (!isHit(trace, ray) || trace.localWeight[ray] === 0) return null; // a mirror has no colour of its own: no light is asked
-    const gives = element("span", "where numbers", WORDS.light(trace.diffuse[at], trace.specular[at]));
+    const gives = element("span", "where numbers", say("card.light", { diffuse: number(trace.diffuse[at]), specular: number(trace.specular[at]) }));
     if (seen === VISIBILITY.behind || seen === VISIBILITY.untested) {
       const isBehind = seen === VISIBILITY.behind;
-      const [a, b] = WORDS.awayLine(name);
-      const says = isBehind ? element("span", "says", a, b, bold(WORDS.away)) : element("span", "says", bold(name), ` ${WORDS.unasked}`);
+      const says = element("span", "says", ...marked(phrases(isBehind ? "card.away" : "card.unasked", { light: name })));
       const item = element("li", "ray away", says, ...(isBehind ? [] : [gives]));
       Object.assign(item.dataset, { depth: String(Math.min(depth, DEEPEST)), ray: String(ray), light: String(light) });
       return item;
     }
-    const [a, b] = WORDS.shadow(name);
     const arrives = seen === VISIBILITY.reached;
-    const end = arrives ? WORDS.arrives : WORDS.blockedBy(scene.objects[trace.blocker[at]]?.name ?? "?");
-    return row(arrives ? "reached" : "blocked", depth, { ray, light }, element("span", "says", bold(a), b, bold(end)), ...(arrives ? [gives] : []));
+    const says = arrives ? phrases("card.arrives", { light: name }) : phrases("card.blocked", { light: name, name: scene.objects[trace.blocker[at]]?.name ?? "?" });
+    return row(arrives ? "reached" : "blocked", depth, { ray, light }, element("span", "says", ...marked(says)), ...(arrives ? [gives] : []));
   }
 
   function rows(trace: Trace, scene: SceneData, index: number): HTMLElement[] {
@@ -110,7 +100,7 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
       rayRow(trace, scene, ray),
       ...Array.from({ length: trace.lights }, (_, light) => shadowRow(trace, scene, ray, light)).filter((each) => each !== null),
     ]);
-    return tree.length > MOST_ROWS ? [...made, element("li", "note", WORDS.more(tree.length - MOST_ROWS))] : made;
+    return tree.length > MOST_ROWS ? [...made, element("li", "note", say("card.more", { count: tree.length - MOST_ROWS }))] : made;
   }
 
   /** Scrolls the list alone: the page stays where it is. */
@@ -125,13 +115,13 @@ export function createCard(acts: { move: (right: number, down: number) => void; 
     /** missing: this grid's rays could not be loaded. */
     show(state: ViewState, scene: SceneData, trace: Trace | null, missing: boolean) {
       const index = pixelIndex(state);
-      pixel.textContent = WORDS.pixel(...state.pixel);
+      pixel.textContent = say("card.pixel", { column: state.pixel[0], row: state.pixel[1] });
       if (shown.trace === trace && shown.pixel === index && shown.missing === missing && trace) return;
       shown = { trace, pixel: index, missing };
       if (!trace) {
         rgb.textContent = "";
         chip.style.backgroundColor = "transparent";
-        list.replaceChildren(element("li", "note", missing ? WORDS.none : WORDS.waiting));
+        list.replaceChildren(element("li", "note", say(missing ? "card.none" : "card.waiting")));
         return;
       }
       const colour = tileColour(trace, index);

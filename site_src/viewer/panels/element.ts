@@ -1,4 +1,6 @@
 /** Small builders for the page's elements. No inline style attributes: the pages' policy forbids them. */
+import type { Phrase } from "../words";
+
 type Child = Node | string;
 
 export function element<K extends keyof HTMLElementTagNameMap>(tag: K, className = "", ...children: Child[]): HTMLElementTagNameMap[K] {
@@ -18,6 +20,10 @@ export function button(text: string, help: string, press: () => void, { key = ""
   made.addEventListener("click", press);
   return made;
 }
+
+/** Phrases as nodes: bold, or in a ray kind's colour. */
+export const marked = (phrases: readonly Phrase[]): Child[] =>
+  phrases.map((phrase) => (typeof phrase === "string" ? phrase : element("b", phrase[1] && `kind ${phrase[1]}`, phrase[0])));
 
 export function setWord(of: HTMLElement, text: string) {
   const word = of.querySelector(".word") ?? of;

@@ -2,7 +2,7 @@
 import { LINES } from "../palette";
 import { LINE_KINDS, type LineKind } from "../state/lines";
 import { CROWD } from "../state/shown";
-import { LEFT_OUT, LINE_WORDS } from "../words";
+import { grouped, say } from "../words";
 import { element } from "./element";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -26,7 +26,7 @@ function sample(kind: LineKind): SVGElement {
 export function createLegend() {
   const root = element("ul", "legend");
   const items = LINE_KINDS.map((kind) => {
-    const item = element("li", "", LINE_WORDS[kind]);
+    const item = element("li", "", say(`line.${kind}`));
     item.prepend(sample(kind));
     item.dataset.kind = kind;
     root.append(item);
@@ -39,7 +39,7 @@ export function createLegend() {
     /** left: shadow rays that are not drawn. */
     show(kinds: ReadonlySet<LineKind>, left: number) {
       note.hidden = left === 0;
-      if (left) note.textContent = LEFT_OUT(left, CROWD);
+      if (left) note.textContent = say("legend.leftOut", { left: grouped(left), most: grouped(CROWD) });
       for (const { kind, item } of items) item.hidden = !kinds.has(kind);
     },
     dispose: () => root.remove(),

@@ -3,27 +3,26 @@ import type { RayEvent } from "../state/events";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { tell } from "../event-words";
-import { LESSON_WORDS as WORDS } from "../words";
-import { button, element } from "./element";
+import { say } from "../words";
+import { button, element, marked } from "./element";
 
 /** One event's sentence and its numbers. */
 function telling(event: RayEvent): HTMLElement[] {
   const { says, numbers } = tell(event);
-  const phrases = says.map((phrase) => (typeof phrase === "string" ? phrase : element("b", phrase[1] && `kind ${phrase[1]}`, phrase[0])));
-  return [element("p", "event-says", ...phrases), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
+  return [element("p", "event-says", ...marked(says)), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
 }
 
 export function createLesson(acts: { step: (step: number | null) => void; turn: (by: 1 | -1) => void }) {
-  const reveal = button(WORDS.reveal[0], WORDS.reveal[1], () => acts.turn(1), { className: "primary reveal" });
+  const reveal = button(say("lesson.reveal"), say("lesson.revealHelp"), () => acts.turn(1), { className: "primary reveal" });
   const text = element("div", "lesson-text");
   const place = element("span", "lesson-place numbers");
-  const previous = button("\u2039", WORDS.previous, () => acts.turn(-1), { className: "sign" });
-  const next = button("\u203a", WORDS.next, () => acts.turn(1), { className: "sign" });
-  const end = button("\u00d7", WORDS.end, () => acts.step(null), { className: "sign quiet" });
-  const start = button(WORDS.start, WORDS.start, () => acts.step(0), { className: "primary start-lesson" });
+  const previous = button("\u2039", say("lesson.previous"), () => acts.turn(-1), { className: "sign" });
+  const next = button("\u203a", say("lesson.next"), () => acts.turn(1), { className: "sign" });
+  const end = button("\u00d7", say("lesson.end"), () => acts.step(null), { className: "sign quiet" });
+  const start = button(say("lesson.start"), say("lesson.start"), () => acts.step(0), { className: "primary start-lesson" });
   const steps = element("div", "lesson-steps", previous, place, next, end);
   const root = element("section", "lesson", text, element("div", "lesson-buttons", start, reveal, steps));
-  root.setAttribute("aria-label", WORDS.region);
+  root.setAttribute("aria-label", say("lesson.region"));
   let shown: readonly unknown[] = [];
 
   return {
@@ -41,7 +40,7 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
       root.classList.toggle("telling", !!told);
       text.setAttribute("aria-live", state.playing ? "off" : "polite"); // playing, sentences would fall over one another
       if (running) {
-        place.textContent = WORDS.place(step, scene.lesson.length);
+        place.textContent = say("lesson.place", { step: step + 1, of: scene.lesson.length });
         previous.setAttribute("aria-disabled", String(step === 0 && !revealed));
         next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1 && !asking));
       }

@@ -1,10 +1,10 @@
 /** One sentence that says what is wrong and what still works. */
-import { TROUBLE } from "../words";
+import { say } from "../words";
 import { button, element } from "./element";
 
 export function createNotice(root: HTMLElement) {
   const text = element("span", "notice-text");
-  const close = button("\u00d7", TROUBLE.close, () => hide(), { className: "sign quiet" });
+  const close = button("\u00d7", say("trouble.close"), () => hide(), { className: "sign quiet" });
   root.replaceChildren(text, close);
   function hide() {
     root.hidden = true;

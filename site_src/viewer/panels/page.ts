@@ -2,7 +2,7 @@
  *  without JavaScript and is what gets printed. */
 import type { SceneData, Trace } from "../trace/types";
 import { KIND_NAMES, LINE_KINDS } from "../state/lines";
-import { FIGURE_WORDS as WORDS, grouped, LINE_WORDS, PICTURE_WORDS } from "../words";
+import { grouped, list, say } from "../words";
 import { element } from "./element";
 
 export interface PageParts {
@@ -14,15 +14,15 @@ export interface PageParts {
 
 function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const figures: [string, string][] = [
-    [WORDS.size[0], WORDS.size[1](scene.size)],
-    [WORDS.levels[0], WORDS.levels[1](scene.levels)],
-    [WORDS.depth[0], WORDS.depth[1](scene.depth)],
-    [WORDS.shadows[0], WORDS.shadows[1](scene.shadows)],
+    [say("figures.size"), say("figures.sizeIs", { size: scene.size })],
+    [say("figures.levels"), list(scene.levels.map(String))],
+    [say("figures.depth"), String(scene.depth)],
+    [say("figures.shadows"), say(scene.shadows ? "figures.yes" : "figures.no")],
   ];
   if (!trace) return figures;
   const of = (kind: string) => trace.kind.reduce((sum, k) => sum + (KIND_NAMES[k] === kind ? 1 : 0), 0);
   const kinds = LINE_KINDS.slice(0, 4).map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
-  return [...figures, [WORDS.rays(trace.n), kinds.map(([kind, rays]) => `${grouped(rays)} ${LINE_WORDS[kind]}`).join(", ")]];
+  return [...figures, [say("figures.rays", { n: trace.n }), list(kinds.map(([kind, rays]) => `${grouped(rays)} ${say(`line.${kind}`)}`))]];
 }
 
 export function createPage({ root, article, title, links }: PageParts) {
@@ -31,13 +31,13 @@ export function createPage({ root, article, title, links }: PageParts) {
   function write(scene: SceneData, trace: Trace | null) {
     const picture = element("img", "plain-picture");
     picture.src = `${root}scenes/${scene.id}/${scene.picture}`;
-    picture.alt = PICTURE_WORDS.alt(scene.title);
+    picture.alt = say("picture.alt", { title: scene.title });
     const lesson = element("ol", "plain-lesson");
     for (const { html, answer } of scene.lesson) {
       const item = element("li");
       item.innerHTML = html; // sanitised by the pipeline
       if (answer) {
-        const folded = element("details", "", element("summary", "", WORDS.answer));
+        const folded = element("details", "", element("summary", "", say("lesson.answer")));
         folded.insertAdjacentHTML("beforeend", answer.html);
         item.append(folded);
       }
@@ -49,7 +49,7 @@ export function createPage({ root, article, title, links }: PageParts) {
     article.replaceChildren(
       element("h1", "", scene.title),
       element("p", "teaches", scene.teaches),
-      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", WORDS.title), figures)),
+      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", say("figures.title")), figures)),
     );
   }
 

@@ -2,7 +2,7 @@
 import { contrastWith } from "../palette";
 import { tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
-import { PICTURE_WORDS } from "../words";
+import { say } from "../words";
 import { element } from "./element";
 
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
@@ -13,7 +13,7 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   const marks = element("canvas", "marks");
   const frame = element("div", "picture-frame", image, marks);
   const whole = element("section", "picture", frame);
-  whole.setAttribute("aria-label", PICTURE_WORDS.region);
+  whole.setAttribute("aria-label", say("picture.region"));
   const brush = marks.getContext("2d")!;
   let now: { state: ViewState; trace: Trace | null } | null = null;
   let shownScene = "";
@@ -74,7 +74,7 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
       if (shownScene !== scene.id) {
         shownScene = scene.id;
         image.src = `${root}scenes/${scene.id}/${scene.picture}`;
-        image.alt = PICTURE_WORDS.alt(scene.title);
+        image.alt = say("picture.alt", { title: scene.title });
       }
       draw();
     },

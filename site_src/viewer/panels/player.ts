@@ -4,8 +4,8 @@ import type { RayEvent } from "../state/events";
 import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
 import type { ViewState } from "../state/view-state";
-import { PLAYER_WORDS as WORDS, sentence } from "../event-words";
-import { CONTROL_WORDS } from "../words";
+import { sentence } from "../event-words";
+import { fraction, say } from "../words";
 import { button, element, setWord } from "./element";
 import { icon } from "./icons";
 
@@ -33,11 +33,11 @@ function paint({ events, starts }: Timeline): string {
 }
 
 export function createPlayer(acts: PlayerActs) {
-  const back = button("", WORDS.back, () => acts.event(-1), { className: "sign" });
-  const play = button(WORDS.play[0], WORDS.play[1], acts.play, { key: "P", className: "play" });
-  const on = button("", WORDS.on, () => acts.event(1), { className: "sign" });
-  const end = button("\u00d7", WORDS.end, acts.endEvents, { className: "sign quiet" });
-  const speed = button("", WORDS.speed, acts.speed, { className: "speed" });
+  const back = button("", say("player.back"), () => acts.event(-1), { className: "sign" });
+  const play = button(say("player.play.word"), say("player.play.help"), acts.play, { key: "P", className: "play" });
+  const on = button("", say("player.on"), () => acts.event(1), { className: "sign" });
+  const end = button("\u00d7", say("player.end"), acts.endEvents, { className: "sign quiet" });
+  const speed = button("", say("player.speed"), acts.speed, { className: "speed" });
   back.replaceChildren(icon("back"));
   on.replaceChildren(icon("on"));
   const sign = element("span", "play-sign");
@@ -48,7 +48,7 @@ export function createPlayer(acts: PlayerActs) {
   range.type = "range";
   range.min = "0";
   range.step = "any";
-  range.setAttribute("aria-label", WORDS.scrub);
+  range.setAttribute("aria-label", say("player.scrub"));
   range.addEventListener("input", () => acts.time(Number(range.value)));
   range.addEventListener("keydown", (event) => {
     const by = ({ ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 } as const)[event.key as "ArrowUp"];
@@ -61,7 +61,7 @@ export function createPlayer(acts: PlayerActs) {
   const bar = element("div", "timeline", colours, ahead, range);
   const count = element("span", "event-count numbers");
   const root = element("section", "player", back, play, on, bar, count, speed, end);
-  root.setAttribute("aria-label", WORDS.region);
+  root.setAttribute("aria-label", say("player.region"));
   let shown: { timeline?: Timeline | null; playing?: boolean } = {};
 
   return {
@@ -73,11 +73,12 @@ export function createPlayer(acts: PlayerActs) {
         range.max = String(timeline ? timeline.starts[timeline.starts.length - 1] : 1);
       }
       if (shown.playing !== playing) {
-        const [word, help] = playing ? WORDS.pause : WORDS.play;
-        setWord(play, word);
+        const what = playing ? "pause" : "play";
+        const help = say(`player.${what}.help`);
+        setWord(play, say(`player.${what}.word`));
         play.title = help;
         play.setAttribute("aria-label", help);
-        sign.replaceChildren(icon(playing ? "pause" : "play"));
+        sign.replaceChildren(icon(what));
       }
       shown = { timeline, playing };
       const of = timeline?.events.length ?? 0;
@@ -85,13 +86,13 @@ export function createPlayer(acts: PlayerActs) {
       range.value = String(now);
       range.disabled = !timeline;
       ahead.style.left = `${event === null ? 100 : (100 * now) / Number(range.max)}%`;
-      const text = event === null || !timeline ? WORDS.none : WORDS.at(event, of, sentence(timeline.events[event]));
+      const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: sentence(timeline.events[event]) });
       if (range.getAttribute("aria-valuetext") !== text) range.setAttribute("aria-valuetext", text);
-      count.textContent = timeline ? WORDS.count(event, of) : "";
+      count.textContent = !timeline ? "" : event === null ? say("player.count", { of }) : say("player.countAt", { event: event + 1, of });
       end.classList.toggle("away", event === null);
       back.setAttribute("aria-disabled", String(event === null));
       on.setAttribute("aria-disabled", String(!timeline || event === of - 1));
-      setWord(speed, CONTROL_WORDS.speed(state.speed));
+      setWord(speed, say("controls.speed", { speed: fraction(state.speed) }));
     },
     dispose: () => root.remove(),
   };

@@ -3,7 +3,7 @@ import { onPlane } from "../state/frustum";
 import { createProjection, type Projection } from "../state/projection";
 import { observerOf, orbit, pan, zoom, type Observer, type ObserverChoice } from "../state/observer";
 import { along, length, sub, triple } from "../state/vectors";
-import { STAGE_WORDS } from "../words";
+import { say, vector } from "../words";
 import { createFlatRenderer } from "./flat";
 import { listenToGestures } from "./gestures";
 import { createLabels, type Box, type Label } from "./labels";
@@ -30,7 +30,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
   element.className = "stage-view";
   element.tabIndex = 0;
   element.setAttribute("role", "application");
-  element.setAttribute("aria-label", STAGE_WORDS.label);
+  element.setAttribute("aria-label", say("stage.label"));
   const labels = createLabels();
   let view: StageView | null = null;
   let observer: Observer | null = null;
@@ -73,8 +73,8 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     const arrived = chosen.some((line) => line.ray === lit && line.light < 0 && !line.growing);
     const hit = trace && lit !== undefined && arrived && state.tiles !== "filling" && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
     return [
-      ...(hit ? label("hit", STAGE_WORDS.point(hit), hit, "hit") : []),
-      ...(state.observer === "camera" ? [] : label("camera", STAGE_WORDS.camera, scene.camera.eye, "sign").map((each) => ({ ...each, below: true }))),
+      ...(hit ? label("hit", vector(hit), hit, "hit") : []),
+      ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign").map((each) => ({ ...each, below: true }))),
       ...scene.lights.flatMap((light) => label(`light ${light.name}`, light.name, light.position, "sign")),
     ];
   }

@@ -17,7 +17,7 @@ export interface LightShare {
 
 /** One term of a colour: share x colour. */
 export interface Term {
-  of: "local" | "background" | LineKind;
+  of: "local" | "background" | "reflected" | "refracted" | "total";
   share: number;
   colour: Vec3;
 }
@@ -123,7 +123,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   }
 
   function terms(ray: number): Term[] {
-    const sent = (children.get(ray) ?? []).map((child): Term => ({ of: KIND_NAMES[trace.kind[child]], share: trace.weight[child], colour: triple(trace.colour, child) }));
+    const sent = (children.get(ray) ?? []).map((child): Term => ({ of: KIND_NAMES[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
     if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
     if (trace.localWeight[ray] === 0) return sent;
     const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));

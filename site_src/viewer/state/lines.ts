@@ -4,9 +4,10 @@ import { along, triple, type Vec3 } from "./vectors";
 import type { ViewState } from "./view-state";
 
 export type LineKind = "camera" | "reflected" | "refracted" | "total" | "reached" | "blocked";
+export type RayKind = Exclude<LineKind, "reached" | "blocked">;
 export const LINE_KINDS: readonly LineKind[] = ["camera", "reflected", "refracted", "total", "reached", "blocked"];
 
-export const KIND_NAMES: Readonly<Record<number, LineKind>> = {
+export const KIND_NAMES: Readonly<Record<number, RayKind>> = {
   [KIND.camera]: "camera",
   [KIND.reflected]: "reflected",
   [KIND.refracted]: "refracted",

@@ -1,0 +1,131 @@
+"""The catalogue of sentences, one file a language; viewer/words.ts tells from the same files."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from raywalk.words.numbers import Numbers
+
+FOLDER = Path(__file__).resolve().parents[3] / "site_src" / "words"
+DEFAULT = "en"
+SLOT = re.compile(r"\{(\w+)\}", re.ASCII)
+MARK = re.compile(r"\*\*(?P<bold>.+?)\*\*|\[(?P<text>.+?)\]\((?P<of>\w+)\)", re.ASCII)
+
+Entry = str | Mapping[str, str]  # a text, or the forms of a plural
+# A piece of a sentence and what it is marked as: None plain, "" bold, else [text](mark).
+Phrase = tuple[str, str | None]
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """One language's sentences, and its numbers."""
+
+    code: str
+    name: str  # in the language itself
+    direction: str  # "ltr" or "rtl"
+    tree: Mapping[str, Any]
+    numbers: Numbers
+
+    def say(self, key: str, /, **slots: object) -> str:
+        """The sentence of a key, e.g. "card.pixel", its slots filled. Of a plural, `count` chooses
+        the form. Raises KeyError for an unknown key, and for slots that are not the sentence's."""
+        return fill(self.text(key, slots), slots)
+
+    def phrases(self, key: str, /, **slots: object) -> list[Phrase]:
+        """The same in pieces, **bold** and [marked](mark) ones too; no slot is read as a mark."""
+        text, at = self.text(key, slots), 0
+        pieces: list[Phrase] = []
+        for mark in MARK.finditer(text):
+            pieces.append((text[at : mark.start()], None))
+            pieces.append((mark["bold"] or mark["text"], mark["of"] or ""))
+            at = mark.end()
+        pieces.append((text[at:], None))
+        return [(fill(piece, slots), mark) for piece, mark in pieces if piece]
+
+    def text(self, key: str, slots: Mapping[str, object], links: bool = False) -> str:
+        """The sentence with its slots still open, after a check that exactly they are given;
+        links: marks name slots too, which hold addresses."""
+        found = find(self.tree, key)
+        needed = slots_of(found) | (set(linked(found)) if links else set())
+        if set(slots) != needed:
+            raise KeyError(f"{key}: its slots are {sorted(needed)}, not {sorted(slots)}")
+        if isinstance(found, str):
+            return found
+        return found.get("one" if slots["count"] == 1 else "other", found["other"])
+
+
+def plain(phrases: list[Phrase]) -> str:
+    """A sentence without its marks."""
+    return "".join(text for text, _ in phrases)
+
+
+def languages() -> list[str]:
+    """Codes of all languages that there are, the default one first."""
+    return sorted(
+        (path.stem for path in FOLDER.glob("*.json")), key=lambda code: (code != DEFAULT, code)
+    )
+
+
+@cache
+def read_words(code: str = DEFAULT) -> Words:
+    """A language's sentences. Raises KeyError if there is none of that code."""
+    if code not in languages():
+        raise KeyError(f'no language "{code}"; there are {", ".join(languages())}')
+    return words_from(json.loads((FOLDER / f"{code}.json").read_text(encoding="utf-8")))
+
+
+def words_from(tree: Mapping[str, Any]) -> Words:
+    """From the catalogue as read: its "language" tells how numbers are written."""
+    about = tree["language"]
+    numbers = Numbers(about["decimal"], about["group"], about["between"])
+    return Words(about["code"], about["name"], about["direction"], tree, numbers)
+
+
+def find(tree: Mapping[str, Any], key: str) -> Entry:
+    """The entry of a dotted key; raises KeyError."""
+    found: Any = tree
+    for part in key.split("."):
+        if not isinstance(found, Mapping) or part not in found:
+            raise KeyError(f"no sentence has the key {key}")
+        found = found[part]
+    if not is_entry(found):
+        raise KeyError(f"{key} is a group of sentences, none itself")
+    return found
+
+
+def is_entry(value: Any) -> bool:
+    """A text, or the forms of a plural; not a group of entries."""
+    return isinstance(value, str) or "other" in value
+
+
+def entries(tree: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Entry]]:
+    """All keys with their entries."""
+    for name, value in tree.items():
+        if is_entry(value):
+            yield before + name, value
+        else:
+            yield from entries(value, f"{before}{name}.")
+
+
+def slots_of(entry: Entry) -> set[str]:
+    """Names of an entry's slots; a plural's are always with `count`."""
+    if isinstance(entry, str):
+        return set(SLOT.findall(entry))
+    return {"count", *(name for form in entry.values() for name in SLOT.findall(form))}
+
+
+def linked(entry: Entry) -> list[str]:
+    """What the [text](mark)s of an entry are marked as."""
+    forms = [entry] if isinstance(entry, str) else entry.values()
+    return [mark["of"] for form in forms for mark in MARK.finditer(form) if mark["of"]]
+
+
+def fill(text: str, slots: Mapping[str, object]) -> str:
+    """Each {slot} replaced by what it is given."""
+    return SLOT.sub(lambda slot: str(slots[slot[1]]), text)

@@ -1,0 +1,100 @@
+"""Every sentence stands once, in site_src/words/, and each one is told by something."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from raywalk.words import languages, plain, read_words
+from raywalk.words.catalogue import entries, linked, slots_of, words_from
+
+ROOT = Path(__file__).parent.parent.parent
+TELLERS = ("site_src/viewer/**/*.ts", "site_src/templates/*.html", "build/raywalk/**/*.py")
+# say("a.b"), tell(...), phrases(...), also with a part put in: say(`a.${b}.c`), say(f"a.{b}"),
+# say("a." ~ b); and keys named on their own: (isOn ? "a.b" : "a.c").
+CALL = re.compile(r"(?:say|tell|phrases)\(\s*(f?)([`\"])([\w.${}?: \"']+?)\2(\s*~)?")
+
+
+@cache
+def source() -> str:
+    files = [path for pattern in TELLERS for path in sorted(ROOT.glob(pattern))]
+    return "\n".join(path.read_text(encoding="utf-8") for path in files)
+
+
+@cache
+def told() -> list[re.Pattern[str]]:
+    """What is said, as patterns of keys: a part put in may be any word."""
+    patterns = []
+    for is_f, quote, key, joined in CALL.findall(source()):
+        parts = re.split(r"\$?\{.*?\}+(?=[.`\w]|$)", key) if is_f or quote == "`" else [key]
+        pattern = r"\w*".join(map(re.escape, parts)) + (r"\w+" if joined else "")
+        patterns.append(re.compile(pattern))
+    return patterns
+
+
+def test_every_key_is_told_by_something() -> None:
+    """A sentence that nobody says is dead weight in a translator's work."""
+    english = dict(entries(read_words("en").tree))
+    spoken = [key for key in english if not key.startswith("language.")]
+    named = set(re.findall(r"[\"`]([a-z]\w*(?:\.\w+)+)[\"`]", source()))
+    unused = [
+        key for key in spoken if key not in named and not any(p.fullmatch(key) for p in told())
+    ]
+    assert not unused
+
+
+def test_every_key_that_is_told_is_there() -> None:
+    """Templates and Python are not compiled: a misspelt key is found here."""
+    english = [key for key, _ in entries(read_words("en").tree)]
+    for pattern in told():
+        assert any(pattern.fullmatch(key) for key in english), pattern.pattern
+
+
+@pytest.mark.parametrize("code", languages())
+def test_every_language_has_the_same_sentences_with_the_same_slots(code: str) -> None:
+    """What a translation lacks, has too much, or fills otherwise."""
+    english, other = (dict(entries(read_words(each).tree)) for each in ("en", code))
+    assert sorted(other) == sorted(english)
+    for key, entry in english.items():
+        assert slots_of(other[key]) == slots_of(entry), key
+        assert set(linked(other[key])) == set(linked(entry)), key
+        assert isinstance(other[key], str) == isinstance(entry, str), key
+
+
+def test_a_sentence_is_filled_and_marked() -> None:
+    """What stands in a slot is never read as a mark or as a slot."""
+    words = words_from(
+        {
+            "language": {
+                "code": "en", "name": "", "direction": "ltr",
+                "decimal": ".", "group": "", "between": ", ",
+            },
+            "one": "A [ray](camera) meets **{name}**.",
+            "many": {"one": "{count} ray", "other": "{count} rays"},
+        }
+    )  # fmt: skip
+    phrases = words.phrases("one", name="**{name}** [x](y)")
+    assert phrases == [
+        ("A ", None), ("ray", "camera"), (" meets ", None), ("**{name}** [x](y)", ""), (".", None)
+    ]  # fmt: skip
+    assert plain(phrases) == "A ray meets **{name}** [x](y)."
+    assert [words.say("many", count=n) for n in (0, 1, 2)] == ["0 rays", "1 ray", "2 rays"]
+
+
+@pytest.mark.parametrize(
+    ("key", "slots"),
+    [
+        ("no.such", {}),
+        ("card", {}),
+        ("card.t", {}),
+        ("card.t", {"t": 1, "u": 2}),
+        ("card.more", {}),
+    ],
+)
+def test_unknown_keys_and_wrong_slots_are_refused(key: str, slots: dict[str, int]) -> None:
+    """A page with a hole in a sentence is never written."""
+    with pytest.raises(KeyError):
+        read_words("en").say(key, **slots)
