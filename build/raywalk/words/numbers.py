@@ -19,7 +19,7 @@ class Numbers:
     between: str  # between numbers of a list: with a decimal comma a comma would be misread
 
     def fixed(self, value: float, digits: int) -> str:
-        """So many decimals, halves away from zero as JavaScript's toFixed; no minus before zeros."""
+        """So many decimals, halves away from 0 as JavaScript's toFixed; no minus before zeros."""
         exact = Decimal(float(value)).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)
         sign = MINUS if exact < 0 else ""
         return sign + f"{abs(exact):f}".replace(".", self.decimal)
