@@ -23,7 +23,8 @@ MAY_IMPORT = {
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.tree", "scene", "errors"},
-    "slides": {"scene", "trace_file", "words", "errors"},
+    "telling": {"trace.tree", "trace_file", "scene", "words"},
+    "slides": {"scene", "trace_file", "telling", "words", "errors"},
     "site": {"scene", "trace_file", "words", "errors"},
 }
 VIEWER_MAY_IMPORT = {
@@ -86,7 +87,7 @@ def test_only_geometry_knows_the_mesh_engines(engine: str) -> None:
 def test_start_up_needs_no_engine() -> None:
     """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
     no module that reads scenes imports them at its top."""
-    for folder in ("scene", "trace_file", "site", "slides", "work"):
+    for folder in ("scene", "trace_file", "telling", "words", "site", "slides", "work"):
         for file in python_files(folder):
             found = {name.split(".")[0] for name in imported(file)}
             assert not found & {"numba", "trimesh", "embreex"}, file.name

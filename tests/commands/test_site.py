@@ -304,6 +304,23 @@ def test_inspect_prints_a_pixels_ray_tree_from_either_file(built, capsys):
     assert [child["kind"] for child in tree["children"]] == ["reflected"]
 
 
+def test_inspect_tells_a_pixels_events(built, tmp_path, capsys):
+    """In sentences with their numbers, as JSON too; what it needs besides the trace is named."""
+    place = built / "dist" / "scenes" / "01-ball"
+    assert main(["inspect", str(place / "7.js"), "--pixel", "3,3", "--events"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "  1  A camera ray leaves through pixel (3, 3)."
+    assert lines[1] == "     from the eye (0.000, 0.000, 5.000)"
+    assert main(["inspect", str(place / "7.js"), "--pixel", "3,3", "--events", "--json"]) == 0
+    events = json.loads(capsys.readouterr().out)
+    assert [event["what"] for event in events[:2]] == ["camera", "meets"]
+    assert events[0]["says"] == "A camera ray leaves through pixel (3, 3)."
+    assert events[1]["facts"]["name"] == "ball"
+    shutil.copyfile(place / "7.js", tmp_path / "7.js")
+    assert main(["inspect", str(tmp_path / "7.js"), "--pixel", "3,3", "--events"]) == 1
+    assert "scene.js: cannot be read" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("file", "pixel", "words"),
     [("7.js", "7,0", "pixel 7,0"), ("9.js", "0,0", "cannot be read"), ("picture.png", "0,0", "")],

@@ -21,6 +21,7 @@ CALL = re.compile(r"(?:say|tell|phrases)\(\s*(f?)([`\"])([\w.${}?: \"']+?)\2(\s*
 @cache
 def source() -> str:
     files = [path for pattern in TELLERS for path in sorted(ROOT.glob(pattern))]
+    files = [path for path in files if not path.name.endswith(".d.ts")]  # made from the keys
     return "\n".join(path.read_text(encoding="utf-8") for path in files)
 
 

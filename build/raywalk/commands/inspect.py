@@ -1,4 +1,4 @@
-"""raywalk inspect: one pixel's ray tree out of a built trace file."""
+"""raywalk inspect: one pixel's ray tree out of a built trace file, or its events in words."""
 
 from __future__ import annotations
 
@@ -14,26 +14,57 @@ from raywalk.errors import SourceError, SourceErrors
 
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
+    from raywalk.words import languages
+
     parser = commands.add_parser("inspect", help="one pixel's ray tree out of a trace file")
     parser.add_argument("trace", type=Path, help="<n>.js or <n>.json.gz of a built scene")
     parser.add_argument("--pixel", type=place, required=True, help="I,J: column, row from top left")
+    parser.add_argument("--events", action="store_true", help="what happens, as the player says it")
+    parser.add_argument(
+        "--language", choices=languages(), default="en", help="of the sentences of --events"
+    )
     parser.add_argument("--json", action="store_true", help="everything, as JSON")
     parser.set_defaults(run=run)
 
 
 def run(chosen: Namespace) -> Iterator[str]:
-    """The tree as indented text, or as one JSON object with every stored number."""
+    """The tree as indented text, or as one JSON object with every stored number; with --events
+    its events, a sentence and a line of numbers each."""
     from raywalk.trace_file import TraceFileError, read_trace
     from raywalk.trace_file.inspect import as_json, describe
 
     try:
         trace = read_trace(chosen.trace)
-        if chosen.json:
-            yield json.dumps(as_json(trace, chosen.pixel), allow_nan=False)
+        tree = as_json(trace, chosen.pixel)  # refuses a pixel outside
+        if chosen.events:
+            yield from _events(chosen, trace)
+        elif chosen.json:
+            yield json.dumps(tree, allow_nan=False)
         else:
             yield describe(trace, chosen.pixel)
     except OSError as problem:
         message = f"cannot be read ({problem.strerror})"
-        raise SourceErrors([SourceError(chosen.trace, "", message)]) from None
+        file = Path(problem.filename or chosen.trace)
+        raise SourceErrors([SourceError(file, "", message)]) from None
     except TraceFileError as problem:
         raise SourceErrors([SourceError(chosen.trace, "", str(problem))]) from None
+
+
+def _events(chosen: Namespace, trace: Any) -> Iterator[str]:
+    from dataclasses import asdict
+
+    from raywalk.telling import events_of, scene_beside, tell
+    from raywalk.words import read_words
+
+    words = read_words(chosen.language)
+    events = events_of(trace, scene_beside(chosen.trace), chosen.pixel)
+    told = [(event, tell(event, words)) for event in events]
+    if chosen.json:
+        listed = [
+            asdict(event) | {"says": each.sentence, "phrases": each.says, "numbers": each.numbers}
+            for event, each in told
+        ]
+        yield json.dumps(listed, allow_nan=False, ensure_ascii=False)
+        return
+    for number, (_, each) in enumerate(told, start=1):
+        yield f"{number:>3}  {each.sentence}" + (f"\n     {each.numbers}" if each.numbers else "")

@@ -1,0 +1,87 @@
+/** The player and `raywalk inspect --events` tell the same: every event's sentence and numbers, character by character. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { after, before, test } from "node:test";
+import { DIST, follow, launch, newPage, ON_DISK, open, press, scenesOfSite, state, stats } from "./browser.mjs";
+import { readTrace } from "./scene-files.mjs";
+import { load } from "./typescript.mjs";
+
+const { eventsOf } = await load("state/events.ts");
+const { tell, sentence } = await load("event-words.ts");
+
+/** Key of a scene, pixel of its 15 x 15 grid, what must happen there. */
+const PIXELS = [
+  ["1", [0, 0], ["background"]],
+  ["2", [8, 8], ["blocked"]],
+  ["3", [7, 7], ["blocked"]],
+  ["4", [9, 7], ["reflected", "stops"]], // the most bounces are reached
+  ["5", [9, 7], ["reflected", "gather"]],
+  ["6", [8, 3], ["away"]],
+  ["7", [6, 10], ["blocked"]],
+  ["8", [2, 11], ["refracted", "total", "gather"]],
+  ["9", [11, 10], ["refracted", "total", "stops", "blocked"]],
+  ["0", [7, 11], ["refracted", "reflected", "blocked"]],
+];
+const scenes = new Map(scenesOfSite().map((scene) => [scene.key, scene]));
+const isWholeSite = PIXELS.every(([key]) => scenes.has(key));
+const raywalk = (...words) => execFileSync(".venv/bin/raywalk", words, { encoding: "utf8", maxBuffer: 2 ** 28 });
+const printed = (id, pixel) =>
+  raywalk("inspect", `${DIST}/scenes/${id}/15.js`, "--pixel", pixel.join(","), "--events")
+    .trimEnd()
+    .split(/^ *\d+ {2}/m)
+    .slice(1)
+    .map((text) => text.trimEnd().split("\n     "));
+
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+
+for (const [key, pixel, happens] of PIXELS) {
+  if (!scenes.has(key)) continue;
+  const { id, path } = scenes.get(key);
+  test(`${id}, pixel ${pixel}: what the player shows, step by step, is what inspect prints`, async () => {
+    const lines = printed(id, pixel);
+    await open(page, ON_DISK, path, `still=1&n=15&p=${pixel}`);
+    const { events } = await stats(page);
+    assert.deepEqual(happens.filter((what) => !events.some((event) => event.what === what)), []);
+    assert.equal(lines.length, events.length);
+    for (const [k, [says, numbers = ""]] of lines.entries()) {
+      await press(page, ".");
+      assert.equal((await state(page)).event, k);
+      const shown = await page.evaluate(() => [".event-says", ".event-numbers"].map((each) => document.querySelector(`.lesson-text ${each}`)?.textContent ?? ""));
+      assert.deepEqual(shown, [says, numbers], `event ${k + 1}`);
+    }
+  });
+}
+
+test("the ten pixels are over all scenes of the site", () => assert.deepEqual([...scenes.keys()].filter((key) => key && isWholeSite && !PIXELS.some(([of]) => of === key)), []));
+
+for (const { id } of scenes.values())
+  test(`${id}: events, sentences and numbers of all 225 pixels of a grid are the same in Python`, async () => {
+    const { scene, trace } = await readTrace(id, 15);
+    const script = `import json, sys
+from pathlib import Path
+from raywalk.telling import events_of, scene_beside, tell
+from raywalk.trace_file import read_trace
+from raywalk.words import read_words
+path = Path(sys.argv[1])
+trace, scene, words = read_trace(path), scene_beside(path), read_words()
+def told(event):
+    each = tell(event, words)
+    return [event.what, event.ray, event.light, event.line, each.sentence, each.numbers, [list(p) for p in each.says]]
+print(json.dumps([[told(e) for e in events_of(trace, scene, (p % 15, p // 15))] for p in range(225)]))`;
+    const theirs = JSON.parse(execFileSync(".venv/bin/python", ["-c", script, `${DIST}/scenes/${id}/15.js`], { maxBuffer: 2 ** 28 }));
+    const phrase = (each) => (typeof each === "string" ? [each, null] : [...each]);
+    for (let pixel = 0; pixel < 225; pixel++) {
+      const ours = eventsOf(trace, scene, pixel).map((event) => {
+        const { says, numbers } = tell(event);
+        return [event.what, event.ray, event.light, event.line, sentence(event), numbers, says.map(phrase)];
+      });
+      assert.deepEqual(theirs[pixel], ours, `pixel ${pixel}`);
+    }
+  });
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
