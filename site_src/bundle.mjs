@@ -3,43 +3,39 @@
  * Classic, not a module, because from file:// browsers refuse modules. Prints its size
  * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
  */
-import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
-import { withoutUnusedShaders } from "./slim-three.mjs";
-import { raysLeftIn, withoutRays } from "./strip-rays.mjs";
+import { slimThree } from "./slim/three.mjs";
+import { raysLeftIn } from "./strip-rays.mjs";
 
 const GOAL_BYTES = 190 * 1024;
 const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
-
-/** Of three we ship what draws: no ray code, no shader of a material we do not use. */
-const leaveOut = {
-  name: "leave-out",
-  setup(build) {
-    build.onLoad({ filter: /[\\/]node_modules[\\/]three[\\/].*\.js$/ }, async ({ path }) => ({
-      contents: withoutRays(withoutUnusedShaders(await readFile(path, "utf8"))),
-      loader: "js",
-    }));
-  },
-};
+const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 
 /** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
 export async function bundleViewer({ plugins = [], minify = true } = {}) {
-  const result = await build({
-    entryPoints: [ENTRY],
-    bundle: true,
-    minify,
-    write: false,
+  const bundled = async (more) => {
+    const result = await build({ entryPoints: [ENTRY], bundle: true, write: false, target: TARGET, legalComments: "none", logLevel: "warning", ...more });
+    return result.outputFiles[0].text;
+  };
+  const own = await bundled({ format: "esm", external: ["three"], plugins });
+  const three = await slimThree(own, TARGET);
+  const slim = {
+    name: "slim",
+    setup(build) {
+      build.onResolve({ filter: /^three$/ }, () => ({ path: "three", namespace: "slim" }));
+      build.onLoad({ filter: /./, namespace: "slim" }, () => ({ contents: three, loader: "js" }));
+    },
+  };
+  return bundled({
     format: "iife",
-    target: ["chrome100", "firefox113", "safari16.4"], // the first with DecompressionStream
-    legalComments: "none",
+    minify,
     banner: { js: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */" },
-    logLevel: "warning",
-    plugins: [...plugins, leaveOut],
+    plugins: [...plugins, slim],
   });
-  return result.outputFiles[0].text;
 }
 
 async function main() {
