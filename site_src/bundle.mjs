@@ -11,7 +11,7 @@ import { build } from "esbuild";
 import { slimThree } from "./slim/three.mjs";
 import { raysLeftIn } from "./strip-rays.mjs";
 
-const GOAL_BYTES = 190 * 1024;
+const GOAL_BYTES = 125 * 1024;
 const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 

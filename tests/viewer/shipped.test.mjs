@@ -22,14 +22,14 @@ test("three's ray methods are taken out, and its yes/no questions answer yes", (
   assert.deepEqual(raysLeftIn("class M { raycast(a) { return a.b; } }"), ["raycast"]);
 });
 
-test("the shipped script holds none of it and keeps within 150 KB gzipped", () => {
+test("the shipped script holds none of it and keeps within 125 KB gzipped", () => {
   const page = readFileSync(`${DIST}/index.html`, "utf8").match(/class="scene-card" href="([^"]+)"/)[1];
   const script = readFileSync(`${DIST}/${page}`, "utf8").match(/<script src="([^"]*viewer-[^"]+)"/)[1];
   const bundle = readFileSync(resolve(DIST, dirname(page), script), "utf8");
   assert.deepEqual(raysLeftIn(bundle), []);
   assert.doesNotMatch(bundle, /\braycast\b|intersectTriangle|intersectSphere\b/);
   const size = gzipSync(bundle, { level: 9 }).length;
-  assert.ok(size <= 190 * 1024, `${size} bytes`);
+  assert.ok(size <= 125 * 1024, `${size} bytes`);
 });
 
 test("the pages hold no inline script, no inline style, and a strict policy", () => {

@@ -60,7 +60,7 @@ def page_data_parts(scene: Scene, trace_key: str) -> Parts:
 
 def viewer_parts(site_source: Path) -> Parts:
     """The viewer's sources, its bundler and the packages that npm has installed."""
-    sources = [*site_source.glob("*.mjs"), *(site_source / "viewer").rglob("*")]
+    sources = [*site_source.rglob("*.mjs"), *(site_source / "viewer").rglob("*")]
     root = site_source.absolute().parent
     locks = [root / "package-lock.json", root / "node_modules" / ".package-lock.json"]
     return {
