@@ -34,6 +34,10 @@ export function createActions(session: Session, outside: Outside) {
       doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
     observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
     camera: () => doing((now) => ({ ...now, observer: "camera" })),
+    slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice })),
+    nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
+    pickAlong: (along: number) =>
+      doing((now) => change.select(now, now.slice === "column" ? now.pixel[0] : along, now.slice === "column" ? along : now.pixel[1])),
 
     step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
     turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),

@@ -4,6 +4,7 @@
  */
 import { decode } from "./trace/decode";
 import { unpack } from "./trace/unpack";
+import type { SectionsData } from "./state/section";
 import type { SceneData, Trace } from "./trace/types";
 
 export type Loss = "missing" | "damaged" | "old browser";
@@ -11,7 +12,7 @@ export type Loss = "missing" | "damaged" | "old browser";
 /** What could not be loaded, and why. */
 export class LoadError extends Error {
   constructor(
-    readonly what: string, // "<id>/scene" or "<id>/<n>"
+    readonly what: string, // "<id>/scene", "<id>/<n>" or "<id>/sections"
     readonly why: Loss,
   ) {
     super(`${what}: ${why}`);
@@ -75,8 +76,10 @@ export function createLoader(root: string) {
 
   const scenes = remembering(KEPT_SCENES, sceneFrom);
   const traces = remembering<Trace>(KEPT_TRACES, traceFrom);
+  const sections = remembering(KEPT_SCENES, sectionsFrom);
   return {
     scene: (id: string) => scenes(`${id}/scene`),
+    sections: (id: string) => sections(`${id}/sections`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
   };
 }
@@ -90,4 +93,10 @@ function sceneFrom(json: unknown): SceneData {
   const scene = json as SceneData;
   if (scene?.format !== 1 || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
   return scene;
+}
+
+function sectionsFrom(json: unknown): SectionsData {
+  const sections = json as SectionsData;
+  if (sections?.format !== 1 || !sections.rows || !sections.columns || !(sections.step > 0)) throw new Error("not sections");
+  return sections;
 }

@@ -43,6 +43,7 @@ function start() {
 
   session.listen({
     changed() {
+      void navigation.loadSections();
       beat.draw();
       navigation.writeSoon();
     },

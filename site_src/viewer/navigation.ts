@@ -66,6 +66,22 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     session.changed();
   }
 
+  /** The outlines of slices, the first time a slice of this scene is looked at. */
+  async function loadSections() {
+    const { state } = session;
+    if (!state || state.slice === "none" || session.sections?.scene === state.scene) return;
+    try {
+      const arrived = await loader.sections(state.scene);
+      if (session.state?.scene !== state.scene) return;
+      session.sections = arrived;
+      draw();
+    } catch {
+      if (session.state?.scene !== state.scene) return;
+      session.set({ ...session.state, slice: "none" });
+      notice.say(say("trouble.sliceMissing"));
+    }
+  }
+
   /** The scene its address asks for, in this page. */
   async function show(id: string, fields: ReadonlyMap<string, string>, kept: Kept) {
     const mine = ++asked;
@@ -130,6 +146,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     followPage,
     ready: () => ready,
     loadTrace,
+    loadSections,
     open,
     /** The next or the previous scene, round and round. */
     turn(by: 1 | -1, intoLesson = false) {

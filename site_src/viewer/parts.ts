@@ -11,7 +11,10 @@ import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
 import { createViewPad } from "./panels/view-pad";
 import type { Session } from "./session";
+import { createSlice } from "./stage/slice";
 import { createStage } from "./stage/stage";
+import { sectionOf } from "./state/section";
+import { createViewSwitch } from "./panels/view-switch";
 import { say } from "./words";
 
 export interface Surroundings {
@@ -30,6 +33,8 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   };
   const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, withGl, () => document.querySelector(".view-pad"));
   const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
+  const slice = createSlice({ pick: acts.pickAlong });
+  const viewSwitch = createViewSwitch({ slice: acts.slice });
   const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => notify(say("trouble.pictureMissing")) });
   const card = createCard({ move: acts.move, light: acts.light });
   const controls = createControls(acts);
@@ -42,7 +47,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     element(
       "div",
       "work",
-      element("section", "stage", stage.element, legend.element, pad.element),
+      element("section", "stage", stage.element, slice.element, viewSwitch.element, legend.element, pad.element),
       lesson.element,
       player.element,
       controls.element,
@@ -62,7 +67,15 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       const trace = session.trace();
       const event = session.told();
       const ring = dark ? null : contrastWith(view.ringOn);
-      stage.show({ ...view, scene, trace, state, lit: lit ?? event, ring });
+      const section = trace && session.sections?.scene === scene.id ? sectionOf(session.sections, state, scene, trace, view.plane) : null;
+      if (section && trace) {
+        slice.show({ section, scene, trace, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, chosen: view.chosen });
+      } else {
+        slice.show(null);
+        stage.show({ ...view, scene, trace, state, lit: lit ?? event, ring });
+      }
+      stage.element.hidden = pad.element.hidden = section !== null;
+      viewSwitch.show(state);
       legend.show(view.kinds, view.left);
       picture.show(state, scene, trace);
       card.show(state, scene, trace, missing);

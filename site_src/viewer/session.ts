@@ -1,6 +1,7 @@
 /** What the page is at: the state, the scene and the rays it belongs to, and what follows from them. */
 import type { CardLine } from "./panels/card";
 import type { RayEvent } from "./state/events";
+import type { SectionsData } from "./state/section";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
 import type { ViewState } from "./state/view-state";
@@ -21,6 +22,7 @@ export function createSession() {
   const session = {
     state: null as ViewState | null,
     scene: null as SceneData | null,
+    sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
     missing: false, // the trace could not be loaded
     lit: null as CardLine | null, // what the pointer is on
 

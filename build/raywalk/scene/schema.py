@@ -133,6 +133,7 @@ RayChoice = Annotated[
 ]
 Rays = Annotated[tuple[RayChoice, ...], Allowed('a list of "pixel", "row", "column", "all"')]
 Tiles = Annotated[Literal["empty", "filled"], one_of("empty", "filled")]
+Slice = Annotated[Literal["none", "row", "column"], one_of("none", "row", "column")]
 Place = Annotated[Literal["start", "camera"], one_of("start", "camera")]
 Observer = Annotated[
     Annotated[Place, SINGLE] | Annotated[ObserverTable, TABLE],
@@ -151,6 +152,9 @@ class ViewTable(Table):
     rays: Maybe[Rays] = Field(default=None, description="which rays are drawn; [] draws none")
     tiles: Maybe[Tiles] = Field(
         default=None, description="whether the frustum's tiles show their colours"
+    )
+    slice: Maybe[Slice] = Field(
+        default=None, description="the selected row's or column's plane of rays, drawn flat"
     )
     observer: Maybe[Observer] = Field(default=None, description="where the onlooker stands")
 

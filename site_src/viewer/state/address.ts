@@ -2,9 +2,10 @@
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
+import { SLICES } from "./section";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "step", "answer", "e", "speed", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "slice", "step", "answer", "e", "speed", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const placeOf = (observer: ViewState["observer"]) =>
@@ -22,6 +23,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   const filled = ({ tiles }: ViewState) => (tiles === "empty" ? tiles : "filled");
   if (filled(state) !== filled(start)) put("tiles", filled(state));
   if (placeOf(state.observer) !== placeOf(start.observer)) put("cam", placeOf(state.observer));
+  if (state.slice !== start.slice) put("slice", state.slice);
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
@@ -88,6 +90,7 @@ export function followAddress(
     }) ?? told.rays,
     tiles: read("tiles", (text) => (text === "empty" || text === "filled" ? text : null)) ?? told.tiles,
     observer: read("cam", readObserver) ?? told.observer,
+    slice: read("slice", (text) => SLICES.find((each) => each === text) ?? null) ?? told.slice,
   };
   // How many events there are is known with the trace.
   const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;

@@ -2,6 +2,7 @@
 import type { SceneData, Trace, View } from "../trace/types";
 import type { ObserverChoice } from "./observer";
 import { NOT_TOLD } from "./play";
+import { SLICES, type Slice } from "./section";
 
 export type RayChoice = "pixel" | "row" | "column" | "all";
 export const RAY_CHOICES: readonly RayChoice[] = ["pixel", "row", "column", "all"];
@@ -19,6 +20,7 @@ export interface ViewState {
   drawn: number; // tiles shown so far while filling; may be a fraction
   speed: number;
   observer: ObserverChoice;
+  slice: Slice; // the plane of the selected row's or column's rays, drawn flat instead of the stage
   step: number | null; // of the lesson
   revealed: boolean; // the step's answer
   still: boolean; // no clock: no blinking, tiles fill at once, no line grows
@@ -46,6 +48,7 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
     tiles: "empty",
     drawn: 0,
     observer: "start",
+    slice: "none",
     step: null,
     revealed: false,
     ...NOT_TOLD,
@@ -103,6 +106,8 @@ export function advance(state: ViewState, seconds: number): ViewState {
 export const tilesShown = ({ tiles, drawn, n }: ViewState): number =>
   tiles === "filled" ? n * n : tiles === "empty" ? 0 : Math.floor(drawn);
 
+export const nextSlice = (slice: Slice): Slice => SLICES[(SLICES.indexOf(slice) + 1) % SLICES.length];
+
 export const nextSpeed = (speed: number): number => SPEEDS[(SPEEDS.indexOf(speed) + 1) % SPEEDS.length];
 
 /** A lesson step's or an address's view; what it does not name is as at the scene's start. */
@@ -116,6 +121,7 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     rays: view.rays ?? start.rays,
     tiles: view.tiles ?? start.tiles,
     observer: view.observer ?? start.observer,
+    slice: view.slice ?? start.slice,
     step: state.step,
     revealed: state.revealed,
   };

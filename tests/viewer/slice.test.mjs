@@ -1,0 +1,85 @@
+/** The slice view: the plane of a row's or a column's camera rays, drawn flat. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
+import { readSections, readTrace } from "./scene-files.mjs";
+import { load } from "./typescript.mjs";
+
+const { sectionOf, frameOf, offPlane, startState, select, picturePlane } = await load("state/section.ts", "state/view-state.ts", "state/frustum.ts");
+const rich = richScene();
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+});
+after(() => browser.close());
+const canvas = () => page.locator(".slice canvas");
+const point = (trace, ray) => [...trace.point.slice(3 * ray, 3 * ray + 3)];
+
+for (const { id } of scenesOfSite())
+  test(`${id}: all camera rays of every row and column lie in its plane, and each is found again by pointing at it`, () => {
+    const { scene, trace } = readTrace(id, 15);
+    const data = readSections(id);
+    const plane = picturePlane(scene);
+    for (const slice of ["row", "column"])
+      for (let k = 0; k < 15; k++) {
+        const state = { ...select({ ...startState(scene, { speed: 1, still: true, gl: true }), n: 15 }, k, k), slice };
+        const section = sectionOf(data, state, scene, trace, plane);
+        assert.equal(section.rays.length, 15);
+        for (const [along, { ray, end, tile }] of section.rays.entries()) {
+          assert.equal(ray, slice === "row" ? k * 15 + along : along * 15 + k);
+          assert.equal(section.pixelAt(end), along);
+          assert.equal(section.pixelAt([(tile[0][0] + tile[1][0]) / 2, (tile[0][1] + tile[1][1]) / 2]), along);
+          // Points are stored in steps of the scene's box / 65535, far rays a little coarser; 2e-4 of the ray covers both.
+          const far = Math.hypot(...end);
+          assert.ok(offPlane(data, section, point(trace, ray)) < 2e-4 * far + 3e-4 * scene.bounds.radius, `${slice} ${k}, ray ${along}`);
+        }
+        const [left, top, right, bottom] = frameOf(section, scene);
+        assert.ok(left <= 0 && right > 0 && top <= 0 && bottom >= 0, "the eye is in the picture");
+      }
+  });
+
+test("X goes round: space, row, column, space; the buttons do the same; the address keeps it", async () => {
+  for (const slice of ["row", "column", "none"]) {
+    await press(page, "x");
+    assert.equal((await state(page)).slice, slice);
+  }
+  await page.getByRole("button", { name: /^Slice down this column/ }).click();
+  await canvas().waitFor({ state: "visible" });
+  assert.match(await canvas().getAttribute("aria-label"), /column's camera rays.*row 8/);
+  await follow(page, "still=1&n=15&p=5,8&slice=row");
+  assert.equal((await state(page)).slice, "row");
+  await page.getByRole("button", { name: /^The scene in space/ }).click();
+  await settled(page);
+  assert.equal((await state(page)).slice, "none");
+  assert.equal(await canvas().isVisible(), false);
+});
+
+test("pointing into the flat drawing selects the ray there, arrows still move the pixel", async () => {
+  await follow(page, "still=1&n=15&p=5,8&slice=row");
+  await canvas().waitFor({ state: "visible" });
+  const box = await canvas().boundingBox();
+  // A row is seen from above: its first pixels, on the left of the picture, are at the top.
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.3);
+  await settled(page);
+  const [high] = (await state(page)).pixel;
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.9);
+  await settled(page);
+  const [low, row] = (await state(page)).pixel;
+  assert.ok(high < low, `${high} < ${low}`);
+  assert.equal(row, 8);
+  await press(page, "ArrowDown");
+  assert.deepEqual((await state(page)).pixel, [low, 9]);
+  assert.equal(await canvas().isVisible(), true);
+});
+
+test("outlines that are missing: one sentence, and the scene in space again", async () => {
+  const other = await newPage(browser);
+  await other.route("**/sections.js", (route) => route.abort());
+  await open(other, ON_DISK, rich.path, "still=1&slice=row");
+  await until(other, (state, stats) => state.slice === "none" && stats.notice.includes("outlines"));
+  await other.close();
+});
+
+test("nothing was said on the console", () => assert.deepEqual(page.faults, []));
