@@ -1,6 +1,7 @@
 /** What a person can do, whatever the hand does it with: each act makes the next state out of this one. */
 import type { CardLine } from "./panels/card";
 import type { Session } from "./session";
+import type { RayEvent } from "./state/events";
 import * as player from "./state/play";
 import type { Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
@@ -53,6 +54,13 @@ export function createActions(session: Session, outside: Outside) {
     play: () => telling(player.pressPlay),
     event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
     time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
+    /** To the event in which that happens to a ray, its arrival if nothing is named. */
+    tell: (ray: number, light: number, ...whats: RayEvent["what"][]) =>
+      telling((now, of) => {
+        const wanted = whats.length || light >= 0 ? whats : ["meets", "background"];
+        const at = of.events.findIndex((event) => event.ray === ray && event.light === light && (!wanted.length || wanted.includes(event.what)));
+        return at < 0 ? now : player.goToEvent(now, of, at);
+      }),
     endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
 
     light(line: CardLine | null) {

@@ -36,7 +36,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const slice = createSlice({ pick: acts.pickAlong });
   const viewSwitch = createViewSwitch({ slice: acts.slice });
   const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => notify(say("trouble.pictureMissing")) });
-  const card = createCard({ move: acts.move, light: acts.light });
+  const card = createCard(acts);
   const controls = createControls(acts);
   const legend = createLegend();
   const lesson = createLesson(acts);
@@ -52,7 +52,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       player.element,
       controls.element,
     ),
-    element("div", "side", picture.element, card.element),
+    element("div", "side", picture.element, card.head, card.element),
   );
 
   let renders = 0;
@@ -79,7 +79,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       legend.show(view.kinds, view.left);
       picture.show(state, scene, trace);
       card.show(state, scene, trace, missing);
-      card.light(lit ?? event, !lit);
+      card.light(lit, event);
       controls.show(state, scene);
       lesson.show(state, scene, event);
       player.show(state, view.timeline);

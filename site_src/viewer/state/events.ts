@@ -57,10 +57,10 @@ export function lightShares(trace: Trace, scene: SceneData, ray: number): LightS
   });
 }
 
-const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+export const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
 /** The stored terms put together as the file format says, before the share the surface keeps. */
-function localColour(material: { ambient: Vec3; diffuse: Vec3; specular: Vec3 }, lights: readonly LightShare[]): Vec3 {
+export function localColour(material: { ambient: Vec3; diffuse: Vec3; specular: Vec3 }, lights: readonly LightShare[]): Vec3 {
   const lit = lights.filter(({ seen }) => seen === "reached" || seen === "unasked");
   return lit.reduce(
     (sum, light) => add(sum, times(add(scale(material.diffuse, light.diffuse), scale(material.specular, light.specular)), light.colour)),

@@ -1,0 +1,84 @@
+/** The selected pixel's rays as an indented list: every number of every ray. */
+import type { LightRow, RayRow } from "../state/ray-rows";
+import type { Vec3 } from "../trace/types";
+import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
+import { element, marked, swatch } from "./element";
+
+export interface CardLine {
+  ray: number;
+  light: number; // -1: the ray itself
+}
+
+export interface LineActs {
+  light: (line: CardLine | null) => void;
+  tell: (ray: number, light: number) => void;
+}
+
+const MOST_ROWS = 160; // of a tree: more is no longer read
+const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for words
+
+const joined = (...parts: string[]) => parts.join(" \u00b7 ");
+const shown = (colour: Vec3, words: string) => element("span", "shown-colour", swatch(hexOf(colour)), words);
+const figures = (className: string, ...parts: (Node | string)[]) => element("span", `${className} numbers`, ...parts);
+
+/** What a row says first. */
+export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind as "camera"}`, { object: row.object }) : phrases(`card.leaves.${row.kind as "camera"}`));
+export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
+  seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : "card.unasked", { light: name });
+export const isGiving = ({ seen }: LightRow) => seen === "reached" || seen === "unasked";
+
+export function createRays(acts: LineActs) {
+  const list = element("ul", "rays");
+
+  function item(kind: string, depth: number, line: CardLine, ...content: Node[]) {
+    const made = element("li", `ray ${kind}`, ...content);
+    Object.assign(made.dataset, { depth: Math.min(depth, DEEPEST), ray: line.ray, light: line.light });
+    made.tabIndex = 0;
+    const tell = () => acts.tell(line.ray, line.light);
+    const on = () => acts.light(line);
+    const off = () => acts.light(null);
+    made.addEventListener("pointerenter", on);
+    made.addEventListener("pointerleave", off);
+    made.addEventListener("focus", on);
+    made.addEventListener("blur", off);
+    made.addEventListener("click", tell);
+    made.addEventListener("keydown", (event) => event.key === "Enter" && tell());
+    return made;
+  }
+
+  function rayItem(row: RayRow) {
+    const says = element("span", "says", element("span", "ray-number", String(row.number)), ...marked(rayWords(row)));
+    if (row.material && row.material !== row.object) says.append(element("span", "material", ` \u00b7 ${row.material}`));
+    const tests = say("card.tests", { count: row.tests });
+    const where = row.object
+      ? [
+          figures("where", say("card.t", { t: number(row.t) }), "\u2003", vector(row.point)),
+          figures("where", joined(say("card.normal", { normal: vector(row.normal) }), tests)),
+        ]
+      : [figures("where", tests)];
+    const brings = figures("brings", shown(row.colour, listed(row.colour.map(number))));
+    brings.title = say("card.brings");
+    if (row.of) brings.append(` \u00b7 ${say("card.share", { share: percent(row.weight), ray: row.of })}`);
+    const [nearest, ...others] = row.hits.map(({ name, t }) => `${name} ${number(t)}`);
+    const meets = others.length ? [figures("meets", ...marked(phrases("card.meets", { nearest, others: listed(others) })))] : [];
+    const own = row.lights.length ? [figures("where", say("card.ambient", { colour: tone(row.ambient) }), ...(row.keeps < 1 ? [` \u00b7 ${say("card.keeps", { share: percent(row.keeps) })}`] : []))] : [];
+    return item(row.kind, row.depth, { ray: row.ray, light: -1 }, says, ...where, ...meets, ...own, brings);
+  }
+
+  function lightItem(row: RayRow, light: LightRow) {
+    const kind = light.seen === "reached" || light.seen === "blocked" ? light.seen : "away";
+    const gives = figures("where", joined(say("card.light", { diffuse: number(light.diffuse), specular: number(light.specular) }), say("card.gives")), " ", shown(light.gives, tone(light.gives)));
+    const says = element("span", "says", ...marked(lightWords(light)));
+    return item(kind, row.depth + 1, { ray: row.ray, light: light.light }, says, ...(isGiving(light) ? [gives] : []));
+  }
+
+  return {
+    element: list,
+    show(rows: readonly RayRow[]) {
+      const made = rows.slice(0, MOST_ROWS).flatMap((row) => [rayItem(row), ...row.lights.map((light) => lightItem(row, light))]);
+      const left = rows.length - MOST_ROWS;
+      list.replaceChildren(...made, ...(left > 0 ? [element("li", "note", say("card.more", { count: left }))] : []));
+      list.scrollTop = 0;
+    },
+  };
+}

@@ -1,0 +1,52 @@
+/** One of several panels at a time, chosen by tabs. The choice is remembered. */
+import { button, element } from "./element";
+import { recall, remember } from "./remember";
+
+export interface Tab {
+  id: string;
+  word: string;
+  help: string;
+  panel: HTMLElement;
+}
+
+export function createTabs(name: string, label: string, tabs: readonly Tab[], changed: () => void) {
+  const kept = recall(name);
+  let chosen = tabs.some(({ id }) => id === kept) ? kept! : tabs[0].id;
+  const buttons = tabs.map(({ id, word, help, panel }) => {
+    const made = button(word, help, () => choose(id), { className: "tab" });
+    made.setAttribute("role", "tab");
+    made.id = `tab-${name}-${id}`;
+    panel.id = `panel-${name}-${id}`;
+    panel.setAttribute("role", "tabpanel");
+    panel.setAttribute("aria-labelledby", made.id);
+    made.setAttribute("aria-controls", panel.id);
+    return made;
+  });
+  const bar = element("div", "joined tabs", ...buttons);
+  bar.setAttribute("role", "tablist");
+  bar.setAttribute("aria-label", label);
+  bar.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    const at = (tabs.findIndex(({ id }) => id === chosen) + by + tabs.length) % tabs.length;
+    choose(tabs[at].id);
+    buttons[at].focus();
+  });
+
+  function show() {
+    tabs.forEach(({ id, panel }, k) => {
+      panel.hidden = id !== chosen;
+      buttons[k].setAttribute("aria-selected", String(id === chosen));
+      buttons[k].tabIndex = id === chosen ? 0 : -1;
+    });
+  }
+  function choose(id: string) {
+    chosen = id;
+    remember(name, id);
+    show();
+    changed();
+  }
+  show();
+  return { bar, panels: tabs.map(({ panel }) => panel), chosen: () => chosen };
+}
