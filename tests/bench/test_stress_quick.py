@@ -28,7 +28,7 @@ SCENES = Path("scenes")
 @pytest.mark.parametrize(
     ("subject", "rays"),
     [
-        (stress_hits, 500),
+        (stress_hits, 800),
         (stress_place, 5_000),
         (stress_silhouette, 20_000),
         (stress_mesh, 10_000),

@@ -140,14 +140,13 @@ def test_tangent_rays_pass_or_meet_to_15_digits(rng: np.random.Generator, k: int
 
 
 @pytest.mark.parametrize(
-    ("distance", "bound"), [(1e3, 1e-12), (1e5, 1e-10), (1e7, 1e-8)], ids="{:g}".format
+    ("distance", "bound"), [(1e3, 1.2e-13), (1e5, 1.5e-11), (1e7, 1.9e-9)], ids="{:g}".format
 )
 def test_a_small_sphere_far_away_is_met_where_it_is(
     rng: np.random.Generator, distance: float, bound: float
 ) -> None:
-    """Seen from 1e3, 1e5, 1e7 radii: t is right to about one ulp of t in the median (2e-13,
-    2e-11, 2e-9) and to a handful where the ray meets the sphere at 60 degrees or steeper;
-    the textbook formula is off by 6e-6 at 1e5."""
+    """Seen from 1e3, 1e5, 1e7 radii: t is the float64 next to the truth or, at most, the one
+    after it (1e-13, 1.5e-11, 1.9e-9); the textbook formula is off by 6e-6 at 1e5."""
     ball = SceneObject("ball", Sphere((0.0, 0.0, 0.0), 1.0), 0)
     compiled = CompiledScene(scene_of([ball]))
     origin = unit(rng.normal(size=(300, 3))) * distance
@@ -160,7 +159,7 @@ def test_a_small_sphere_far_away_is_met_where_it_is(
             errors.append(abs(float(truth[0].t - mpf(float(found)))))
     assert len(errors) > 100
     assert np.median(errors) <= np.spacing(distance)
-    assert max(errors) <= bound  # 8 ulp
+    assert max(errors) <= bound  # 1 ulp
 
 
 def test_a_tiny_and_a_huge_sphere_are_as_exact(rng: np.random.Generator) -> None:
@@ -174,7 +173,7 @@ def test_a_tiny_and_a_huge_sphere_are_as_exact(rng: np.random.Generator) -> None
         for o, d, found in zip(origin, direction, t, strict=True):
             truth = true_hits(ball, o, d)
             if truth and abs(cosine(truth[0], d)) > 0.5 and truth[0].t > scale:
-                assert abs(float(truth[0].t - mpf(float(found)))) <= 16 * np.spacing(found)
+                assert abs(float(truth[0].t - mpf(float(found)))) <= 8 * np.spacing(found)
 
 
 @pytest.mark.parametrize("length", [1e-30, 1e-3, 1e3, 1e30], ids="{:g}".format)

@@ -29,7 +29,8 @@ def cases(count: int, seed: int) -> Iterator[Case]:
     for place, (distance, bound) in enumerate(FROM.items()):
         yield from seen_from(distance, bound, count, seed + place)
     yield tangent_along_axes(seed)
-    yield tangent_anywhere(count, seed)
+    for distance in (3.0, 1e5):
+        yield tangent_anywhere(distance, count, seed)
 
 
 def seen_from(distance: float, bound: float, count: int, seed: int) -> Iterator[Case]:
@@ -78,20 +79,21 @@ def tangent_along_axes(seed: int) -> Case:
     )  # fmt: skip
 
 
-def tangent_anywhere(count: int, seed: int) -> Case:
+def tangent_anywhere(distance: float, count: int, seed: int) -> Case:
     """The same from all sides, against the truth of the rays as rounded."""
     rng = np.random.default_rng(seed)
     direction = directions(rng, count)
     k = rng.uniform(1.0, TANGENT, count)
     off = 1.0 + rng.choice([-1.0, 1.0], count) * 10.0**-k
-    origin = off[:, None] * perpendicular(rng, direction) - 3.0 * direction
+    origin = off[:, None] * perpendicular(rng, direction) - distance * direction
     t = CompiledScene(scene_of([UNIT])).nearest(rays_from(origin, direction))[0]
     _, _, depth = sphere_roots(origin, direction, np.zeros(3), 1.0)
     clear = np.abs(depth) > 2.0 * ROUNDED
     wrong = (np.isfinite(t) != (depth >= 0)) & clear
     wrong32 = np.isfinite(sphere32(origin, direction, np.zeros(3), 1.0)) != (depth >= 0)
     return Case(
-        "tangent", f"from all sides, closer than {ROUNDED:g} left out", "wrong hit or miss, ppm",
+        "tangent", f"from {distance:g}, all sides, closer than {ROUNDED:g} left out",
+        "wrong hit or miss, ppm",
         0.0, per_million(int(wrong.sum()), int(clear.sum())), int(clear.sum()), seed,
         per_million(int(wrong32.sum()), count), "same formula",
     )  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive, surfaces_at
 from raywalk.geometry.primitives import Primitives, compile_primitives
+from raywalk.geometry.settle import settle_roots
 from raywalk.geometry.surface import Looks, primitive_surface
 from raywalk.optics.compiled import kernel
 from raywalk.scene.model import Mesh, Plane, Scene
@@ -71,7 +72,20 @@ class CompiledScene:
     def nearest(
         self, rays: Rays, t_max: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """t (n,), object (n,), triangle (n,) and (u, v) (n, 2) of the nearest hit before t_max."""
+        """t (n,), object (n,), triangle (n,) and (u, v) (n, 2) of the nearest hit before t_max.
+
+        Where a ray has to stop (a shadow ray) it is asked what it meets, and t keeps some more
+        roundings.
+        """
+        t, met, triangle, uv = self._unsettled(rays, t_max)
+        if t_max is None:
+            every = np.arange(len(t))
+            settle_roots(self.primitives, every, rays.origin, rays.direction, rays.leaving, t, met)
+        return t, met, triangle, uv
+
+    def _unsettled(
+        self, rays: Rays, t_max: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         limit = np.full(len(rays.origin), np.inf) if t_max is None else t_max
         t, met = nearest_primitive(
             self.primitives, rays.origin, rays.direction, rays.leaving, rays.inner, limit
@@ -92,7 +106,7 @@ class CompiledScene:
 
     def hits(self, rays: Rays) -> Hits:
         """The nearest hit of each ray with everything shading needs."""
-        t, met, triangle, uv = self.nearest(rays)
+        t, met, triangle, uv = self._unsettled(rays)
         count = len(t)
         point, normal = np.zeros((count, 3)), np.zeros((count, 3))
         inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)
@@ -114,7 +128,9 @@ class CompiledScene:
         Ray k's hits stand at start[k]:start[k + 1]; where two tie, the first is the one that
         `nearest` names.
         """
-        found = [all_primitives(self.primitives, rays.origin, rays.direction)]
+        ray, t, met = all_primitives(self.primitives, rays.origin, rays.direction)
+        settle_roots(self.primitives, ray, rays.origin, rays.direction, rays.leaving, t, met)
+        found = [(ray, t, met)]
         for mesh in self.meshes:
             ray, t = mesh.all_hits(rays.origin, rays.direction)
             found.append((ray, t, np.full(len(t), mesh.index, np.int32)))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from decimal import localcontext
 from typing import NamedTuple
 
 import numpy as np
 
 from raywalk.geometry.solids import BOX, CYLINDER, DISC, PLANE, SPHERE, TRIANGLE, TUBE
+from raywalk.scene.exact import DIGITS, rest_of, rounded
 from raywalk.scene.model import (
     Box,
     Cylinder,
@@ -19,7 +21,7 @@ from raywalk.scene.model import (
     Sphere,
     Triangle,
 )
-from raywalk.scene.placement import placement
+from raywalk.scene.placement import exact_placement
 
 
 class Primitives(NamedTuple):
@@ -32,8 +34,11 @@ class Primitives(NamedTuple):
     shape: np.ndarray  # (p,) int8: SPHERE .. TRIANGLE
     object: np.ndarray  # (p,) int32: index into Scene.objects
     centre: np.ndarray  # (p, 3) world
+    centre_rest: np.ndarray  # (p, 3) what float64 leaves over of it
     to_world: np.ndarray  # (p, 3, 3) canonical -> world, without the centre
     to_local: np.ndarray  # (p, 3, 3) its inverse
+    to_local_rest: np.ndarray  # (p, 3, 3) what float64 leaves over of that
+    is_skewed: np.ndarray  # (p,) bool: the inverse cancels, so that its rounding shows
     stretch: np.ndarray  # (p,) largest row sum of |to_local|: local units per world unit
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
@@ -43,20 +48,24 @@ def compile_primitives(scene: Scene) -> Primitives:
     """The table of all objects that are not meshes; transforms are known to be regular."""
     kept = [k for k, obj in enumerate(scene.objects) if not isinstance(obj.shape, Mesh)]
     kept.sort(key=lambda k: scene.materials[scene.objects[k].material].transmit > 0)
-    placed = [placement(scene.objects[k]) for k in kept]
-    to_world = np.array([linear for linear, _ in placed]).reshape(-1, 3, 3)
-    to_local = np.array([_inverse(linear) for linear, _ in placed]).reshape(-1, 3, 3)
+    exact = [exact_placement(scene.objects[k]) for k in kept]
+    inverse = _stack([_inverse(linear) for linear, _ in exact], (3, 3))
+    middle = _stack([centre for _, centre in exact], (3,))
+    to_world, to_local = rounded(_stack([linear for linear, _ in exact], (3, 3))), rounded(inverse)
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
         shape=np.array([_code(scene.objects[k].shape) for k in kept], np.int8),
         object=np.array(kept, np.int32),
-        centre=np.array([centre for _, centre in placed]).reshape(-1, 3),
+        centre=rounded(middle),
+        centre_rest=rest_of(middle),
         to_world=to_world,
         to_local=to_local,
+        to_local_rest=rest_of(inverse),
+        is_skewed=_growth(to_world, to_local) > SKEWED,
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
         reach_sq=np.array(
-            [_reach(scene.objects[k].shape, m) for k, (m, _) in zip(kept, placed, strict=True)]
+            [_reach(scene.objects[k].shape, m) for k, m in zip(kept, to_world, strict=True)]
         )
         ** 2,
         row_of=row_of,
@@ -84,10 +93,25 @@ def _reach(shape: Shape, to_world: np.ndarray) -> float:
 
 
 def _inverse(linear: np.ndarray) -> np.ndarray:
-    """Inverse by cofactors: exact for axis-aligned shapes, where LU would round."""
-    a, b, c = linear.T  # columns
-    rows = np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
-    return np.asarray(rows / (a @ rows[0]))
+    """Inverse by cofactors, of Decimals."""
+    with localcontext(prec=DIGITS):
+        a, b, c = linear.T  # columns
+        rows = np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
+        return np.asarray(rows / (a @ rows[0]))
+
+
+def _stack(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
+    """(p, *shape) Decimals, also of none."""
+    return np.array(arrays, object).reshape(-1, *shape)
+
+
+# Of a turned ellipsoid it is at most 3, of a sheared one about its condition number.
+SKEWED = 4.0
+
+
+def _growth(to_world: np.ndarray, to_local: np.ndarray) -> np.ndarray:
+    """(p,) by how much rounding the inverse moves a surface point, in roundings of the point."""
+    return np.asarray((np.abs(to_world) @ np.abs(to_local)).sum(axis=2).max(axis=1, initial=0.0))
 
 
 def _code(shape: Shape) -> int:

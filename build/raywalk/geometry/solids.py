@@ -90,6 +90,20 @@ def solid_interval(shape, ox, oy, oz, dx, dy, dz):
 
 
 @kernel
+def line_roots(shape, ox, oy, oz, dx, dy, dz):
+    """Both parameters, of any sign, at which a line meets a round or box shape; else inf."""
+    if shape == TUBE:
+        t_in, t_out = tube_interval(ox, oy, dx, dy)
+        if not abs(oz + t_in * dz) <= 1.0:
+            t_in = math.inf
+        if not abs(oz + t_out * dz) <= 1.0:
+            t_out = math.inf
+        return t_in, t_out
+    t_in, t_out = solid_interval(shape, ox, oy, oz, dx, dy, dz)
+    return (t_in, t_out) if t_in <= t_out else (math.inf, math.inf)
+
+
+@kernel
 def chord_exit(shape, ox, oy, oz, dx, dy, dz):
     """Where a ray that starts on a solid's own surface, inwards, comes out again.
 

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.nearest import NOWHERE, to_local
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.settle import from_close_up, settled
 from raywalk.geometry.solids import (
     DISC,
     PLANE,
@@ -32,15 +33,11 @@ class Looks(NamedTuple):
 
 
 @kernel
-def local_hit(primitives, k, o, d, t, again):
-    """Canonical hit point of row k, moved onto the surface, and the outward gradient there.
+def on_surface(shape, x, y, z, dx, dy, dz, t, again):
+    """A canonical hit point moved onto the surface, and the outward gradient there.
 
     again: the ray started on this primitive, so it can only come out of it.
     """
-    centre, matrix, shape = primitives.centre[k], primitives.to_local[k], primitives.shape[k]
-    ox, oy, oz = to_local(matrix, o[0] - centre[0], o[1] - centre[1], o[2] - centre[2])
-    dx, dy, dz = to_local(matrix, d[0], d[1], d[2])
-    x, y, z = ox + t * dx, oy + t * dy, oz + t * dz
     if shape == PLANE:
         return x, 0.0, z, 0.0, 1.0, 0.0
     if shape == DISC or shape == TRIANGLE:
@@ -48,7 +45,7 @@ def local_hit(primitives, k, o, d, t, again):
     if is_at_edge(shape, x, y, z):
         # A convex solid holds the middle of the way if and only if the ray comes out of it.
         half = 0.5 * t
-        leaves = again or height(shape, ox + half * dx, oy + half * dy, oz + half * dz) < 0.0
+        leaves = again or height(shape, x - half * dx, y - half * dy, z - half * dz) < 0.0
         gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
     else:
         gx, gy, gz = face_normal(shape, x, y, z)
@@ -56,14 +53,6 @@ def local_hit(primitives, k, o, d, t, again):
     if shape == SPHERE:
         gx, gy, gz = x, y, z
     return x, y, z, gx, gy, gz
-
-
-@kernel
-def outward(primitives, k, gx, gy, gz):
-    """Unit world normal of a canonical gradient: gradients go by the transpose."""
-    nx, ny, nz = to_local(primitives.to_local[k].T, gx, gy, gz)
-    length = math.sqrt(nx * nx + ny * ny + nz * nz)
-    return nx / length, ny / length, nz / length
 
 
 @kernel
@@ -81,22 +70,39 @@ def square_material(looks, who, x, z):
 def primitive_surface(
     primitives, looks, origin, direction, leaving, t, met, point, normal, inside, material
 ):
-    """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive.
+    """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive,
+    and settles their t.
 
     The normal faces the incoming ray. Rows of rays that met nothing or a mesh stay as they are.
     """
+    table = primitives  # its columns are taken out once: inside the loop that would cost more
+    centre, centre_rest, to_local = table.centre, table.centre_rest, table.to_local
+    local_rest, is_skewed, to_world = table.to_local_rest, table.is_skewed, table.to_world
+    shapes, row_of = table.shape, table.row_of
     for i in range(origin.shape[0]):
-        if met[i] == NOWHERE or primitives.row_of[met[i]] < 0:
+        if met[i] == NOWHERE or row_of[met[i]] < 0:
             continue
-        k = primitives.row_of[met[i]]
-        x, y, z, gx, gy, gz = local_hit(
-            primitives, k, origin[i], direction[i], t[i], leaving[i] == met[i]
-        )
-        px, py, pz = to_local(primitives.to_world[k], x, y, z)
-        point[i, 0] = primitives.centre[k, 0] + px
-        point[i, 1] = primitives.centre[k, 1] + py
-        point[i, 2] = primitives.centre[k, 2] + pz
-        nx, ny, nz = outward(primitives, k, gx, gy, gz)
+        k, again = row_of[met[i]], leaving[i] == met[i]
+        shape = shapes[k]
+        x, y, z, dx, dy, dz = from_close_up(
+            centre, centre_rest, to_local, local_rest, is_skewed, k,
+            origin[i, 0], origin[i, 1], origin[i, 2],
+            direction[i, 0], direction[i, 1], direction[i, 2], t[i],
+        )  # fmt: skip
+        if not again:
+            better = settled(t[i], shape, x, y, z, dx, dy, dz)
+            step = better - t[i]
+            t[i], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
+        x, y, z, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, t[i], again)
+        for c in range(3):
+            away = to_world[k, c, 0] * x + to_world[k, c, 1] * y + to_world[k, c, 2] * z
+            point[i, c] = centre[k, c] + (centre_rest[k, c] + away)
+        # Gradients go by the transpose.
+        nx = to_local[k, 0, 0] * gx + to_local[k, 1, 0] * gy + to_local[k, 2, 0] * gz
+        ny = to_local[k, 0, 1] * gx + to_local[k, 1, 1] * gy + to_local[k, 2, 1] * gz
+        nz = to_local[k, 0, 2] * gx + to_local[k, 1, 2] * gy + to_local[k, 2, 2] * gz
+        length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        nx, ny, nz = nx / length, ny / length, nz / length
         side = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
         inside[i] = side > 0.0
         sign = -1.0 if inside[i] else 1.0

@@ -23,6 +23,15 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     return compiled
 
 
+def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A kernel that is always copied into its callers: for the innermost loops, where handing
+    over a table of arrays costs several times the arithmetic done with it."""
+    compiled: Callable[..., Any] = numba.njit(
+        cache=True, nogil=True, error_model="numpy", forceinline=True
+    )(function)
+    return compiled
+
+
 def _use_cache_of_these_sources() -> None:
     """Numba asks only whether a kernel's own file changed, not the files of the kernels that
     were compiled into it, and would go on using the old ones. So each state of the sources

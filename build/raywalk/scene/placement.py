@@ -8,8 +8,12 @@ the viewer place the same shapes by the same numbers.
 
 from __future__ import annotations
 
+from decimal import Decimal, localcontext
+from typing import Any
+
 import numpy as np
 
+from raywalk.scene.exact import DIGITS, cosine, rounded, sine
 from raywalk.scene.model import (
     Box,
     Cylinder,
@@ -30,79 +34,102 @@ def placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
     The two are kept apart so that a ray can be moved next to the shape by one
     subtraction before anything else is rounded, however far out the scene lies.
     """
-    linear, centre = _shape_placement(obj.shape)
-    outer = obj.transform[:3, :3]
-    return outer @ linear, outer @ centre + obj.transform[:3, 3]
+    linear, centre = exact_placement(obj)
+    return rounded(linear), rounded(centre)
+
+
+def exact_placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
+    """The same as Decimals of 50 digits: the numbers of the scene are taken as exact, so that
+    what is made of them (an inverse, an axis, a sum) is rounded once and not at every step."""
+    with localcontext(prec=DIGITS):
+        linear, centre = _shape_placement(obj.shape)
+        outer = _exact(obj.transform)
+        return outer[:3, :3] @ linear, outer[:3, :3] @ centre + outer[:3, 3]
 
 
 def checker_axes(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The two unit axes along which a plane's checker is measured; x and z on a floor."""
-    n = _unit(np.asarray(normal, float))
-    first, second = (axis for axis in range(3) if axis != int(np.argmax(np.abs(n))))
-    u = _unit(_perpendicular(np.eye(3)[first], n))
-    v = _unit(_perpendicular(_perpendicular(np.eye(3)[second], n), u))
-    return u, v
+    with localcontext(prec=DIGITS):
+        u, v = _axes(_unit(_exact(normal)))
+    return rounded(u), rounded(v)
 
 
 def rotation_matrix(axis: np.ndarray, degrees: float) -> np.ndarray:
     """(3, 3) right-handed rotation about an axis through the origin (Rodrigues)."""
-    x, y, z = _unit(np.asarray(axis, float))
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    angle = np.radians(degrees)
-    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross)
+    with localcontext(prec=DIGITS):
+        return rounded(_rotation(_unit(_exact(axis)), degrees))
+
+
+def _rotation(axis: np.ndarray, degrees: float) -> np.ndarray:
+    x, y, z = axis
+    none = Decimal(0)
+    cross = np.array([[none, -z, y], [z, none, -x], [-y, x, none]])
+    return _EYE + sine(degrees) * cross + (1 - cosine(degrees)) * (cross @ cross)
 
 
 def _shape_placement(shape: Shape) -> tuple[np.ndarray, np.ndarray]:
     match shape:
         case Sphere():
-            return shape.radius * np.eye(3), _vector(shape.center)
+            return Decimal(shape.radius) * _EYE, _exact(shape.center)
         case Ellipsoid():
-            return _euler(shape.rotation) @ np.diag(shape.radii), _vector(shape.center)
+            return _euler(shape.rotation) * _exact(shape.radii), _exact(shape.center)
         case Plane():
-            n = _unit(_vector(shape.normal))
-            u, _ = checker_axes(n)
-            return np.column_stack([u, n, np.cross(u, n)]), _vector(shape.point)
+            n = _unit(_exact(shape.normal))
+            u, _ = _axes(n)
+            return np.column_stack([u, n, np.cross(u, n)]), _exact(shape.point)
         case Cylinder():
             return _cylinder_placement(shape)
         case Box():
-            low, high = _vector(shape.minimum), _vector(shape.maximum)
-            return np.diag((high - low) / 2), (low + high) / 2
+            low, high = _exact(shape.minimum), _exact(shape.maximum)
+            return _EYE * ((high - low) / 2), (low + high) / 2
         case Disc():
-            n = _unit(_vector(shape.normal))
-            u, _ = checker_axes(n)
+            n = _unit(_exact(shape.normal))
+            u, _ = _axes(n)
             frame = np.column_stack([u, np.cross(n, u), n])
-            return shape.radius * frame, _vector(shape.center)
+            return Decimal(shape.radius) * frame, _exact(shape.center)
         case Triangle():
-            a, b, c = _vector(shape.a), _vector(shape.b), _vector(shape.c)
+            a, b, c = _exact(shape.a), _exact(shape.b), _exact(shape.c)
             return np.column_stack([b - a, c - a, np.cross(b - a, c - a)]), a
         case Mesh():
-            return np.eye(3), np.zeros(3)
+            return _EYE, _exact((0.0, 0.0, 0.0))
     raise TypeError(f"no placement for {type(shape).__name__}")
 
 
 def _cylinder_placement(shape: Cylinder) -> tuple[np.ndarray, np.ndarray]:
-    start, end = _vector(shape.start), _vector(shape.end)
+    start, end = _exact(shape.start), _exact(shape.end)
     half = (end - start) / 2
-    axis = _unit(half)
-    u, _ = checker_axes(axis)
-    linear = np.column_stack([shape.radius * u, shape.radius * np.cross(axis, u), half])
+    axis, radius = _unit(half), Decimal(shape.radius)
+    u, _ = _axes(axis)
+    linear = np.column_stack([radius * u, radius * np.cross(axis, u), half])
     return linear, start + half
 
 
 def _euler(degrees: tuple[float, float, float]) -> np.ndarray:
-    about_x, about_y, about_z = (rotation_matrix(np.eye(3)[k], degrees[k]) for k in range(3))
+    about_x, about_y, about_z = (_rotation(_EYE[k], degrees[k]) for k in range(3))
     return about_z @ about_y @ about_x
 
 
-def _vector(values: tuple[float, float, float]) -> np.ndarray:
-    return np.array(values, dtype=np.float64)
+def _axes(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """checker_axes of a unit vector."""
+    first, second = (axis for axis in range(3) if axis != int(np.argmax(np.abs(n))))
+    u = _unit(_perpendicular(_EYE[first], n))
+    v = _unit(_perpendicular(_perpendicular(_EYE[second], n), u))
+    return u, v
+
+
+def _exact(values: Any) -> np.ndarray:
+    """An array of Decimals that are the given float64 numbers to the last digit."""
+    given = np.asarray(values, float)
+    exact = np.array([Decimal(x) for x in given.ravel().tolist()], object)
+    return exact.reshape(given.shape)
+
+
+_EYE = _exact(np.eye(3))
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
-    # Divided by the largest component first: squares of 1e-200 would vanish.
-    scaled = vector / np.abs(vector).max()
-    return scaled / np.sqrt(scaled @ scaled)
+    return np.asarray(vector / (vector @ vector).sqrt())
 
 
 def _perpendicular(vector: np.ndarray, to: np.ndarray) -> np.ndarray:
-    return vector - (vector @ to) * to
+    return np.asarray(vector - (vector @ to) * to)

@@ -1,0 +1,114 @@
+"""Roots found again from their own hit points: the last digits of t.
+
+Seen from the ray's start, a far or turned shape costs t a dozen roundings of the way. Seen
+from the hit point, exact but for its own last digit (`along_ray`), the root is a step as
+small as that error, and whatever is rounded on the way to it does not matter.
+"""
+
+from __future__ import annotations
+
+import math
+
+from raywalk.geometry.along_ray import point_along, sharp_product
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.solids import (
+    BOX,
+    DISC,
+    PLANE,
+    SPHERE,
+    TRIANGLE,
+    face_normal,
+    is_at_edge,
+    line_roots,
+)
+from raywalk.optics.compiled import inlined, kernel
+
+# Below it, the second root is so far that the step's series ends after two terms: the third
+# would be this squared, of the step.
+SLIGHT = 1e-4
+
+
+@kernel
+def settle_roots(primitives, ray, origin, direction, leaving, t, met):
+    """Moves roots t (n,) onto their surfaces, in place.
+
+    ray: (n,) each root's row of origin, direction and leaving; met: (n,) object; what is
+    NOWHERE or a mesh stays. So does the way out of the surface that a ray starts on: it is
+    known by its chord, and the height of its start is rounding, in which short chords drown.
+    """
+    table = primitives  # its columns are taken out once: inside the loop that would cost more
+    centre, centre_rest, to_local = table.centre, table.centre_rest, table.to_local
+    local_rest, is_skewed = table.to_local_rest, table.is_skewed
+    shape, row_of = table.shape, table.row_of
+    for n in range(t.shape[0]):
+        i = ray[n]
+        if met[n] == NOWHERE or met[n] == leaving[i] or row_of[met[n]] < 0:
+            continue
+        k = row_of[met[n]]
+        x, y, z, dx, dy, dz = from_close_up(
+            centre, centre_rest, to_local, local_rest, is_skewed, k,
+            origin[i, 0], origin[i, 1], origin[i, 2],
+            direction[i, 0], direction[i, 1], direction[i, 2], t[n],
+        )  # fmt: skip
+        t[n] = settled(t[n], shape[k], x, y, z, dx, dy, dz)
+
+
+@inlined
+def from_close_up(
+    centre, centre_rest, to_local, local_rest, is_skewed, k, ox, oy, oz, dx, dy, dz, t
+):  # fmt: skip
+    """Canonical coordinates of row k's hit point o + t d, and the canonical direction."""
+    x, y, z = point_along(
+        ox, oy, oz, dx, dy, dz, t, centre[k, 0], centre[k, 1], centre[k, 2],
+        centre_rest[k, 0], centre_rest[k, 1], centre_rest[k, 2],
+    )  # fmt: skip
+    lx = to_local[k, 0, 0] * x + to_local[k, 0, 1] * y + to_local[k, 0, 2] * z
+    ly = to_local[k, 1, 0] * x + to_local[k, 1, 1] * y + to_local[k, 1, 2] * z
+    lz = to_local[k, 2, 0] * x + to_local[k, 2, 1] * y + to_local[k, 2, 2] * z
+    if is_skewed[k]:
+        lx, ly, lz = sharp_product(to_local, local_rest, k, x, y, z)
+    rx = to_local[k, 0, 0] * dx + to_local[k, 0, 1] * dy + to_local[k, 0, 2] * dz
+    ry = to_local[k, 1, 0] * dx + to_local[k, 1, 1] * dy + to_local[k, 1, 2] * dz
+    rz = to_local[k, 2, 0] * dx + to_local[k, 2, 1] * dy + to_local[k, 2, 2] * dz
+    return lx, ly, lz, rx, ry, rz
+
+
+@kernel
+def settled(t, shape, x, y, z, dx, dy, dz):
+    """The root t, given its canonical hit point and the canonical direction."""
+    better = t + step_to_surface(shape, x, y, z, dx, dy, dz)
+    return better if 0.0 < better < math.inf else t
+
+
+@kernel
+def step_to_surface(shape, x, y, z, dx, dy, dz):
+    """From a canonical point next to a surface, the parameter of the line's crossing with it."""
+    if shape == PLANE:
+        return -y / dy
+    if shape == DISC or shape == TRIANGLE:
+        return -z / dz
+    if shape == SPHERE:
+        a, b, c = dx * dx + dy * dy + dz * dz, x * dx + y * dy + z * dz, x * x + y * y + z * z - 1.0
+    elif is_at_edge(shape, x, y, z):
+        return nearer_root(shape, x, y, z, dx, dy, dz)
+    else:
+        nx, ny, nz = face_normal(shape, x, y, z)
+        if shape == BOX or nz != 0.0:
+            # A face has one coordinate of +-1; the normal, of which the others are 0, picks it.
+            away = nx * dx + ny * dy + nz * dz
+            return (1.0 - (nx * x + ny * y + nz * z)) / away
+        a, b, c = dx * dx + dy * dy, x * dx + y * dy, x * x + y * y - 1.0
+    if abs(a * c) < SLIGHT * b * b:
+        # a s^2 + 2 b s + c = 0: the small root, s = -c / 2b - a s^2 / 2b and one term more.
+        half = 0.5 / b
+        first = -c * half
+        bend = a * first * half
+        return first * (1.0 - bend * (1.0 - 2.0 * bend))
+    return nearer_root(shape, x, y, z, dx, dy, dz)
+
+
+@kernel
+def nearer_root(shape, x, y, z, dx, dy, dz):
+    """The same by the equation itself: at edges, and where the line is almost tangent."""
+    one, other = line_roots(shape, x, y, z, dx, dy, dz)
+    return one if abs(one) < abs(other) else other

@@ -1,0 +1,56 @@
+"""Sines and cosines to 50 digits, for numbers of a scene that are worked out once.
+
+Decimal comes with Python; it has roots, but no sines.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+DIGITS = 50
+# pi to 60 digits (Abramowitz and Stegun, Handbook of Mathematical Functions, table 1.1, and on).
+PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494")
+
+
+def sine(degrees: float) -> Decimal:
+    """Its Taylor series, after a whole number of quarter turns is taken out exactly."""
+    quarters = round(Fraction(degrees) / 90)
+    rest = Fraction(degrees) - 90 * quarters
+    angle = Decimal(rest.numerator) / Decimal(rest.denominator) * PI / 180
+    sign = -1 if quarters % 4 >= 2 else 1
+    return sign * _series(angle, first=quarters % 2 == 0)
+
+
+def cosine(degrees: float) -> Decimal:
+    """sin(90 - x), of which the difference is taken exactly."""
+    quarters = round(Fraction(degrees) / 90)
+    rest = Fraction(degrees) - 90 * quarters
+    angle = Decimal(rest.numerator) / Decimal(rest.denominator) * PI / 180
+    sign = -1 if quarters % 4 in (1, 2) else 1
+    return sign * _series(angle, first=quarters % 2 == 1)
+
+
+def _series(angle: Decimal, first: bool) -> Decimal:
+    """x - x^3/3! + x^5/5! .. if `first`, else 1 - x^2/2! + x^4/4! ..; |x| up to pi / 4."""
+    power, term = (1, angle) if first else (0, Decimal(1))
+    total = term
+    while abs(term) > Decimal(10) ** -(DIGITS + 2):
+        power += 2
+        term *= -angle * angle / (power * (power - 1))
+        total += term
+    return total
+
+
+def rounded(exact: np.ndarray) -> np.ndarray:
+    """Float64 of an array of Decimals, each the nearest one; zeros without a sign."""
+    return np.asarray(exact, dtype=np.float64) + 0.0
+
+
+def rest_of(exact: np.ndarray) -> np.ndarray:
+    """What `rounded` leaves over, in float64."""
+    kept: Any = [Decimal(x) for x in rounded(exact).ravel().tolist()]
+    return rounded(exact - np.array(kept, object).reshape(exact.shape))
