@@ -2,7 +2,7 @@
  * A trace file's JSON as a Trace. Reads columns in the order of walk.py, which is the place to
  * learn what they are; the numbers come out bit by bit as there.
  */
-import { ABSENT, Columns, inRaster, type Sides } from "./columns";
+import { ABSENT, Columns, NO_FEATURES, inRaster, storedRays, type Stored } from "./columns";
 import { TraceError, damaged } from "./errors";
 import { floats, ints } from "./fill";
 import { checkedHeader, type Expected, type Header } from "./header";
@@ -30,18 +30,19 @@ function read(header: Header, columns: Columns): Trace {
   const { n, tables } = header;
   const sides = inRaster(n);
   const zeros = new Int32Array(n * n);
-  const signature = columns.symbols("signature", zeros, zeros, sides, tables.signature.length);
+  const cameras = storedRays(zeros, zeros, sides);
+  const signature = columns.symbols("signature", cameras, n * n, tables.signature.length);
   const hits = readHits(header, columns, signature, sides);
   const tree = grow(header, columns, ints(n * n, (k) => tables.signature[signature[k]][0] ?? ABSENT), sides);
   const count = tree.count;
-  const surface = (column: 1 | 2 | 3) => new Int16Array(ints(count, (row) => tables.surface[tree.surface[row]][column]));
+  const surface = (column: 1 | 2 | 3) => looked(tree.surface, tables.surface.map((each) => each[column]));
   const material = surface(1);
   const point = readPoints(header, columns, tree, hits);
   const normal = readNormals(header, columns, tree, point, surface(3));
-  const object = new Int16Array(ints(count, (row) => header.patches[tree.patch[row]].object));
+  const object = looked(tree.patch, header.patches.map((patch) => patch.object));
   const t = lengths(tree, point, hits, object);
   const weight = readWeights(header, columns, tree, material);
-  const tests = new Int32Array(columns.numbers("tests", tree.way, tree.patch, tree.sides, []));
+  const tests = new Int32Array(columns.numbers("tests", storedRays(tree.way, tree.patch, tree.sides), NO_FEATURES, new Float64Array(count)));
   const lit = readLights(header, columns, tree, { object, material, point, normal });
   const localWeight = floats(count, (row) => header.materials[material[row]]?.local ?? 0);
   const colour = recombine(header, { count, parent: tree.parent, material, weight, localWeight, ...lit });
@@ -50,21 +51,36 @@ function read(header: Header, columns: Columns): Trace {
     kind: tree.kind, parent: tree.parent, pixel: tree.pixel,
     depth: new Uint8Array(ints(count, (row) => Math.min(tree.level[row], 255))),
     object, material, inside: new Uint8Array(surface(2)), t, weight, localWeight, tests, point, normal, colour,
-    ...lit, tiles: readTiles(columns, n, colour, sides),
+    ...lit, tiles: readTiles(columns, n, colour, cameras),
     hitsStart: hits.start, hitsT: hits.hitsT, hitsObject: hits.hitsObject,
   };
 }
 
-const where = (of: Int32Array, stored: (row: number) => boolean) =>
-  ints(of.length, (row) => (stored(row) ? of[row] : ABSENT));
+/** table[row[k]] for every k. */
+function looked(row: Int32Array, table: readonly number[]): Int16Array {
+  const out = new Int16Array(row.length);
+  for (let k = 0; k < row.length; k++) out[k] = table[row[k]];
+  return out;
+}
+
+/** The rays for which `stored` holds, told by the row's `by`. */
+function raysWith(tree: Structure, kind: Int32Array, stored: (row: number) => boolean): Stored {
+  const [groups, kinds] = [new Int32Array(tree.count).fill(ABSENT), new Int32Array(tree.count).fill(ABSENT)];
+  for (let row = 0; row < tree.count; row++) {
+    if (!stored(row)) continue;
+    groups[row] = tree.way[row];
+    kinds[row] = kind[row];
+  }
+  return storedRays(groups, kinds, tree.sides);
+}
 
 /** Where rays end. Those of camera rays are known from the hits along them. */
 function readPoints(header: Header, columns: Columns, tree: Structure, hits: CameraHits): Float64Array {
   const { n, patches } = header;
-  const numbers = [0, 1, 2].map((k) => {
-    const stored = (row: number) => row >= n * n && (k < 2 || patches[tree.patch[row]].points === "free");
-    return columns.numbers(`point${k}`, where(tree.way, stored), where(tree.patch, stored), tree.sides, []);
-  });
+  const isFree = patches.map((patch) => patch.points === "free");
+  const sent = raysWith(tree, tree.patch, (row) => row >= n * n);
+  const free = raysWith(tree, tree.patch, (row) => row >= n * n && isFree[tree.patch[row]]);
+  const numbers = [sent, sent, free].map((stored, k) => columns.numbers(`point${k}`, stored, NO_FEATURES, new Float64Array(tree.count)));
   const point = new Float64Array(3 * tree.count);
   point.set(hits.point);
   for (let row = n * n; row < tree.count; row++) {
@@ -89,13 +105,12 @@ function readNormals(
   header: Header, columns: Columns, tree: Structure, point: Float64Array, sign: Int16Array,
 ): Float64Array {
   const { patches, steps } = header;
-  const stored = (row: number) => patches[tree.patch[row]].normals === "stored";
-  const kind = ints(tree.count, (row) =>
-    stored(row) ? 2 * tree.patch[row] + (tree.level[row] > 0 ? 1 : 0) : ABSENT,
-  );
-  const group = where(tree.way, stored);
-  const u = columns.numbers("normal0", group, kind, tree.sides, []);
-  const v = columns.numbers("normal1", group, kind, tree.sides, []);
+  const isStored = patches.map((patch) => patch.normals === "stored");
+  const kind = new Int32Array(tree.count);
+  for (let row = 0; row < tree.count; row++) kind[row] = 2 * tree.patch[row] + (tree.level[row] > 0 ? 1 : 0);
+  const stored = raysWith(tree, kind, (row) => isStored[tree.patch[row]]);
+  const u = columns.numbers("normal0", stored, NO_FEATURES, new Float64Array(tree.count));
+  const v = columns.numbers("normal1", stored, NO_FEATURES, new Float64Array(tree.count));
   const normal = new Float64Array(3 * tree.count);
   for (let row = 0; row < tree.count; row++) {
     const patch = patches[tree.patch[row]];
@@ -111,7 +126,7 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
   const isParted = (row: number) =>
     material[row] >= 0 && materials[material[row]].split > 0 &&
     (tree.children[row] & 3) > 0 && (tree.children[row] & 4) === 0;
-  const number = columns.numbers("split", where(tree.way, isParted), where(tree.surface, isParted), tree.sides, []);
+  const number = columns.numbers("split", raysWith(tree, tree.surface, isParted), NO_FEATURES, new Float64Array(tree.count));
   const weight = new Float64Array(tree.count).fill(1);
   for (let row = 0; row < tree.count; row++) {
     const kind = tree.kind[row], parent = tree.parent[row];
@@ -127,11 +142,10 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
 }
 
 /** Exact 8-bit colours: stored is by how much the rounded sum of the tree is off. */
-function readTiles(columns: Columns, n: number, colour: Float64Array, sides: Sides): Uint8Array {
-  const zeros = new Int32Array(n * n);
+function readTiles(columns: Columns, n: number, colour: Float64Array, cameras: Stored): Uint8Array {
   const tiles = new Uint8Array(3 * n * n);
   for (let c = 0; c < 3; c++) {
-    const off = columns.numbers(`tile${c}`, zeros, zeros, sides, []);
+    const off = columns.numbers(`tile${c}`, cameras, NO_FEATURES, new Float64Array(n * n));
     for (let k = 0; k < n * n; k++) tiles[3 * k + c] = eightBit(colour[3 * k + c]) + off[k];
   }
   return tiles;

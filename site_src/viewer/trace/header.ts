@@ -68,21 +68,33 @@ export function checkedHeader(json: unknown, expected: Expected): Header {
     }
   }
   if (typeof header.columns !== "object" || header.columns === null) throw damaged("no columns");
-  if (checksum(header.columns) !== header.crc32) {
+  if (checksum(columnBytes(header)) !== header.crc32) {
     throw damaged("the columns' checksum does not match");
   }
   return header;
 }
 
-/** One CRC-32 over the columns in the order of their names. */
-function checksum(columns: Readonly<Record<string, string>>): number {
-  let crc = -1;
+const asBytes = new WeakMap<object, Map<string, Uint8Array>>();
+
+/** The columns' texts as bytes, in the order of their names: reading these is several times as fast. */
+export function columnBytes({ columns }: Header): Map<string, Uint8Array> {
+  const known = asBytes.get(columns);
+  if (known) return known;
+  const bytes = new Map<string, Uint8Array>();
   for (const name of Object.keys(columns).sort()) {
-    const text = columns[name];
-    for (let i = 0; i < text.length; i++) {
-      crc = CRC_TABLE[(crc ^ text.charCodeAt(i)) & 255] ^ (crc >>> 8);
-    }
+    if (typeof columns[name] !== "string") throw damaged(`column ${name} is no text`);
+    bytes.set(name, encoder.encode(columns[name]));
   }
+  asBytes.set(columns, bytes);
+  return bytes;
+}
+const encoder = new TextEncoder();
+
+/** One CRC-32 over all of them. */
+function checksum(columns: Map<string, Uint8Array>): number {
+  let crc = -1;
+  for (const bytes of columns.values())
+    for (let i = 0; i < bytes.length; i++) crc = CRC_TABLE[(crc ^ bytes[i]) & 255] ^ (crc >>> 8);
   return (crc ^ -1) >>> 0;
 }
 

@@ -1,6 +1,6 @@
 /** Every hit along each camera ray, kept as one image of 1 / z per key: an object and how often
  *  the ray met it before. A ray that leaves the scene has its end in an image of its own. */
-import { ABSENT, type Columns, type Sides } from "./columns";
+import { ABSENT, storedRays, type Columns, type Sides } from "./columns";
 import { damaged } from "./errors";
 import { floats, ints } from "./fill";
 import type { Header } from "./header";
@@ -50,12 +50,11 @@ function readImages(
   header: Header, columns: Columns, signature: Int32Array, keys: number[][], sides: Sides,
 ): Float64Array[] {
   const { n, images } = header;
-  const column = floats(n * n, (k) => k % n);
-  const row = floats(n * n, (k) => Math.floor(k / n));
+  const place = { width: 2, values: floats(2 * n * n, (k) => (k % 2 ? Math.floor((k >> 1) / n) : (k >> 1) % n)) };
   return images.map((image, k) => {
     const groupOf = keys.map((own) => (own.includes(k) ? 0 : ABSENT));
     const group = ints(n * n, (ray) => groupOf[signature[ray]]);
-    const z = columns.numbers(`depth${k}`, group, group, sides, [column, row]);
+    const z = columns.numbers(`depth${k}`, storedRays(group, group, sides), place, new Float64Array(n * n));
     for (let ray = 0; ray < z.length; ray++) {
       if (group[ray] === ABSENT) continue;
       if (z[ray] < 1) throw damaged(`column depth${k} leads behind the camera`);

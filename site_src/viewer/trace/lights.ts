@@ -1,6 +1,6 @@
 /** What each light gives at each hit, and who stands between. */
-import { ABSENT, type Columns } from "./columns";
-import { floats, ints } from "./fill";
+import { ABSENT, storedRays, type Columns, type Features, type Stored } from "./columns";
+import { floats } from "./fill";
 import type { Header } from "./header";
 import type { Structure } from "./structure";
 import { VISIBILITY } from "./types";
@@ -20,12 +20,6 @@ interface Known {
   normal: Float64Array;
 }
 
-/** Rays that store something in a column: their group and kind, ABSENT for the others. */
-interface Stored {
-  group: Int32Array;
-  kind: Int32Array;
-}
-
 export function readLights(header: Header, columns: Columns, tree: Structure, known: Known): Lit {
   const { lights } = header;
   const count = tree.count * lights.length;
@@ -36,67 +30,91 @@ export function readLights(header: Header, columns: Columns, tree: Structure, kn
     diffuse: new Float64Array(count),
     specular: new Float64Array(count),
   };
-  const axes = (of: Float64Array) => [0, 1, 2].map((c) => floats(tree.count, (row) => of[3 * row + c]));
-  const point = axes(known.point);
-  const features = [...axes(known.normal), ...point];
+  const place: Features = { width: 3, values: known.point };
+  const features: Features = { width: 6, values: new Float64Array(6 * tree.count) };
+  for (let row = 0; row < tree.count; row++)
+    for (let c = 0; c < 3; c++) {
+      features.values[6 * row + c] = known.normal[3 * row + c];
+      features.values[6 * row + 3 + c] = known.point[3 * row + c];
+    }
+  const number = new Float64Array(tree.count); // scratch, as are the next
+  const blocked = { group: new Int32Array(tree.count), kind: new Int32Array(tree.count) };
   const hits = hitRays(tree, known.object);
-  const coloured = { diffuse: colouredRays(header, tree, known, "diffuse"), specular: colouredRays(header, tree, known, "specular") };
+  const factors = colouredRays(header, tree, known);
   const step = floats(tree.count, (row) => header.materials[known.material[row]]?.step ?? 0);
   for (let l = 0; l < lights.length; l++) {
-    readShadows(header, columns, tree, hits, point, lit, l);
-    for (const name of ["diffuse", "specular"] as const) {
-      const { group, kind } = coloured[name];
-      const number = columns.numbers(`${name}${l}`, group, kind, tree.sides, features);
+    readShadows(header, columns, tree, hits, place, lit, l, number, blocked);
+    for (const { name, stored } of factors) {
+      columns.numbers(`${name}${l}`, stored, features, number);
+      const { rows } = stored;
       const out = lit[name];
-      for (let row = 0; row < tree.count; row++) out[row * lights.length + l] = number[row] * step[row];
+      for (let k = 0; k < rows.length; k++) {
+        const row = rows[k];
+        out[row * lights.length + l] = number[row] * step[row];
+      }
     }
   }
   return lit;
 }
 
 function hitRays(tree: Structure, object: Int16Array): Stored {
-  return {
-    group: ints(tree.count, (row) => (object[row] >= 0 ? tree.way[row] : ABSENT)),
-    kind: ints(tree.count, (row) => (object[row] >= 0 ? tree.surface[row] : ABSENT)),
-  };
-}
-
-/** A factor is stored where it multiplies a colour that is not black. */
-function colouredRays(header: Header, tree: Structure, known: Known, name: "diffuse" | "specular"): Stored {
-  const coloured = header.materials.map((of) => of.local > 0 && of[name].some((part) => part > 0));
-  const surfaces = header.tables.surface.length;
   const group = new Int32Array(tree.count).fill(ABSENT);
   const kind = new Int32Array(tree.count).fill(ABSENT);
   for (let row = 0; row < tree.count; row++) {
-    if (!coloured[known.material[row]]) continue;
-    group[row] = tree.way[row] * surfaces + tree.surface[row];
-    kind[row] = 2 * tree.surface[row] + (tree.level[row] > 0 ? 1 : 0);
+    if (object[row] < 0) continue;
+    group[row] = tree.way[row];
+    kind[row] = tree.surface[row];
   }
-  return { group, kind };
+  return storedRays(group, kind, tree.sides);
+}
+
+const FACTORS = ["diffuse", "specular"] as const;
+
+/** A factor is stored where it multiplies a colour that is not black. */
+function colouredRays(header: Header, tree: Structure, known: Known) {
+  const colouredBy = FACTORS.map((name) => header.materials.map((of) => of.local > 0 && of[name].some((part) => part > 0)));
+  const alike = colouredBy[0].every((is, k) => is === colouredBy[1][k]);
+  const surfaces = header.tables.surface.length;
+  const stored = (coloured: boolean[]) => {
+    const group = new Int32Array(tree.count).fill(ABSENT);
+    const kind = new Int32Array(tree.count).fill(ABSENT);
+    for (let row = 0; row < tree.count; row++) {
+      if (!coloured[known.material[row]]) continue;
+      group[row] = tree.way[row] * surfaces + tree.surface[row];
+      kind[row] = 2 * tree.surface[row] + (tree.level[row] > 0 ? 1 : 0);
+    }
+    return storedRays(group, kind, tree.sides);
+  };
+  const diffuse = stored(colouredBy[0]);
+  const specular = alike ? diffuse : stored(colouredBy[1]);
+  return [{ name: FACTORS[0], stored: diffuse }, { name: FACTORS[1], stored: specular }];
 }
 
 function readShadows(
-  header: Header, columns: Columns, tree: Structure, hits: Stored, point: Float64Array[], lit: Lit, l: number,
+  header: Header, columns: Columns, tree: Structure, hits: Stored, place: Features, lit: Lit, l: number,
+  number: Float64Array, blocked: { group: Int32Array; kind: Int32Array },
 ) {
   const { lights, steps } = header;
   const table = header.tables.visibility;
-  const seen = columns.symbols(`visibility${l}`, hits.group, hits.kind, tree.sides, table.length);
-  const group = new Int32Array(tree.count).fill(ABSENT);
-  const kind = new Int32Array(tree.count).fill(ABSENT);
-  for (let row = 0; row < tree.count; row++) {
-    if (hits.kind[row] === ABSENT) continue;
-    const at = row * lights.length + l, of = seen[row];
-    lit.visibility[at] = table[of][0];
-    lit.blocker[at] = table[of][1];
-    if (table[of][0] !== VISIBILITY.blocked) continue;
+  const seen = columns.symbols(`visibility${l}`, hits, tree.count, table.length);
+  const group = blocked.group.fill(ABSENT), kind = blocked.kind.fill(ABSENT);
+  const visibilities = Uint8Array.from(table, (each) => each[0]);
+  const blockers = Int16Array.from(table, (each) => each[1]);
+  for (let k = 0; k < hits.rows.length; k++) {
+    const row = hits.rows[k], of = seen[row];
+    const at = row * lights.length + l;
+    lit.visibility[at] = visibilities[of];
+    lit.blocker[at] = blockers[of];
+    if (visibilities[of] !== VISIBILITY.blocked) continue;
     group[row] = tree.way[row] * table.length + of;
     kind[row] = 2 * of + (tree.level[row] > 0 ? 1 : 0);
   }
-  const left = columns.numbers(`blocked${l}`, group, kind, tree.sides, point);
+  const stored = storedRays(group, kind, tree.sides);
+  columns.numbers(`blocked${l}`, stored, place, number);
   const [lightX, lightY, lightZ] = lights[l].position;
-  for (let row = 0; row < tree.count; row++) {
-    if (kind[row] === ABSENT) continue;
-    const x = lightX - point[0][row], y = lightY - point[1][row], z = lightZ - point[2][row];
-    lit.blockedAt[row * lights.length + l] = 1 - (left[row] * steps.blocked) / Math.sqrt(x * x + y * y + z * z);
+  for (let k = 0; k < stored.rows.length; k++) {
+    const row = stored.rows[k];
+    const x = lightX - place.values[3 * row], y = lightY - place.values[3 * row + 1], z = lightZ - place.values[3 * row + 2];
+    lit.blockedAt[row * lights.length + l] = 1 - (number[row] * steps.blocked) / Math.sqrt(x * x + y * y + z * z);
   }
 }

@@ -72,32 +72,40 @@ export interface Terms {
 /** Colours of all rays: a hit's own share, then, from the last row to the first, each ray's
  *  weight x colour added to its parent. */
 export function recombine(header: Header, ray: Terms): Float64Array {
-  const { materials, lights, background } = header;
+  const { background } = header;
+  const { parent, weight, localWeight, visibility, diffuse, specular } = ray;
   const colour = new Float64Array(3 * ray.count);
+  const flat = (name: "ambient" | "diffuse" | "specular") => Float64Array.from(header.materials.flatMap((each) => [...each[name]]));
+  const [ambients, diffuses, speculars] = [flat("ambient"), flat("diffuse"), flat("specular")];
+  const lamps = Float64Array.from(header.lights.flatMap((light) => [...light.colour]));
+  const lights = header.lights.length;
   for (let row = 0; row < ray.count; row++) {
-    const material = materials[ray.material[row]];
-    for (let c = 0; c < 3; c++) {
-      if (!material) {
-        colour[3 * row + c] = background[c];
-        continue;
-      }
-      let local = material.ambient[c];
-      for (let l = 0; l < lights.length; l++) {
-        const at = row * lights.length + l;
-        const seen = ray.visibility[at];
-        if (seen !== VISIBILITY.reached && seen !== VISIBILITY.untested) continue;
-        const term = ray.diffuse[at] * material.diffuse[c] + ray.specular[at] * material.specular[c];
-        local = local + term * lights[l].colour[c];
-      }
-      colour[3 * row + c] = ray.localWeight[row] * local;
+    const of = 3 * ray.material[row], to = 3 * row;
+    if (of < 0) {
+      colour[to] = background[0];
+      colour[to + 1] = background[1];
+      colour[to + 2] = background[2];
+      continue;
     }
+    let red = ambients[of], green = ambients[of + 1], blue = ambients[of + 2];
+    for (let l = 0; l < lights; l++) {
+      const at = row * lights + l, lamp = 3 * l;
+      const seen = visibility[at];
+      if (seen !== VISIBILITY.reached && seen !== VISIBILITY.untested) continue;
+      const d = diffuse[at], s = specular[at];
+      red = red + (d * diffuses[of] + s * speculars[of]) * lamps[lamp];
+      green = green + (d * diffuses[of + 1] + s * speculars[of + 1]) * lamps[lamp + 1];
+      blue = blue + (d * diffuses[of + 2] + s * speculars[of + 2]) * lamps[lamp + 2];
+    }
+    colour[to] = localWeight[row] * red;
+    colour[to + 1] = localWeight[row] * green;
+    colour[to + 2] = localWeight[row] * blue;
   }
-  for (let row = ray.count - 1; row >= 0; row--) {
-    const parent = ray.parent[row];
-    if (parent < 0) break; // camera rays stand first
-    for (let c = 0; c < 3; c++) {
-      colour[3 * parent + c] = colour[3 * parent + c] + ray.weight[row] * colour[3 * row + c];
-    }
+  for (let row = ray.count - 1; row >= 0 && parent[row] >= 0; row--) { // camera rays stand first
+    const from = 3 * row, to = 3 * parent[row], share = weight[row];
+    colour[to] = colour[to] + share * colour[from];
+    colour[to + 1] = colour[to + 1] + share * colour[from + 1];
+    colour[to + 2] = colour[to + 2] + share * colour[from + 2];
   }
   return colour;
 }

@@ -1,5 +1,5 @@
 /** Who is whose child; structure.py grows the same tree. */
-import type { Columns, Sides } from "./columns";
+import { storedRays, type Columns, type Sides } from "./columns";
 import { damaged } from "./errors";
 import { ints } from "./fill";
 import type { Header } from "./header";
@@ -42,11 +42,11 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
   for (let level = 0; wave.pixel.length > 0; level++) {
     const size = wave.pixel.length;
     if (first + size > rays) throw damaged(`the tree has more than its ${rays} rays`);
-    const surface = columns.symbols("surface", wave.before, wave.before, wave.sides, surfaces.length);
+    const surface = columns.symbols("surface", storedRays(wave.before, wave.before, wave.sides), size, surfaces.length);
     const patch = ints(size, (k) => surfaces[surface[k]][0]);
     const way = dense(wave.before, patch, base);
     const group = ints(size, (k) => way[k] * base + surface[k]);
-    const children = columns.symbols("children", group, surface, wave.sides, CHILDREN);
+    const children = columns.symbols("children", storedRays(group, surface, wave.sides), size, CHILDREN);
     place(tree, wave, level, first, firstBefore);
     tree.surface.set(surface, first);
     tree.patch.set(patch, first);
@@ -111,37 +111,38 @@ function dense(before: Int32Array, patch: Int32Array, base: number): Int32Array 
 
 /** The children of a wave: path by path, reflected before refracted, in their parents' order. */
 function nextWave(wave: Wave, children: Int32Array, way: Int32Array): Wave {
-  const parent: number[] = [];
-  const down: number[] = []; // 1: refracted
-  const paths = [0];
+  let count = 0;
+  for (let row = 0; row < children.length; row++) count += (children[row] & (REFLECTED | TOTAL) ? 1 : 0) + (children[row] & REFRACTED ? 1 : 0);
+  const next: Wave = {
+    pixel: new Int32Array(count), parent: new Int32Array(count), kind: new Uint8Array(count), before: new Int32Array(count),
+    sides: { left: new Int32Array(count), up: new Int32Array(count), upLeft: new Int32Array(count), upRight: new Int32Array(count) },
+    paths: [0],
+  };
   const child = [new Int32Array(children.length).fill(-1), new Int32Array(children.length).fill(-1)];
+  const down = new Uint8Array(count); // 1: refracted
+  let k = 0;
   for (let path = 0; path + 1 < wave.paths.length; path++) {
     for (const bits of [REFLECTED | TOTAL, REFRACTED]) {
       const branch = bits === REFRACTED ? 1 : 0;
       for (let row = wave.paths[path]; row < wave.paths[path + 1]; row++) {
         if (!(children[row] & bits)) continue;
-        child[branch][row] = parent.length;
-        parent.push(row);
-        down.push(branch);
+        child[branch][row] = k;
+        down[k] = branch;
+        next.parent[k] = row;
+        next.pixel[k] = wave.pixel[row];
+        next.kind[k] = branch ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected;
+        next.before[k] = 2 * way[row] + branch;
+        k++;
       }
-      if (parent.length > paths[paths.length - 1]) paths.push(parent.length);
+      if (k > next.paths[next.paths.length - 1]) next.paths.push(k);
     }
   }
-  const make = (of: (row: number, k: number) => number) =>
-    ints(parent.length, (k) => of(parent[k], k));
-  const beside = (side: Int32Array) =>
-    make((row, k) => (side[row] < 0 ? -1 : child[down[k]][side[row]]));
-  return {
-    pixel: make((row) => wave.pixel[row]),
-    parent: Int32Array.from(parent),
-    kind: Uint8Array.from(parent, (row, k) =>
-      down[k] ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected,
-    ),
-    before: make((row, k) => 2 * way[row] + down[k]),
-    sides: {
-      left: beside(wave.sides.left), up: beside(wave.sides.up),
-      upLeft: beside(wave.sides.upLeft), upRight: beside(wave.sides.upRight),
-    },
-    paths,
-  };
+  for (const name of SIDES) {
+    const [of, out] = [wave.sides[name], next.sides[name]];
+    for (let row = 0; row < count; row++) {
+      const beside = of[next.parent[row]];
+      out[row] = beside < 0 ? -1 : child[down[row]][beside];
+    }
+  }
+  return next;
 }

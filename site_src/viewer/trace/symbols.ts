@@ -6,7 +6,7 @@ const ONE = 79; // numbers below it take one character
 const LONG: Readonly<Record<number, number>> = { 91: 3, 92: 8 }; // first digit -> digits that follow
 const FOREIGN = 255;
 
-const DIGITS = new Uint8Array(128).fill(FOREIGN);
+const DIGITS = new Uint8Array(256).fill(FOREIGN);
 for (let code = 32, digit = 0; code < 127; code++) {
   if (code !== 34 && code !== 92) DIGITS[code] = digit++;
 }
@@ -16,38 +16,56 @@ export class Reader {
 
   constructor(
     private readonly name: string,
-    private readonly text: string,
+    private readonly bytes: Uint8Array,
   ) {}
 
   get isEmpty(): boolean {
-    return this.text.length === 0;
+    return this.bytes.length === 0;
   }
 
-  /** The next number, >= 0. */
-  next(): number {
-    const first = this.digit();
-    if (first < ONE) return first;
+  /** The next `count` numbers, >= 0. */
+  take(count: number, out: Float64Array) {
+    const { bytes } = this;
+    let at = this.at;
+    for (let k = 0; k < count; k++) {
+      const first = DIGITS[bytes[at++]];
+      if (first < ONE) out[k] = first;
+      else {
+        this.at = at;
+        out[k] = this.long(first);
+        at = this.at;
+      }
+    }
+    this.at = at;
+  }
+
+  /** The next `count` numbers of any sign. */
+  takeSigned(count: number, out: Float64Array) {
+    this.take(count, out);
+    for (let k = 0; k < count; k++) {
+      const number = out[k];
+      out[k] = number % 2 === 0 ? number / 2 : -(number + 1) / 2;
+    }
+  }
+
+  finish() {
+    if (this.at !== this.bytes.length) throw damaged(`column ${this.name} is too long`);
+  }
+
+  private long(first: number): number {
     const length = LONG[first];
-    if (length === undefined) return ONE + (first - ONE) * BASE + this.digit();
+    if (length === undefined && first < BASE) return ONE + (first - ONE) * BASE + this.digit();
+    if (length === undefined) throw this.cut();
     let number = 0;
     for (let k = 0; k < length; k++) number = number * BASE + this.digit();
     return number;
   }
 
-  /** The next number of any sign. */
-  signed(): number {
-    const number = this.next();
-    return number % 2 === 0 ? number / 2 : -(number + 1) / 2;
-  }
-
-  finish() {
-    if (this.at !== this.text.length) throw damaged(`column ${this.name} is too long`);
-  }
-
   private digit(): number {
-    const code = this.text.charCodeAt(this.at++); // NaN past the end
-    const digit = DIGITS[code] ?? FOREIGN;
-    if (digit === FOREIGN) throw damaged(`column ${this.name} ends too early or holds a foreign character`);
+    const digit = DIGITS[this.bytes[this.at++]];
+    if (!(digit < BASE)) throw this.cut();
     return digit;
   }
+
+  private cut = () => damaged(`column ${this.name} ends too early or holds a foreign character`);
 }
