@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from raywalk.bench import (
+    stress_acne,
     stress_hits,
     stress_mesh,
     stress_mirrors,
@@ -29,6 +30,7 @@ SUBJECTS: dict[str, Subject] = {
     "mirrors": stress_mirrors.cases,
     "order": stress_order.cases,
     "shadows": stress_shadows.cases,
+    "acne": stress_acne.cases,
     "runs": stress_runs.cases,
 }
 RAYS = 1_000_000

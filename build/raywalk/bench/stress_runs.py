@@ -1,4 +1,4 @@
-"""Odd directions, NaN in outputs, and the project's scenes at other scales, places and runs."""
+"""Odd directions, and two runs of the project's scenes."""
 
 from __future__ import annotations
 
@@ -18,14 +18,10 @@ from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene import read_scenes
-from raywalk.scene.model import Camera, Scene, SceneObject, Shape, Sphere
+from raywalk.scene.model import Scene, SceneObject, Shape, Sphere
 from raywalk.trace.probe import probe, read_rays
-from raywalk.trace.tree import RayTree, Visibility
-from raywalk.trace.wavefront import Tracer, trace_scene
-
-SCALES = (1e-6, 1e-3, 1e3, 1e6)
-OFFSETS = (1e4, 1e7)
-GRID = 105
+from raywalk.trace.tree import RayTree
+from raywalk.trace.wavefront import trace_scene
 
 
 def cases(count: int, seed: int, scenes: Path = Path("scenes")) -> Iterator[Case]:
@@ -35,8 +31,6 @@ def cases(count: int, seed: int, scenes: Path = Path("scenes")) -> Iterator[Case
         yield directions_of_length(length, count, seed)
     yield time_of_odd_directions(count, seed)
     for scene in read_scenes(scenes):
-        grid = min(GRID, max(5, int(np.sqrt(count / 9))))
-        yield from moved_and_scaled(scene, grid, seed)
         yield same_twice(scene, seed)
 
 
@@ -119,69 +113,6 @@ def time_of_odd_directions(count: int, seed: int) -> Case:
         "odd directions", "zero and NaN in a batch", "time added by each, microseconds",
         1.0, micro, len(origin), seed, 600.0, "Embree, as ACCURACY.md measured it",
     )  # fmt: skip
-
-
-def moved_and_scaled(scene: Scene, grid: int, seed: int) -> Iterator[Case]:
-    """Shadows of the same pixels at other scales and places: any change is acne or a leak."""
-    asked, changed, odd = 0, 0, 0
-    base = looked_at(scene, grid)
-    for scale, offset in [(s, 0.0) for s in SCALES] + [(1.0, o) for o in OFFSETS]:
-        other = looked_at(elsewhere(scene, scale, offset), grid)
-        asked += grid * grid
-        changed += int((base[0] != other[0]).any(axis=1).sum())
-        odd += other[1]
-    yield Case(
-        "the project's scenes", f"{scene.id}, x 1e-6 to 1e6, moved by 1e4 and 1e7",
-        "pixels whose hits or shadows change", 0.0, float(changed), asked, seed,
-    )  # fmt: skip
-    yield Case(
-        "the project's scenes", f"{scene.id}, the same", "NaN or infinity in outputs",
-        0.0, float(base[1] + odd), asked, seed,
-    )  # fmt: skip
-
-
-def looked_at(scene: Scene, grid: int) -> tuple[np.ndarray, int]:
-    """Per pixel the object met and each light's visibility and blocker; and what is not finite."""
-    waves = Tracer(scene).waves(np.arange(grid * grid), grid, grid)
-    first = waves[0]
-    lighting = first.lighting
-    # Behind or blocked by itself is the same darkness, seen from either side of a rounding.
-    reached = lighting.visibility == Visibility.REACHED
-    seen = np.column_stack([first.hits.object, reached])
-    odd = 0
-    for wave in waves:
-        met = wave.hits.object != NOWHERE
-        arrays = (
-            wave.colour, wave.lighting.diffuse, wave.lighting.specular, wave.lighting.local,
-            wave.weight, wave.rays.direction, wave.hits.point[met], wave.hits.t[met],
-        )  # fmt: skip
-        odd += sum(int((~np.isfinite(array)).sum()) for array in arrays)
-    return seen, odd
-
-
-def elsewhere(scene: Scene, scale: float, offset: float) -> Scene:
-    """The scene scaled about the origin, then moved; light falls off over the scaled way."""
-    moved = np.array([offset, -offset, offset])
-    matrix = placed(scale, moved)
-
-    def there(point: tuple[float, float, float]) -> tuple[float, float, float]:
-        x, y, z = scale * np.array(point) + moved
-        return float(x), float(y), float(z)
-
-    camera: Camera = replace(
-        scene.camera, eye=there(scene.camera.eye), target=there(scene.camera.target)
-    )
-    lights = tuple(
-        replace(
-            light, position=there(light.position),
-            attenuation=(
-                light.attenuation[0], light.attenuation[1] / scale, light.attenuation[2] / scale**2
-            ),
-        )
-        for light in scene.lights
-    )  # fmt: skip
-    objects = tuple(replace(obj, transform=matrix @ obj.transform) for obj in scene.objects)
-    return replace(scene, camera=camera, lights=lights, objects=objects)
 
 
 def same_twice(scene: Scene, seed: int) -> Case:

@@ -14,7 +14,7 @@ from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
 from raywalk.geometry.float32_copy import STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.nearest import POINT_ERROR
-from raywalk.geometry.triangle import shear, triangle_hit, triangle_normal, vector
+from raywalk.geometry.triangle import height_over, shear, triangle_hit, triangle_normal, vector
 from raywalk.optics.compiled import kernel
 
 # In the unit-sized copy, where float32 steps are 6e-8:
@@ -110,7 +110,8 @@ class MeshTarget:
 def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local, starts):
     """Indices of the rays that cross the mesh's box before t_max.
 
-    Fills local (n, 3), origins relative to the mesh's centre, and starts (crossing, 3), where
+    Fills local (n, 3), origins relative to the mesh's centre and, of rays that leave a triangle,
+    on its plane; and starts (crossing, 3), where
     Embree's ray begins in the unit-sized copy: just off the triangle it leaves, else a little
     before its origin or the box, so that rounding takes it behind no triangle.
     """
@@ -119,6 +120,8 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
     for i in range(origin.shape[0]):
         for k in range(3):
             local[i, k] = origin[i, k] - centre[k]
+        if own[i] >= 0:
+            onto_plane(corners, own[i], local, i)
         o, d = vector(local, i), vector(direction, i)
         length_sq = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
         # NaN passes every box test, and costs Embree as much as hundreds of other rays.
@@ -138,6 +141,20 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
         crossing[filled] = i
         filled += 1
     return crossing[:filled]
+
+
+@kernel
+def onto_plane(corners, k, local, i):
+    """Moves a start local[i] onto the plane of the triangle k that it leaves.
+
+    Far from the origin a world point is off its triangle by 1e-16 of that distance. A ray that
+    leaves flatly from so far below would run on inside, and meet a neighbour from behind.
+    """
+    height = height_over(vector(local, i), corners, k)
+    nx, ny, nz = triangle_normal(corners, k)
+    local[i, 0] -= height * nx
+    local[i, 1] -= height * ny
+    local[i, 2] -= height * nz
 
 
 @kernel
