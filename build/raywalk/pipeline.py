@@ -18,13 +18,15 @@ from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words
 from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages
-from raywalk.site.scene_data import Display, scene_data
+from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.trace_file.script import write_script
-from raywalk.words import read_words
+from raywalk.words import languages, read_words
+from raywalk.words.catalogue import DEFAULT
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
@@ -48,6 +50,7 @@ class Built:
 def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
     """Builds the site, telling what was traced, kept and written."""
     scenes = read_scenes(chosen.scenes)
+    spoken = in_all_languages(scenes)
     store = Store(chosen.work)
     parts = {scene.id: trace_parts(scene) for scene in scenes}
     keys = {id: key_of(made_from) for id, made_from in parts.items()}
@@ -65,6 +68,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
     entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
     facts = {scene.id: facts_of(entries[scene.id]) for scene in scenes}
     notes = [line for scene in scenes for line in remarks(scene, facts[scene.id])]
+    for code, told in spoken.items():
+        notes += missing_translations(told, code)
     yield from notes
     viewer = yield from kept(store, viewer_parts(site_source), partial(bundle, site_source), chosen)
     data = {}
@@ -75,13 +80,12 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
         )  # fmt: skip
     with staged(chosen.out) as out:
         script = (viewer.folder / "viewer.js").read_bytes()
-        words = read_words()
-        assets = write_assets(out, site_source, script) | write_words(out, words)
+        assets = write_assets(out, site_source, script)
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
-        figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
         publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
-        write_pages(out, site_source / "templates", scenes, figures, assets)
+        for code, told in spoken.items():
+            write_edition(out, site_source, [each.scene for each in told], facts, assets, code)
     used = [*entries.values(), *data.values(), viewer]
     store.prune(keep={entry.folder.name for entry in used})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
@@ -95,6 +99,12 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
         ],
         {"scenes": len(scenes), "size": size, "remarks": notes},
     )
+
+
+def in_all_languages(scenes: list[Scene]) -> dict[str, list[Spoken]]:
+    """The scenes by language, the default one first. Raises SourceErrors."""
+    own = {DEFAULT: [Spoken(scene, True) for scene in scenes]}
+    return own | {code: read_spoken(scenes, code) for code in languages() if code != DEFAULT}
 
 
 def kept(
@@ -131,6 +141,21 @@ def trace_into(store: Store, parts: dict[str, Parts], scene: Scene, threads: int
     made_from = parts[scene.id]
     store.entry(key_of(made_from), lambda folder: write_products(scene, folder, threads), made_from)
     return time.monotonic() - begun
+
+
+def write_edition(
+    out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
+    assets: dict[str, str], code: str,
+) -> None:  # fmt: skip
+    """The site in one language: its sentences, the scenes' words, its pages."""
+    words = read_words(code)
+    for scene in scenes if code != DEFAULT else []:
+        path = out / "scenes" / scene.id / f"words-{code}.js"
+        text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
+        write_script(path, f"{scene.id}/words-{code}", text.encode())
+    figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
+    told_by = assets | write_words(out, words)
+    write_pages(out, site_source / "templates", scenes, figures, told_by, words)
 
 
 def bundle(site_source: Path, folder: Path) -> None:

@@ -3,9 +3,11 @@
  * modules, but runs these. Each calls raywalkReceive(name, base64 of gzip of JSON).
  */
 import { decode } from "./trace/decode";
+import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { SectionsData } from "./state/section";
 import type { SceneData, Trace } from "./trace/types";
+import { languageCode } from "./words";
 
 export type Loss = "missing" | "damaged" | "old browser";
 
@@ -25,6 +27,7 @@ declare global {
   }
 }
 
+const OWN_LANGUAGE = "en"; // of scene.js
 const KEPT_TRACES = 8; // a few megabytes each at most
 const KEPT_SCENES = 4;
 
@@ -77,8 +80,13 @@ export function createLoader(root: string) {
   const scenes = remembering(KEPT_SCENES, sceneFrom);
   const traces = remembering<Trace>(KEPT_TRACES, traceFrom);
   const sections = remembering(KEPT_SCENES, sectionsFrom);
+  const words = remembering(KEPT_SCENES, wordsFrom);
+  const spoken = async (id: string): Promise<SceneData> => {
+    const [scene, said] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
+    return said ? inWords(scene, said) : scene; // better told in its own language than not at all
+  };
   return {
-    scene: (id: string) => scenes(`${id}/scene`),
+    scene: (id: string) => (languageCode() === OWN_LANGUAGE ? scenes(`${id}/scene`) : spoken(id)),
     sections: (id: string) => sections(`${id}/sections`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
   };

@@ -25,6 +25,7 @@ type Slots<K extends keyof WordKeys> = [WordKeys[K]] extends [never] ? [] : [Rec
 export type Phrase = string | readonly [string, string];
 
 const language = () => globalThis.raywalkWords.language;
+export const languageCode = (): string => language().code;
 
 function entry(key: string, slots: Given): string {
   const found = key.split(".").reduce<unknown>((at, part) => (at as Record<string, unknown>)[part], globalThis.raywalkWords) as Entry;

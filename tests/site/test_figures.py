@@ -44,7 +44,12 @@ def test_the_model_page_lists_every_scene_with_glass_and_its_shadow_model(tmp_pa
     """The page for teachers names each simplification where it is used."""
     scenes = list(SCENES.values())
     figures = {scene.id: scene_figures(scene, FACTS, read_words()) for scene in scenes}
-    assets = {"viewer_js": "assets/v.js", "words_js": "assets/w.js", "style_css": "assets/s.css"}
+    assets = {
+        "viewer_js": "assets/v.js",
+        "words_js": "assets/w.js",
+        "language_js": "assets/l.js",
+        "style_css": "assets/s.css",
+    }
     write_pages(tmp_path, ROOT / "site_src" / "templates", scenes, figures, assets)
     page = (tmp_path / "model" / "index.html").read_text(encoding="utf-8")
     for scene in scenes:

@@ -10,6 +10,9 @@ from typing import Any
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.translation import missing_translations, read_spoken
+from raywalk.words import languages, missing_sentences
+from raywalk.words.catalogue import DEFAULT
 
 
 def add_to(commands: Any) -> None:
@@ -26,6 +29,13 @@ def run(chosen: Namespace) -> Iterator[str]:
     for scene in scenes:
         try:
             warnings += [f"{scene.id}: warning: {warning}" for warning in check_geometry(scene)]
+        except SourceErrors as raised:
+            problems += raised.errors
+    for code in languages():
+        try:
+            told = read_spoken(scenes, code) if code != DEFAULT else []
+            warnings += missing_translations(told, code)
+            warnings += [f"{code}.json: not translated: {key}" for key in missing_sentences(code)]
         except SourceErrors as raised:
             problems += raised.errors
     if problems:

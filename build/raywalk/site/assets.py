@@ -24,6 +24,7 @@ def write_assets(out: Path, site_src: Path, script: bytes) -> dict[str, str]:
     return {
         "viewer_js": _named(out, "viewer", "js", script),
         "style_css": _named(out, "style", "css", sheet),
+        "language_js": _named(out, "language", "js", (site_src / "language.js").read_bytes()),
     }
 
 

@@ -12,30 +12,47 @@ from raywalk.scene.model import Scene
 from raywalk.site.figures import Figures, has_glass
 from raywalk.site.lesson_text import lesson_html
 from raywalk.site.saying import sayings
-from raywalk.words import Words, read_words
+from raywalk.words import Words, languages, read_words
+from raywalk.words.catalogue import DEFAULT
 
-Assets = dict[str, str]  # viewer_js, words_js and style_css, relative to the site's root
+# viewer_js, words_js, language_js and style_css, relative to the site's root
+Assets = dict[str, str]
 
 
 def write_pages(
-    out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets
-) -> None:
-    """index.html, model/index.html and scenes/<id>/index.html under `out`.
+    out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
+    words: Words | None = None,
+) -> None:  # fmt: skip
+    """index.html, model/index.html and scenes/<id>/index.html of one language: under `out` for
+    the default one, under out/<code> for another. scenes: in that language.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
-    environment = page_environment(templates)
-    shared = {"scenes": [_card(scene) for scene in scenes], **assets}
-    _write(out / "index.html", environment, "gallery.html", root="", **shared)
-    _write(
-        out / "model" / "index.html", environment, "model.html", root="../", **shared,
-        glass_scenes=[_glass(scene) for scene in scenes if has_glass(scene)],
+    words = words or read_words()
+    environment = page_environment(templates, words)
+    home = home_of(words.code)
+
+    def write(here: str, template: str, **context: Any) -> None:
+        page = out / f"{home}{here}"
+        page.parent.mkdir(parents=True, exist_ok=True)
+        told = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
+        page.write_text(environment.get_template(template).render(told), encoding="utf-8")
+
+    shared = {"home": home, "scenes": [_card(scene, home) for scene in scenes], **assets}
+    write("index.html", "gallery.html")
+    write(
+        "model/index.html", "model.html",
+        glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     for scene in scenes:
-        page = out / "scenes" / scene.id / "index.html"
         told = _scene(scene, figures[scene.id])
-        _write(page, environment, "scene.html", root="../../", scene=told, **shared)
+        write(f"scenes/{scene.id}/index.html", "scene.html", scene=told)
+
+
+def home_of(code: str) -> str:
+    """Where a language's pages are, relative to the site's root: "" or "de/"."""
+    return "" if code == DEFAULT else f"{code}/"
 
 
 def page_environment(templates: Path, words: Words | None = None) -> Environment:
@@ -49,27 +66,26 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
         lstrip_blocks=True,
     )
     environment.globals.update(sayings(words or read_words()))
+    others = [read_words(code) for code in languages()]
+    environment.globals["languages"] = [
+        {"code": each.code, "name": each.name, "home": home_of(each.code)} for each in others
+    ]
     return environment
 
 
-def _write(page: Path, environment: Environment, template: str, **context: Any) -> None:
-    page.parent.mkdir(parents=True, exist_ok=True)
-    page.write_text(environment.get_template(template).render(context), encoding="utf-8")
-
-
-def _card(scene: Scene) -> dict[str, str]:
+def _card(scene: Scene, home: str) -> dict[str, str]:
     return {
         "id": scene.id,
         "key": scene.key,
         "title": scene.title,
         "teaches": scene.teaches,
-        "url": f"scenes/{scene.id}/index.html",
+        "url": f"{home}scenes/{scene.id}/index.html",
         "thumb": f"scenes/{scene.id}/thumb.png",
     }
 
 
-def _glass(scene: Scene) -> dict[str, str]:
-    return _card(scene) | {"glass_shadows": scene.render.glass_shadows}
+def _glass(scene: Scene, home: str) -> dict[str, str]:
+    return _card(scene, home) | {"glass_shadows": scene.render.glass_shadows}
 
 
 def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
@@ -78,7 +94,7 @@ def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
         "key": scene.key,
         "title": scene.title,
         "teaches": scene.teaches,
-        "picture": "picture.png",
+        "picture": f"scenes/{scene.id}/picture.png",
         "size": scene.render.size,
         "levels": sorted(scene.render.resolutions),
         "depth": scene.render.depth,

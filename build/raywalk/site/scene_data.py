@@ -60,6 +60,19 @@ def scene_data(scene: Scene, display: Display) -> Json:
     }
 
 
+def scene_words(scene: Scene) -> Json:
+    """What of SceneData is words, SceneWords in viewer/trace/types.ts: for a scene in a language
+    other than its own."""
+    return {
+        "title": scene.title,
+        "teaches": scene.teaches,
+        "objects": [obj.name for obj in scene.objects],
+        "lights": [light.name for light in scene.lights],
+        "materials": [material.name for material in scene.materials],
+        "lesson": [[lesson_html(text) for text, _ in step.stops()] for step in scene.lesson],
+    }
+
+
 def _step(step: LessonStep) -> Json:
     said, *revealed = [{"html": lesson_html(text), "view": view} for text, view in step.stops()]
     return said | {"answer": revealed[0]} if revealed else said

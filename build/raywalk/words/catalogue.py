@@ -74,10 +74,32 @@ def languages() -> list[str]:
 
 @cache
 def read_words(code: str = DEFAULT) -> Words:
-    """A language's sentences. Raises KeyError if there is none of that code."""
+    """A language's sentences; what it lacks is said in the default one. Raises KeyError if there
+    is none of that code."""
     if code not in languages():
         raise KeyError(f'no language "{code}"; there are {", ".join(languages())}')
-    return words_from(json.loads((FOLDER / f"{code}.json").read_text(encoding="utf-8")))
+    return words_from(_over(read_tree(DEFAULT), read_tree(code)))
+
+
+def read_tree(code: str) -> dict[str, Any]:
+    """A language's catalogue as it stands in its file."""
+    tree: dict[str, Any] = json.loads((FOLDER / f"{code}.json").read_text(encoding="utf-8"))
+    return tree
+
+
+def missing_sentences(code: str) -> list[str]:
+    """Keys that the default language has and this one lacks."""
+    there = dict(entries(read_tree(code)))
+    return [key for key, _ in entries(read_tree(DEFAULT)) if key not in there]
+
+
+def _over(below: Mapping[str, Any], above: Mapping[str, Any]) -> dict[str, Any]:
+    """`above`, with what it lacks from `below`."""
+    return {**below, **above} | {
+        key: _over(value, above[key])
+        for key, value in below.items()
+        if key in above and not is_entry(value) and not is_entry(above[key])
+    }
 
 
 def words_from(tree: Mapping[str, Any]) -> Words:

@@ -1,0 +1,147 @@
+"""A scene's words in another language: lesson.<language>.toml beside its scene.toml."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pydantic import Field, ValidationError
+
+from raywalk.errors import SourceErrors
+from raywalk.scene.fields import Maybe, Name, Text
+from raywalk.scene.model import LessonStep, Scene
+from raywalk.scene.problems import Problems
+from raywalk.scene.table import Table
+from raywalk.scene.toml import read_toml
+from raywalk.scene.wording import did_you_mean, joined, quoted
+
+
+class TranslatedStep(Table):
+    """What a step of the lesson says; what it shows stands in scene.toml."""
+
+    text: Text = Field(description="what is said or asked, in Markdown")
+    answer: Maybe[Text] = Field(default=None, description="of a question, in Markdown")
+
+
+class TranslationFile(Table):
+    """All words of a scene, in the order of its scene.toml."""
+
+    title: Text = Field(description="a few words")
+    teaches: Text = Field(description="one sentence: what a student takes home")
+    names: dict[str, Name] = Field(
+        default_factory=dict, description="of each object, light and material, by its name there"
+    )
+    lesson: tuple[TranslatedStep, ...] = Field(default=(), description="step by step")
+
+
+@dataclass(frozen=True)
+class Spoken:
+    """A scene in one language."""
+
+    scene: Scene  # its words are that language's if it is translated
+    is_translated: bool
+
+
+def read_spoken(scenes: Iterable[Scene], language: str) -> list[Spoken]:
+    """Scenes in a language other than their own; those without a translation as they are.
+
+    Raises SourceErrors with everything that is wrong in any translation.
+    """
+    spoken, errors = [], []
+    for scene in scenes:
+        file = translation_file(scene, language)
+        if not file.exists():
+            spoken.append(Spoken(scene, False))
+            continue
+        problems = Problems(file)
+        table = _read(file, problems)
+        if table is not None:
+            _check(table, scene, problems)
+        errors += problems.errors
+        if table is not None and not problems.errors:
+            spoken.append(Spoken(in_words_of(table, scene), True))
+    if errors:
+        raise SourceErrors(errors)
+    return spoken
+
+
+def translation_file(scene: Scene, language: str) -> Path:
+    """Where a scene's words in a language stand."""
+    return scene.path.with_name(f"lesson.{language}.toml")
+
+
+def missing_translations(spoken: Iterable[Spoken], language: str) -> list[str]:
+    """A sentence for each scene that has none."""
+    return [
+        f"{each.scene.id}: not translated: {translation_file(each.scene, language).name} "
+        "is missing, so its words stay as in scene.toml"
+        for each in spoken
+        if not each.is_translated
+    ]
+
+
+def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
+    """The scene with another language's words; geometry, light and views as they are."""
+
+    def named(name: str) -> str:
+        return table.names.get(name, name)
+
+    lesson = zip(scene.lesson, table.lesson, strict=True)
+    return replace(
+        scene,
+        title=table.title,
+        teaches=table.teaches,
+        materials=tuple(replace(each, name=named(each.name)) for each in scene.materials),
+        objects=tuple(replace(each, name=named(each.name)) for each in scene.objects),
+        lights=tuple(replace(each, name=named(each.name)) for each in scene.lights),
+        lesson=tuple(
+            replace(step, text=said.text.strip(), answer=(said.answer or "").strip())
+            for step, said in lesson
+        ),
+    )
+
+
+def _read(file: Path, problems: Problems) -> TranslationFile | None:
+    raw = read_toml(file, problems)
+    if raw is None:
+        return None
+    try:
+        return TranslationFile.model_validate(raw)
+    except ValidationError as error:
+        problems.add_refusals(error)
+        return None
+
+
+def _check(table: TranslationFile, scene: Scene, problems: Problems) -> None:
+    _check_names(table, scene, problems)
+    steps, said = len(scene.lesson), len(table.lesson)
+    for i in range(said, steps):
+        problems.add(("lesson", i), f"missing: {scene.path.name} has {steps} steps, this {said}")
+    for i in range(steps, said):
+        problems.add(("lesson", i), f"too many: {scene.path.name} has {steps} steps, this {said}")
+    for i, (step, each) in enumerate(zip(scene.lesson, table.lesson, strict=False)):
+        _check_answer(i, step, each, problems)
+
+
+def _check_answer(i: int, step: LessonStep, said: TranslatedStep, problems: Problems) -> None:
+    if step.answer and not said.answer:
+        problems.add(("lesson", i, "answer"), "missing: this step is a question")
+    if said.answer and not step.answer:
+        message = "this step is no question, so it has no answer"
+        problems.add(("lesson", i, "answer"), message, hint="is a step missing or in the way?")
+
+
+def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> None:
+    parts: Sequence[Sequence[object]] = (scene.objects, scene.lights, scene.materials)
+    known = list(dict.fromkeys(str(getattr(each, "name", "")) for of in parts for each in of))
+    for name in table.names:
+        if name not in known:
+            problems.add(
+                ("names", name),
+                f"{quoted(name)} is no object, light or material of {scene.path.name}",
+                allowed=f"known: {joined(known)}",
+                hint=did_you_mean(name, known),
+            )
+    if untold := [name for name in known if name not in table.names]:
+        problems.add(("names",), f"missing: {joined(untold)}")

@@ -1,0 +1,105 @@
+"""A scene's words in another language are complete, or every mistake is named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from raywalk.errors import SourceErrors
+from raywalk.scene import read_scene, read_scenes
+from raywalk.scene.translation import missing_translations, read_spoken
+from raywalk.words import languages
+
+SCENES = Path(__file__).parent.parent.parent / "scenes"
+OTHERS = [code for code in languages() if code != "en"]
+SCENE = """
+version = 1
+title = "Ball"
+teaches = "Something."
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "white"
+[[lights]]
+name = "lamp"
+position = [1, 2, 3]
+[[lesson]]
+text = "Look."
+[[lesson]]
+text = "What?"
+answer = "That."
+"""
+NAMES = '[names]\nball = "Ball"\nlamp = "Lampe"\nwhite = "Weiß"\n'
+FIRST, SECOND = '[[lesson]]\ntext = "Da."\n', '[[lesson]]\ntext = "Was?"\nanswer = "Das."\n'
+HEAD = 'title = "Ball"\nteaches = "Etwas."\n'
+
+
+def spoken(folder: Path, translation: str | None):
+    place = folder / "01-ball"
+    place.mkdir()
+    (place / "scene.toml").write_text(SCENE, encoding="utf-8")
+    if translation is not None:
+        (place / "lesson.de.toml").write_text(translation, encoding="utf-8")
+    return read_spoken([read_scene(place)], "de")
+
+
+@pytest.mark.parametrize("code", OTHERS)
+def test_every_scene_is_told_in_every_language(code: str) -> None:
+    """Title, lesson, names: nothing is left in English."""
+    told = read_spoken(read_scenes(SCENES), code)
+    assert not missing_translations(told, code)
+    for own, each in zip(read_scenes(SCENES), told, strict=True):
+        assert each.scene.teaches != own.teaches
+        for step, said in zip(own.lesson, each.scene.lesson, strict=True):
+            assert said.text != step.text and said.view == step.view
+            assert bool(said.answer) == bool(step.answer)
+
+
+def test_a_scene_in_another_language_has_its_words_and_keeps_all_else(tmp_path: Path) -> None:
+    [each] = spoken(tmp_path, HEAD + NAMES + FIRST + SECOND)
+    assert each.is_translated
+    scene = each.scene
+    assert (scene.title, scene.teaches) == ("Ball", "Etwas.")
+    assert (scene.objects[0].name, scene.lights[0].name) == ("Ball", "Lampe")
+    assert [(step.text, step.answer) for step in scene.lesson] == [("Da.", ""), ("Was?", "Das.")]
+    assert scene.camera.eye == (0, 0, 5)
+
+
+def test_a_scene_without_a_translation_stays_as_it_is_and_is_named(tmp_path: Path) -> None:
+    told = spoken(tmp_path, None)
+    assert told[0].scene.teaches == "Something."
+    assert missing_translations(told, "de") == [
+        "01-ball: not translated: lesson.de.toml is missing, so its words stay as in scene.toml"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("translation", "words"),
+    [
+        (HEAD + NAMES + FIRST, ["lesson[1]: missing: scene.toml has 2 steps, this 1"]),
+        (HEAD + NAMES + FIRST + SECOND + FIRST, ["lesson[2]: too many"]),
+        (HEAD + NAMES + FIRST + FIRST, ["lesson[1].answer: missing: this step is a question"]),
+        (HEAD + NAMES + SECOND + SECOND, ["lesson[0].answer: this step is no question"]),
+        (HEAD + FIRST + SECOND, ["names: missing: ball", "lamp", "white"]),
+        (HEAD + NAMES + 'bal = "x"\n' + FIRST + SECOND, ["names.bal", 'did you mean "ball"?']),
+        (NAMES + FIRST + SECOND, ["title: missing", "teaches: missing"]),
+        (HEAD + 'key = "1"\n' + NAMES + FIRST + SECOND, ["key: unknown key", "allowed: title"]),
+        (HEAD + NAMES + '[[lesson]]\ntext = ""\n' + SECOND, ["lesson[0].text"]),
+        ("title = ", ["not TOML"]),
+    ],
+)
+def test_mistakes_are_named_with_file_and_key(
+    tmp_path: Path, translation: str, words: list[str]
+) -> None:
+    with pytest.raises(SourceErrors) as raised:
+        spoken(tmp_path, translation)
+    said = str(raised.value)
+    assert "01-ball/lesson.de.toml" in said
+    for each in words:
+        assert each in said
