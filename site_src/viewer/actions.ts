@@ -69,6 +69,8 @@ export function createActions(session: Session, outside: Outside) {
       outside.draw();
     },
 
+    projector: () => doing((now) => ({ ...now, projector: !now.projector })),
+
     sceneKey: outside.sceneOfKey,
   };
 }

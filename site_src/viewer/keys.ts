@@ -14,6 +14,11 @@ export interface KeyActs {
   play: () => void;
   event: (by: 1 | -1) => void;
   endEvents: () => void;
+  fullScreen: () => void;
+  projector: () => void;
+  help: () => void;
+  /** A key has done something. */
+  pressed: (key: string) => void;
 }
 
 const SLIDER = "input[type=range]";
@@ -40,6 +45,9 @@ export function listenToKeys(acts: KeyActs) {
     p: acts.play,
     ",": () => acts.event(-1),
     ".": () => acts.event(1),
+    f: acts.fullScreen,
+    j: acts.projector,
+    "?": acts.help,
     Escape: acts.endEvents,
   };
 
@@ -51,9 +59,10 @@ export function listenToKeys(acts: KeyActs) {
     if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const act = /^\d$/.test(key) ? () => acts.sceneKey(key) : table[key];
-    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvp\d]$/.test(key)))) return;
+    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvpfj?\d]$/.test(key)))) return;
     event.preventDefault();
     act();
+    acts.pressed(key);
   }
 
   window.addEventListener("keydown", press);

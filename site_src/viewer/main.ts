@@ -8,6 +8,7 @@ import { createNavigation } from "./navigation";
 import { createNotice } from "./panels/notice";
 import { createParts } from "./parts";
 import { createSession } from "./session";
+import { createModes } from "./modes";
 import { readAddress } from "./state/address";
 import { passTime } from "./time";
 
@@ -34,8 +35,12 @@ function start() {
     notify: notice.say,
     simpler: (why) => notice.say((simpler = why)),
   });
+  const modes = createModes(session, acts, { link: navigation.link, snapshot: parts.snapshot, notify: notice.say });
   const beat = createBeat({
-    draw: () => parts.render(beat.isDark()),
+    draw() {
+      modes.show();
+      parts.render(beat.isDark());
+    },
     runs: () => !held && (session.state?.tiles === "filling" || session.state?.playing === true),
     step: (seconds) => passTime(session, seconds),
     blinks: () => !!session.state && !session.state.still && !reducedMotion.matches && parts.linesDrawn() < BLINK_UP_TO,
@@ -49,7 +54,7 @@ function start() {
     },
     otherLevel: () => void navigation.loadTrace(),
   });
-  listenToKeys(acts);
+  listenToKeys({ ...acts, ...modes });
   giveKeysBack(body);
   listenToLinks(document.querySelectorAll<HTMLAnchorElement>("nav.scenes a"), { open: navigation.open, turn: navigation.turn });
   reducedMotion.addEventListener("change", () => beat.draw());

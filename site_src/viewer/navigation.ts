@@ -4,7 +4,7 @@ import { createLoader } from "./load";
 import type { Session } from "./session";
 import { followAddress, readAddress } from "./state/address";
 import * as player from "./state/play";
-import type { ViewState } from "./state/view-state";
+import type { Kept } from "./state/view-state";
 import { troubleOfScene, troubleOfTrace } from "./trouble";
 import { list, say } from "./words";
 
@@ -24,8 +24,6 @@ export interface Notice {
   text: () => string;
   lasting: () => string; // what stays true in another scene, or ""
 }
-
-type Kept = Pick<ViewState, "speed" | "still" | "gl">;
 
 export function createNavigation(session: Session, { root, home, links, withGl }: Place, notice: Notice, draw: () => void) {
   const { body } = document;
@@ -147,6 +145,13 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     ready: () => ready,
     loadTrace,
     loadSections,
+    /** The view's whole address; embedded, that of the page it belongs to. */
+    link() {
+      writeAddress("replace");
+      const whole = new URL(location.href);
+      whole.searchParams.delete("embed");
+      return whole.href;
+    },
     open,
     /** The next or the previous scene, round and round. */
     turn(by: 1 | -1, intoLesson = false) {

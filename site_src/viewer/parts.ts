@@ -1,6 +1,7 @@
 /** The page's parts, where they stand, and what each of them shows of the present. */
 import type { Actions } from "./actions";
 import { contrastWith } from "./palette";
+import { createCode } from "./panels/code";
 import { createCard } from "./panels/card";
 import { createControls } from "./panels/controls";
 import { element } from "./panels/element";
@@ -14,6 +15,8 @@ import type { Session } from "./session";
 import { createSlice } from "./stage/slice";
 import { createStage } from "./stage/stage";
 import { sectionOf } from "./state/section";
+import { snapshot } from "./stage/snapshot";
+import { pixelIndex, tileColour } from "./state/view-state";
 import { createViewSwitch } from "./panels/view-switch";
 import { say } from "./words";
 
@@ -40,14 +43,15 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const controls = createControls(acts);
   const legend = createLegend();
   const lesson = createLesson(acts);
-  const player = createPlayer(acts);
+  const code = createCode();
+  const player = createPlayer(acts, code.toggle);
   const page = createPage(pageParts);
 
   home.append(
     element(
       "div",
       "work",
-      element("section", "stage", stage.element, slice.element, viewSwitch.element, legend.element, pad.element),
+      element("div", "stage-row", code.element, element("section", "stage", stage.element, slice.element, viewSwitch.element, legend.element, pad.element)),
       lesson.element,
       player.element,
       controls.element,
@@ -83,8 +87,20 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       controls.show(state, scene);
       lesson.show(state, scene, event);
       player.show(state, view.timeline);
+      code.show(event, trace, pixelIndex(state));
       page.show(scene, trace);
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
+    },
+    /** What the stage shows, as a picture with a line under it; null before there is anything. */
+    snapshot(): HTMLCanvasElement | null {
+      const { state, scene } = session;
+      const trace = session.trace();
+      if (!state || !scene) return null;
+      const [column, row] = state.pixel;
+      const colour = trace ? tileColour(trace, pixelIndex(state)).join(", ") : "";
+      const flat = slice.element.hidden ? null : slice.element;
+      const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
+      return snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), say("tools.saved", { scene: scene.title, column, row, n: state.n, colour }));
     },
     linesDrawn: () => drawn.lines,
     /** For tests. */

@@ -62,7 +62,7 @@ test("trace and state know neither the page nor three; only the stage knows thre
 });
 
 test("no file outgrows 350 lines", () => {
-  for (const file of sources) assert.ok(text(file).split("\n").length <= 350, file);
+  for (const file of sources.filter((each) => !each.endsWith(".d.ts"))) assert.ok(text(file).split("\n").length <= 350, file); // those are made
 });
 
 test("every scene has its page, picture, data and grids", () => {

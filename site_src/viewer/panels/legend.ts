@@ -14,11 +14,11 @@ function sample(kind: LineKind): SVGElement {
     for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
     return made;
   };
-  const { colour, dash } = LINES[kind];
+  const { dash } = LINES[kind];
   const svg = make("svg", { width: LONG + 8, height: 12, viewBox: `0 0 ${LONG + 8} 12`, "aria-hidden": "true" });
   svg.append(
-    make("line", { x1: 0, y1: 6, x2: LONG, y2: 6, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
-    make("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, fill: colour }),
+    make("line", { x1: 0, y1: 6, x2: LONG, y2: 6, class: `stroke ${kind}`, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
+    make("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, class: `fill ${kind}` }),
   );
   return svg;
 }

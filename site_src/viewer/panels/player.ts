@@ -1,5 +1,4 @@
 /** The step-by-step player's row: one event back, play, one on, a scrub bar coloured by ray kind, speed. */
-import { LINES } from "../palette";
 import type { RayEvent } from "../state/events";
 import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
@@ -17,10 +16,10 @@ export interface PlayerActs {
   speed: () => void;
 }
 
-const QUIET = "#8794a3"; // events without a ray: sums
+const QUIET = "var(--ray-none)"; // events without a ray: sums
 const GAPS_UP_TO = 60; // events: with more, gaps would eat the colours
 
-const colourOf = (event: RayEvent) => (event.line ? LINES[event.line].colour : QUIET);
+const colourOf = (event: RayEvent) => (event.line ? `var(--ray-${event.line})` : QUIET);
 
 function paint({ events, starts }: Timeline): string {
   const end = starts[starts.length - 1];
@@ -32,7 +31,7 @@ function paint({ events, starts }: Timeline): string {
   return `linear-gradient(90deg, ${stops.join(", ")})`;
 }
 
-export function createPlayer(acts: PlayerActs) {
+export function createPlayer(acts: PlayerActs, code: HTMLElement) {
   const back = button("", say("player.back"), () => acts.event(-1), { className: "sign" });
   const play = button(say("player.play.word"), say("player.play.help"), acts.play, { key: "P", className: "play" });
   const on = button("", say("player.on"), () => acts.event(1), { className: "sign" });
@@ -60,7 +59,7 @@ export function createPlayer(acts: PlayerActs) {
   });
   const bar = element("div", "timeline", colours, ahead, range);
   const count = element("span", "event-count numbers");
-  const root = element("section", "player", back, play, on, bar, count, speed, end);
+  const root = element("section", "player", back, play, on, bar, count, speed, code, end);
   root.setAttribute("aria-label", say("player.region"));
   let shown: { timeline?: Timeline | null; playing?: boolean } = {};
 

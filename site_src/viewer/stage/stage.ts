@@ -162,6 +162,11 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     turn,
     shift,
     come,
+    /** The drawing, drawn this moment: later the browser may have cleared it. */
+    redrawn() {
+      draw();
+      return renderer.canvas;
+    },
     /** For tests: what is drawn where. */
     stats: () => ({
       frames,

@@ -1,11 +1,11 @@
 /** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is as at the scene's start is
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
-import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type RayChoice, type ViewState } from "./view-state";
+import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type Kept, type RayChoice, type ViewState } from "./view-state";
 import { SLICES } from "./section";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "slice", "step", "answer", "e", "speed", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "slice", "step", "answer", "e", "speed", "projector", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const placeOf = (observer: ViewState["observer"]) =>
@@ -28,6 +28,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
   if (state.speed !== 1) put("speed", state.speed);
+  if (state.projector) put("projector", 1);
   if (state.still) put("still", 1);
   if (!state.gl) put("gl", "none");
   return parts.join("&");
@@ -63,7 +64,7 @@ function readObserver(text: string): View["observer"] | null {
 export function followAddress(
   fields: ReadonlyMap<string, string>,
   scene: SceneData,
-  kept: Pick<ViewState, "speed" | "still" | "gl">,
+  kept: Kept,
 ): { state: ViewState; damaged: string[] } {
   const damaged = [...fields.keys()].filter((key) => !KNOWN.includes(key));
   const read = <T>(key: string, parse: (text: string) => T | null): T | undefined => {
@@ -95,6 +96,7 @@ export function followAddress(
   // How many events there are is known with the trace.
   const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;
   const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;
-  const state = applyView(scene, startState(scene, { ...kept, speed }), view);
+  const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
+  const state = applyView(scene, startState(scene, { ...kept, speed, projector }), view);
   return { state: { ...state, step, revealed, event }, damaged };
 }

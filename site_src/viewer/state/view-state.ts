@@ -23,6 +23,7 @@ export interface ViewState {
   slice: Slice; // the plane of the selected row's or column's rays, drawn flat instead of the stage
   step: number | null; // of the lesson
   revealed: boolean; // the step's answer
+  projector: boolean; // large type on a light page
   still: boolean; // no clock: no blinking, tiles fill at once, no line grows
   event: number | null; // of the selected pixel, told step by step; null: all of it shows
   share: number; // of that event's time that has passed, 0..1
@@ -37,7 +38,10 @@ const middle = (pixel: readonly [number, number], n: number): readonly [number, 
   (pixel[1] + 0.5) / n,
 ];
 
-export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "still" | "gl">): ViewState {
+/** What stays when another scene or a lesson's step is shown. */
+export type Kept = Pick<ViewState, "speed" | "still" | "gl"> & { projector?: boolean };
+
+export function startState(scene: SceneData, kept: Kept): ViewState {
   const { resolution, pixel } = scene.start;
   return {
     scene: scene.id,
@@ -53,6 +57,7 @@ export function startState(scene: SceneData, kept: Pick<ViewState, "speed" | "st
     revealed: false,
     ...NOT_TOLD,
     speed: kept.speed,
+    projector: kept.projector ?? false,
     still: kept.still,
     gl: kept.gl,
   };

@@ -1,0 +1,55 @@
+/** How the page is used: within another one, full screen, on a projector; and what is taken from it, a link or a picture. */
+import type { Actions } from "./actions";
+import { createHelp, createKeySign } from "./panels/help";
+import { createTools } from "./panels/tools";
+import type { Session } from "./session";
+import { say } from "./words";
+
+export interface Taken {
+  link: () => string;
+  snapshot: () => HTMLCanvasElement | null;
+  notify: (sentence: string) => void;
+}
+
+export function createModes(session: Session, acts: Actions, { link, snapshot, notify }: Taken) {
+  const { body } = document;
+  const isEmbedded = new URLSearchParams(location.search).has("embed");
+  const sign = createKeySign();
+
+  function save() {
+    const { state } = session;
+    snapshot()?.toBlob((blob) => {
+      if (!blob || !state) return;
+      const file = document.createElement("a");
+      file.href = URL.createObjectURL(blob);
+      file.download = `${state.scene}-${state.pixel.join("-")}.png`;
+      file.click();
+      setTimeout(() => URL.revokeObjectURL(file.href), 1000);
+    });
+  }
+
+  function fullScreen() {
+    const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
+    (done ?? Promise.reject()).catch(() => notify(say("tools.noScreen")));
+  }
+
+  const help = createHelp();
+  const tools = createTools({ link, save, fullScreen, projector: acts.projector, help });
+  body.classList.toggle("embed", isEmbedded);
+  if (isEmbedded) body.append(tools.whole);
+  else body.insertBefore(tools.element, document.querySelector("nav.scenes"));
+  body.append(sign.element);
+
+  return {
+    fullScreen,
+    help,
+    pressed(key: string) {
+      if (session.state?.projector) sign.show(key);
+    },
+    show() {
+      const isProjector = session.state?.projector ?? false;
+      body.classList.toggle("projector", isProjector);
+      tools.show(isProjector);
+    },
+  };
+}

@@ -1,0 +1,80 @@
+/** The algorithm beside the player, as pseudo-code to read: the line that the told event belongs to is marked. Nothing here runs. */
+import type { RayEvent } from "../state/events";
+import { treeOf } from "../state/lines";
+import type { Trace } from "../trace/types";
+import { say } from "../words";
+import { button, element } from "./element";
+import { recall, remember } from "./remember";
+
+type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | "mirror" | "clear" | "back", ...whats: RayEvent["what"][]];
+
+const LINES: readonly Line[] = [
+  [0, "pixels"],
+  [1, "pixel", "camera", "pixel"],
+  [0, "trace"],
+  [1, "hit", "meets"],
+  [1, "miss", "background"],
+  [1, "ambient"],
+  [1, "lights"],
+  [2, "shadow", "reached", "blocked", "away", "unasked"],
+  [3, "add"],
+  [1, "share", "local"],
+  [1, "left", "stops"],
+  [2, "mirror", "reflected", "total"],
+  [2, "clear", "refracted"],
+  [1, "back", "gather"],
+];
+/** What else the event has come through. */
+const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], unasked: ["add"], local: ["ambient", "add"], reflected: ["trace"], refracted: ["trace"], total: ["trace"], camera: ["trace"] };
+
+const MOST_CALLS = 4; // told of a chain
+const OPEN_FROM = 1500; // CSS pixels of width: on a narrower page it is folded at first
+
+export function createCode() {
+  const lines = LINES.map(([indent, name]) => {
+    const line = element("li", "", say(`code.line.${name}`));
+    line.dataset.indent = String(indent);
+    return line;
+  });
+  const calls = element("p", "code-calls numbers");
+  const root = element("section", "code", element("h2", "", say("code.title")), calls, element("ol", "code-lines", ...lines));
+  root.id = "code";
+  root.setAttribute("aria-label", say("code.title"));
+  const toggle = button(say("code.word"), say("code.help"), () => fold(!root.hidden), { className: "code-toggle" });
+  toggle.setAttribute("aria-controls", root.id);
+
+  function fold(away: boolean) {
+    root.hidden = away;
+    toggle.setAttribute("aria-expanded", String(!away));
+    remember("code", away ? "folded" : "open");
+  }
+  const kept = recall("code");
+  fold(kept ? kept === "folded" : innerWidth < OPEN_FROM);
+  let shown: RayEvent | null | undefined;
+
+  return {
+    element: root,
+    toggle,
+    show(told: RayEvent | null, trace: Trace | null, pixel: number) {
+      if (shown === told) return;
+      shown = told;
+      LINES.forEach(([, name, ...whats], k) => {
+        const isHere = !!told && whats.includes(told.what);
+        lines[k].classList.toggle("here", isHere);
+        lines[k].classList.toggle("with", !!told && !isHere && !!WITH[told.what]?.includes(name));
+        if (isHere) lines[k].setAttribute("aria-current", "step");
+        else lines[k].removeAttribute("aria-current");
+      });
+      calls.textContent = told && trace ? callsOf(told.ray, trace, pixel) : say("code.idle");
+    },
+  };
+}
+
+/** Who called whom: trace(ray 3) in trace(ray 1). */
+function callsOf(ray: number, trace: Trace, pixel: number): string {
+  const numbers = treeOf(trace, pixel);
+  const chain: string[] = [];
+  for (let at = ray; at >= 0; at = trace.parent[at]) chain.push(say("code.call", { ray: numbers.indexOf(at) + 1 }));
+  if (chain.length > MOST_CALLS) chain.splice(MOST_CALLS - 1, chain.length - MOST_CALLS, "\u2026");
+  return chain.join(` ${say("code.in")} `);
+}

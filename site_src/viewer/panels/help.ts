@@ -1,0 +1,83 @@
+/** All keys on one sheet, and what a pressed key means for those who watch. */
+import { say } from "../words";
+import { createDialog } from "./dialog";
+import { element } from "./element";
+
+/** keys: as events name them. signs: as people read them, if that is something else. */
+const ROWS = [
+  { name: "render", keys: [" "] },
+  { name: "all", keys: ["a"] },
+  { name: "row", keys: ["h"] },
+  { name: "column", keys: ["v"] },
+  { name: "move", keys: ["ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight"] },
+  { name: "level", keys: ["+", "-"] },
+  { name: "colours", keys: ["c"] },
+  { name: "slice", keys: ["x"] },
+  null,
+  { name: "play", keys: ["p"] },
+  { name: "event", keys: [",", "."] },
+  { name: "bounces", keys: ["[", "]"] },
+  { name: "lamp", keys: ["l"] },
+  { name: "shadows", keys: ["s"] },
+  null,
+  { name: "drag", keys: [] },
+  { name: "shiftDrag", keys: [] },
+  { name: "wheel", keys: [] },
+  { name: "camera", keys: ["r"] },
+  null,
+  { name: "scene", keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0"] },
+  { name: "page", keys: ["PageUp", "PageDown"] },
+  { name: "fullScreen", keys: ["f"] },
+  { name: "projector", keys: ["j"] },
+  { name: "help", keys: ["?"] },
+  { name: "back", keys: ["Escape"] },
+] as const;
+
+const SIGNS: Readonly<Record<string, string>> = { ArrowLeft: "\u2190", ArrowUp: "\u2191", ArrowDown: "\u2193", ArrowRight: "\u2192", "-": "\u2212" };
+const signOf = (key: string) => {
+  if (key === " ") return say("key.space");
+  if (key === "PageUp" || key === "PageDown" || key === "Escape") return say(`key.${key}`);
+  return SIGNS[key] ?? key.toUpperCase();
+};
+
+/** A sheet that opens and closes by the same key. */
+export function createHelp() {
+  let sheet: ReturnType<typeof createDialog> | null = null;
+  return () => {
+    if (sheet?.isOpen()) return sheet.close();
+    const lists = [element("dl", "keys")];
+    for (const row of ROWS) {
+      if (!row) {
+        lists.push(element("dl", "keys"));
+        continue;
+      }
+      const signs = row.name === "scene" ? ["1", "\u2026", "9", "0"] : row.keys.length ? row.keys.map(signOf) : [say(`key.${row.name as "drag"}.sign`)];
+      const term = element("dt", "", ...signs.map((sign) => (sign === "\u2026" ? sign : element("kbd", "", sign))), ...(row.name === "lamp" ? [` ${say("key.number")}`] : []));
+      lists[lists.length - 1].append(element("div", "", term, element("dd", "", say(`key.${row.name}.does`))));
+    }
+    sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")));
+    sheet.sheet.addEventListener("keydown", (event) => event.key === "?" && sheet?.close());
+    sheet.open();
+  };
+}
+
+const SEEN_FOR = 1600; // ms
+
+/** The last key and what it did, large, for those who watch a screen from afar. */
+export function createKeySign() {
+  const root = element("div", "key-sign");
+  root.setAttribute("aria-hidden", "true");
+  root.hidden = true;
+  let timer = 0;
+  return {
+    element: root,
+    show(key: string) {
+      const row = ROWS.find((each) => each && (each.keys as readonly string[]).includes(key));
+      if (!row) return;
+      root.replaceChildren(element("kbd", "", signOf(key)), ` ${say(`key.${row.name}.does`)}`);
+      root.hidden = false;
+      clearTimeout(timer);
+      timer = window.setTimeout(() => (root.hidden = true), SEEN_FOR);
+    },
+  };
+}
