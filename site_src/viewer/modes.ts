@@ -1,5 +1,6 @@
 /** How the page is used: within another one, full screen, on a projector; and what is taken from it, a link or a picture. */
 import type { Actions } from "./actions";
+import { lightColours } from "./palette";
 import { createHelp, createKeySign } from "./panels/help";
 import { createTools } from "./panels/tools";
 import type { Session } from "./session";
@@ -8,10 +9,11 @@ import { say } from "./words";
 export interface Taken {
   link: () => string;
   snapshot: () => HTMLCanvasElement | null;
+  recolour: () => void;
   notify: (sentence: string) => void;
 }
 
-export function createModes(session: Session, acts: Actions, { link, snapshot, notify }: Taken) {
+export function createModes(session: Session, acts: Actions, { link, snapshot, recolour, notify }: Taken) {
   const { body } = document;
   const isEmbedded = new URLSearchParams(location.search).has("embed");
   const sign = createKeySign();
@@ -49,6 +51,7 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, n
     show() {
       const isProjector = session.state?.projector ?? false;
       body.classList.toggle("projector", isProjector);
+      if (lightColours(isProjector)) recolour();
       tools.show(isProjector);
     },
   };

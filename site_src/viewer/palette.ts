@@ -3,7 +3,7 @@ import type { LineKind } from "./state/lines";
 
 /** How a kind of ray is drawn: never by hue alone, so each has its own dash.
  *  dash: [drawn, gap] in screen pixels; [1, 0] is a solid line. */
-export const LINES: Readonly<Record<LineKind, { colour: string; dash: readonly [number, number] }>> = {
+export const LINES: Readonly<Record<LineKind, { colour: string; readonly dash: readonly [number, number] }>> = {
   camera: { colour: "#F0E442", dash: [1, 0] },
   reflected: { colour: "#56B4E9", dash: [12, 6] },
   refracted: { colour: "#CC79A7", dash: [20, 4] },
@@ -18,7 +18,28 @@ export const STAGE = {
   frustum: "#8B95A3",
   gridEmpty: "#AEB9C7",
   gridFilled: "#10141A",
-} as const;
+  ring: "#FFFFFF", // round an empty tile
+  casing: "", // round the selected rays
+  wall: [0.4, 0.43, 0.48], // shares of its colour: walls step back behind the objects they carry
+};
+
+/** On a light page: as on paper, with a white casing so that dark lines show on dark things. */
+const LIGHT = {
+  lines: { camera: "#000000", reflected: "#0072B2", refracted: "#CC79A7", total: "#0072B2", reached: "#009E73", blocked: "#D55E00" },
+  stage: { lamp: "#E69F00", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", casing: "#FFFFFF", wall: [1, 1, 1] },
+};
+const DARK_PAGE = { lines: Object.fromEntries(Object.entries(LINES).map(([kind, { colour }]) => [kind, colour])), stage: { ...STAGE } };
+let isLight = false;
+
+/** Colours for a light or a dark page from now on. Returns whether they are others than before. */
+export function lightColours(light: boolean): boolean {
+  if (light === isLight) return false;
+  isLight = light;
+  const { lines, stage } = light ? LIGHT : DARK_PAGE;
+  for (const [kind, colour] of Object.entries(lines)) LINES[kind as LineKind].colour = colour;
+  Object.assign(STAGE, stage);
+  return true;
+}
 
 /** [r, g, b], each 0..1. */
 export function rgb(hex: string): [number, number, number] {
@@ -32,7 +53,7 @@ const BRIGHT = 0.75;
 /** Outline of the selected tile: light on dark, black on white, yellow in between.
  *  tile: 8-bit red, green, blue, or null for a tile that is still empty. */
 export function contrastWith(tile: readonly [number, number, number] | null): string {
-  if (!tile) return "#FFFFFF";
+  if (!tile) return STAGE.ring;
   const brightness = (0.299 * tile[0] + 0.587 * tile[1] + 0.114 * tile[2]) / 255;
   return brightness < DARK ? "#FFFFFF" : brightness > BRIGHT ? "#000000" : "#FFF04A";
 }

@@ -102,6 +102,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
       return snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), say("tools.saved", { scene: scene.title, column, row, n: state.n, colour }));
     },
+    recolour: stage.recolour,
     linesDrawn: () => drawn.lines,
     /** For tests. */
     stats: () => ({ ...stage.stats(), shown: drawn, renders }),

@@ -84,6 +84,14 @@ function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick
   if (!kept) return;
   const [a, b] = kept.map(projection.project);
   const { colour, dash } = LINES[kind];
+  if (STAGE.casing && width >= 1) {
+    brush.strokeStyle = STAGE.casing;
+    brush.lineWidth = width + 4;
+    brush.beginPath();
+    brush.moveTo(a.x, a.y);
+    brush.lineTo(b.x, b.y);
+    brush.stroke();
+  }
   brush.strokeStyle = brush.fillStyle = colour;
   brush.lineWidth = width;
   brush.setLineDash(dash[0] === 1 ? [] : [...dash]);
@@ -171,6 +179,7 @@ export function createFlatRenderer(): StageRenderer {
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     },
+    forget: () => {}, // it keeps none
     dispose: () => canvas.remove(),
   };
 }

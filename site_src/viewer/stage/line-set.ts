@@ -9,7 +9,7 @@ import {
   Mesh,
   type ShaderMaterial,
 } from "three";
-import { LINES, rgb } from "../palette";
+import { LINES, rgb, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { createLineMaterial } from "./line-shader";
 
@@ -46,10 +46,12 @@ export function createLineSet(thick: boolean) {
     object.add(drawn);
     return drawn;
   };
-  put(body, createLineMaterial(false, thick ? 3 : 1, thick ? 1 : 0.6), 4);
-  put(heads, createLineMaterial(true, thick ? 13 : 8, thick ? 1 : 0.75), 4);
+  if (thick && STAGE.casing) put(body, createLineMaterial("casing", 7, 0.75), 3.5);
+  const drawn = createLineMaterial("line", thick ? 3 : 1, thick ? 1 : 0.6);
+  put(body, drawn, 4);
+  put(heads, createLineMaterial("arrow", thick ? 13 : 8, thick ? 1 : 0.75), 4);
   // What an object hides of the selected rays shines through it faintly: they must be followed.
-  if (thick) put(body, createLineMaterial(false, 3, 0.28, { depthFunc: GreaterDepth }), 6);
+  if (thick) put(body, createLineMaterial("line", 3, 0.28, { depthFunc: GreaterDepth }), 6);
 
   return {
     object,
@@ -72,7 +74,7 @@ export function createLineSet(thick: boolean) {
       }
       heads.instanceCount = lines.length > ARROWS_UP_TO ? 0 : lines.length;
       object.visible = lines.length > 0;
-      if (!thick) materials[0].uniforms.opacity.value = lines.length > FAINTEST_FROM ? 0.07 : lines.length > FAINT_FROM ? 0.2 : 0.6;
+      if (!thick) drawn.uniforms.opacity.value = lines.length > FAINTEST_FROM ? 0.07 : lines.length > FAINT_FROM ? 0.2 : 0.6;
     },
     /** CSS pixels. */
     resize(width: number, height: number) {

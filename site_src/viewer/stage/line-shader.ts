@@ -50,6 +50,10 @@ varying vec3 vTint;
 varying vec2 vDash;
 varying float vLit, vAlong;
 void main() {
+#ifdef CASING
+  gl_FragColor = vec4(1.0, 1.0, 1.0, opacity);
+  return;
+#endif
 #ifndef ARROW
   if (mod(vAlong, vDash.x + vDash.y) > vDash.x) discard;
 #endif
@@ -57,11 +61,11 @@ void main() {
 }`;
 
 /** width: of the line, or of its arrow head, in CSS pixels. */
-export function createLineMaterial(arrow: boolean, width: number, opacity: number, more: ShaderMaterialParameters = {}) {
+export function createLineMaterial(kind: "line" | "arrow" | "casing", width: number, opacity: number, more: ShaderMaterialParameters = {}) {
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
-    defines: arrow ? { ARROW: 1 } : {},
+    defines: { arrow: { ARROW: 1 }, casing: { CASING: 1 }, line: {} }[kind],
     uniforms: { stage: { value: new Vector2(1, 1) }, width: { value: width }, opacity: { value: opacity } },
     transparent: true, // drawn with the see-through things, that is after the walls
     depthWrite: false,

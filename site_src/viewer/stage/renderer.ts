@@ -22,6 +22,8 @@ export interface StageView {
 export interface StageRenderer {
   canvas: HTMLCanvasElement;
   draw: (view: StageView, observer: Observer, projection: Projection) => void;
+  /** Colours are others now: what was made with the old ones goes. */
+  forget: () => void;
   /** CSS pixels, and device pixels in each. */
   resize: (width: number, height: number, ratio: number) => void;
   dispose: () => void;

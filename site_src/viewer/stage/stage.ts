@@ -162,6 +162,8 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     turn,
     shift,
     come,
+    /** Colours are others now. */
+    recolour: () => renderer.forget(),
     /** The drawing, drawn this moment: later the browser may have cleared it. */
     redrawn() {
       draw();

@@ -11,13 +11,13 @@ import {
   Vector3,
   type MeshPhongMaterial,
 } from "three";
+import { STAGE } from "../palette";
 import { planeOf } from "../state/placing";
 import { add, cross, dot, scale, sub, unit, type Vec3 } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import type { Looks } from "./looks";
 
 const REACH = 2.1; // of the scene's radius
-const CALM = [0.4, 0.43, 0.48] as const; // walls step back behind the objects they carry
 type Side = { point: Vec3; normal: Vec3 };
 
 /** The half of space on the eye's side: what lies behind another wall is not drawn. */
@@ -28,7 +28,7 @@ function eyeSide({ point, normal }: Side, eye: Vec3): Plane {
 
 function checkerTexture(object: ObjectData, scene: SceneData): DataTexture {
   const [a, b] = [object.material, object.checker!.material].map((k) =>
-    [...scene.materials[k].diffuse.map((v, c) => Math.round(255 * v * CALM[c])), 255],
+    [...scene.materials[k].diffuse.map((v, c) => Math.round(255 * v * STAGE.wall[c])), 255],
   );
   const texture = new DataTexture(new Uint8Array([...a, ...b, ...b, ...a]), 2, 2);
   texture.wrapS = texture.wrapT = RepeatWrapping;
@@ -57,7 +57,7 @@ export function createWall(object: ObjectData, scene: SceneData, looks: Looks, o
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
 
   const look = looks.of(scene.materials[object.material], FrontSide) as MeshPhongMaterial;
-  look.color.setRGB(look.color.r * CALM[0], look.color.g * CALM[1], look.color.b * CALM[2]);
+  look.color.setRGB(look.color.r * STAGE.wall[0], look.color.g * STAGE.wall[1], look.color.b * STAGE.wall[2]);
   look.emissive?.multiplyScalar(0.6); // a mirror or glass wall has neither
   look.specular?.multiplyScalar(0.4);
   const { checker } = object;

@@ -110,6 +110,10 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
       renderer.setSize(width, height, false);
       for (const set of sets.values()) set.resize(width, height, ratio);
     },
+    forget() {
+      for (const set of sets.values()) set.dispose();
+      sets.clear();
+    },
     dispose() {
       for (const set of sets.values()) set.dispose();
       renderer.dispose();
