@@ -24,6 +24,7 @@ from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages
 from raywalk.site.scene_data import Display, scene_data, scene_words
+from raywalk.site.spared import as_table, spared_lines, spared_of
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -67,6 +68,10 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
         yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
     entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
     facts = {scene.id: facts_of(entries[scene.id]) for scene in scenes}
+    words = read_words()
+    if chosen.stats:
+        yield from (as_table(id, counted, words) for id, counted in facts.items())
+        yield words.say("spared.note")
     notes = [line for scene in scenes for line in remarks(scene, facts[scene.id])]
     for code, told in spoken.items():
         notes += missing_translations(told, code)
@@ -154,8 +159,9 @@ def write_edition(
         text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
         write_script(path, f"{scene.id}/words-{code}", text.encode())
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
+    spared = {scene.id: spared_lines(facts[scene.id], words) for scene in scenes}
     told_by = assets | write_words(out, words)
-    write_pages(out, site_source / "templates", scenes, figures, told_by, words)
+    write_pages(out, site_source / "templates", scenes, figures, told_by, words, spared)
 
 
 def bundle(site_source: Path, folder: Path) -> None:
@@ -168,7 +174,8 @@ def bundle(site_source: Path, folder: Path) -> None:
 
 def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
     """scene.js: what the viewer is told of a scene."""
-    data = scene_data(scene, read_display(scene, entry.folder / "display.npz"))
+    display = read_display(scene, entry.folder / "display.npz")
+    data = scene_data(scene, display) | {"spared": spared_of(facts_of(entry))}
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
 
-from raywalk.geometry.display import display_triangles
-from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.overlap import overlap_warnings
 from raywalk.scene.model import Mesh, Scene
+from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import RayTree, Visibility
-from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
+from raywalk.trace.wavefront import Tracer, trace_picture
 from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
 from raywalk.trace_file.script import write_script
+
+if TYPE_CHECKING:
+    from raywalk.geometry.mesh_file import Triangles
 
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
@@ -36,6 +38,8 @@ def write_products(scene: Scene, folder: Path, threads: int) -> None:
     sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
     write_script(folder / "sections.js", f"{scene.id}/sections", sections.encode())
     facts = counts(traced.tree) | {
+        "tally": traced.tally.as_dict(),
+        "not_run": tracer.plan.stages_not_run,
         "dropped": dropped_triangles(tracer),
         "warnings": overlap_warnings(scene, tracer.compiled),
     }
@@ -76,6 +80,9 @@ def write_display(path: Path, scene: Scene, tracer: Tracer) -> None:
     arrays: dict[str, np.ndarray] = {"centre": centre, "radius": np.array(radius)}
     for k, obj in enumerate(scene.objects):
         if isinstance(obj.shape, Mesh):
+            # Only here: a scene without a mesh imports nothing that reads one.
+            from raywalk.geometry.display import display_triangles
+
             arrays |= _mesh_arrays(k, display_triangles(scene, obj))
     np.savez(path, **arrays)  # type: ignore[arg-type]
 

@@ -10,6 +10,7 @@ import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
+import { createSpared } from "./panels/spared";
 import { createViewPad } from "./panels/view-pad";
 import type { Session } from "./session";
 import { createSlice } from "./stage/slice";
@@ -46,6 +47,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const code = createCode();
   const player = createPlayer(acts, code.toggle);
   const page = createPage(pageParts);
+  const spared = createSpared();
 
   home.append(
     element(
@@ -56,7 +58,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       player.element,
       controls.element,
     ),
-    element("div", "side", picture.element, card.head, card.element),
+    element("div", "side", picture.element, card.head, card.element, spared.element),
   );
 
   let renders = 0;
@@ -89,6 +91,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       player.show(state, view.timeline);
       code.show(event, trace, pixelIndex(state));
       page.show(scene, trace);
+      spared.show(scene);
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
     /** What the stage shows, as a picture with a line under it; null before there is anything. */

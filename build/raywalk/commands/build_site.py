@@ -25,6 +25,7 @@ def add_options(parser: Any) -> None:
     parser.add_argument("--out", type=Path, default=Path("dist"), help="where the site goes")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
     parser.add_argument("--explain", action="store_true", help="say why each thing is made again")
+    parser.add_argument("--stats", action="store_true", help="say what each scene did not need")
 
 
 def run(chosen: Namespace) -> Iterator[str]:
@@ -32,7 +33,8 @@ def run(chosen: Namespace) -> Iterator[str]:
     started = time.monotonic()
     last = LastBuild(chosen.work, chosen.out)
     inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work)
-    if said := last.said(inputs):
+    said = None if chosen.stats else last.said(inputs)
+    if said:
         yield from said["remarks"]
         if chosen.explain:
             yield "nothing is made again: no input changed, and the site is as it was left"

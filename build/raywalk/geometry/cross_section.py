@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raywalk.geometry.mesh_file import Triangles
 from raywalk.scene.model import (
     Box,
     Cylinder,
@@ -19,6 +19,9 @@ from raywalk.scene.model import (
     Triangle,
 )
 from raywalk.scene.placement import placement
+
+if TYPE_CHECKING:
+    from raywalk.geometry.mesh_file import Triangles
 
 ROUND = 96  # corners of a cylinder's outline
 TOUCH = 1e-12  # radii: a plane this near to touching a sphere shows the point that its rays meet

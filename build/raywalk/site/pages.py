@@ -21,7 +21,7 @@ Assets = dict[str, str]
 
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
-    words: Words | None = None,
+    words: Words | None = None, spared: dict[str, Figures] | None = None,
 ) -> None:  # fmt: skip
     """index.html, model/index.html and scenes/<id>/index.html of one language: under `out` for
     the default one, under out/<code> for another. scenes: in that language.
@@ -46,7 +46,7 @@ def write_pages(
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     for scene in scenes:
-        told = _scene(scene, figures[scene.id])
+        told = _scene(scene, figures[scene.id]) | {"spared": (spared or {}).get(scene.id)}
         write(f"scenes/{scene.id}/index.html", "scene.html", scene=told)
 
 

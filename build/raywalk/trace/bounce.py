@@ -23,6 +23,7 @@ class Bounced(NamedTuple):
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,) product of weights from the camera on: share in the pixel
     media: np.ndarray  # (n, w) int16
+    faint: int  # rays not sent, because of `least`
 
 
 def bounce(
@@ -55,10 +56,13 @@ def bounce(
             materials.reflect[material], materials.transmit[material], materials.fresnel[material],
         )  # fmt: skip
     back, on = np.flatnonzero(mirror * share > least), np.flatnonzero(through * share > least)
+    faint = int(np.count_nonzero(mirror) + np.count_nonzero(through)) - len(back) - len(on)
     reflected = mirror_directions(rays.direction[back], hits.normal[back], hits.geometric[back])
-    refracted = refracted_directions(
-        rays.direction[on], hits.normal[on], hits.geometric[on], n_from[on], n_to[on]
-    )
+    refracted = np.empty((0, 3))
+    if len(on):
+        refracted = refracted_directions(
+            rays.direction[on], hits.normal[on], hits.geometric[on], n_from[on], n_to[on]
+        )
     parent = np.concatenate([back, on])
     weight = np.concatenate([mirror[back], through[on]])
     # A reflected ray stays on the side it came from, a refracted one changes it.
@@ -81,4 +85,5 @@ def bounce(
         weight=weight,
         share=share[parent] * weight,
         media=stacks,
+        faint=faint,
     )

@@ -8,6 +8,7 @@ from raywalk.geometry.compiled import CompiledScene, Hits, Rays
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.optics.shade import light_factors, local_colours, towards_light
 from raywalk.scene.model import Scene
+from raywalk.trace.plan import Plan, plan_of
 from raywalk.trace.tables import Lights, Materials
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Lighting
@@ -19,9 +20,10 @@ SHORT_OF_LIGHT = 1.0 - 1e-12
 
 def light_hits(
     scene: Scene, compiled: CompiledScene, materials: Materials, lights: Lights,
-    rays: Rays, hits: Hits,
+    rays: Rays, hits: Hits, plan: Plan | None = None,
 ) -> Lighting:  # fmt: skip
     """What each light gives to each hit. Points without a colour of their own are not asked."""
+    plan = plan or plan_of(scene)
     count, many = len(hits.t), len(lights.intensity)
     share = 1.0 - materials.reflect[hits.material] - materials.transmit[hits.material]
     local_weight = np.where(hits.object != NOWHERE, share, 0.0)
@@ -34,7 +36,8 @@ def light_hits(
         local=np.zeros((count, 3)),
         local_weight=local_weight,
     )
-    asked = np.flatnonzero(local_weight > 0.0)
+    wanted = local_weight > 0.0 if plan.leave_colourless else hits.object != NOWHERE
+    asked = np.flatnonzero(wanted)
     if not len(asked):
         return out
     seen = hits.take(asked)
@@ -46,9 +49,9 @@ def light_hits(
             materials, seen.material, seen.normal, incoming, to_light, distance,
             lights.intensity[k], lights.attenuation[k], diffuse, specular,
         )  # fmt: skip
-        if scene.render.shadows:
+        if plan.asked[k]:
             passed = _shadow(scene, compiled, materials, seen, to_light, distance, facing,
-                             asked, k, out)  # fmt: skip
+                             asked, k, out, plan)  # fmt: skip
             diffuse, specular = diffuse * passed, specular * passed
         out.diffuse[asked, k], out.specular[asked, k] = diffuse, specular
     lit = out.visibility[asked] != Visibility.BLOCKED
@@ -62,14 +65,14 @@ def light_hits(
 def _shadow(
     scene: Scene, compiled: CompiledScene, materials: Materials, seen: Hits,
     to_light: np.ndarray, distance: np.ndarray, facing: np.ndarray,
-    asked: np.ndarray, k: int, out: Lighting,
+    asked: np.ndarray, k: int, out: Lighting, plan: Plan,
 ) -> np.ndarray:  # fmt: skip
     """Fills one light's visibility; returns the share (n,) that glass on the way lets pass.
 
     Only points that face the light shoot a shadow ray: the others are in their own shadow.
     """
     visibility = np.full(len(asked), Visibility.BEHIND, np.uint8)
-    shot = np.flatnonzero(facing)
+    shot = np.flatnonzero(facing) if plan.leave_turned else np.arange(len(asked))
     rays = Rays(
         seen.point[shot], to_light[shot], seen.object[shot], seen.inside[shot], seen.triangle[shot]
     )
@@ -80,6 +83,7 @@ def _shadow(
         t, met, passed[shot] = through_glass(compiled, materials, rays, reach, t, met)
     blocked = met != NOWHERE
     visibility[shot] = np.where(blocked, Visibility.BLOCKED, Visibility.REACHED)
+    visibility[~facing] = Visibility.BEHIND
     out.visibility[asked, k] = visibility
     out.blocker[asked[shot], k] = met
     out.blocked_at[asked[shot], k] = np.where(blocked, t / distance[shot], 1.0)

@@ -8,6 +8,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import Rays
 from raywalk.geometry.nearest import NOWHERE
+from raywalk.trace.tally import Tally, tally_tests
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wave import Wave
 
@@ -40,9 +41,12 @@ def kept_pixels(size: int, resolutions: tuple[int, ...]) -> np.ndarray:
     return kept.reshape(-1)
 
 
-def record(tracer: Tracer, waves: list[Wave], pixels: np.ndarray, kept: np.ndarray) -> Recorded:
-    """The kept part of a strip's waves."""
+def record(
+    tracer: Tracer, waves: list[Wave], pixels: np.ndarray, kept: np.ndarray, tally: Tally
+) -> Recorded:
+    """The kept part of a strip's waves, which is counted in the tally."""
     chosen = np.flatnonzero(kept[pixels])
+    tally.kept_pixels += len(chosen)
     recorded: list[dict[str, np.ndarray]] = []
     hits = tracer.compiled.crossings(waves[0].rays.take(chosen))
     before = np.empty(0, np.int64)
@@ -56,6 +60,7 @@ def record(tracer: Tracer, waves: list[Wave], pixels: np.ndarray, kept: np.ndarr
             parent = np.full(len(chosen), -1)
         if not len(chosen):
             break
+        tally.add(tally_tests(tracer.compiled, wave.rays.take(chosen), wave.hits.t[chosen]))
         columns = _columns(tracer, wave, chosen, depth, parent)
         columns["pixel"] = pixels[chosen] if depth == 0 else recorded[-1]["pixel"][parent]
         recorded.append(columns)

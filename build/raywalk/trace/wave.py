@@ -34,6 +34,7 @@ class Wave:
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,)
     media: np.ndarray  # (n, w) int16
+    faint: int  # rays that were not sent on to this wave: their share would be too small
     hits: Hits
     lighting: Lighting
     colour: np.ndarray  # (n, 3), final once the waves behind have been gathered

@@ -23,18 +23,16 @@ from raywalk.trace.camera import camera_directions
 from raywalk.trace.lighting import light_hits
 from raywalk.trace.media import stack_width, stacks_holding
 from raywalk.trace.placement_check import refuse_buried_camera
+from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import assemble, kept_pixels, record
 from raywalk.trace.tables import compile_lights, compile_materials
+from raywalk.trace.tally import Tally, tally_waves
 from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace.wave import Wave, add_children
 
 # Rays in a strip: with all their columns they stay within a core's cache. 262,144 were up
 # to 54 % slower (ACCURACY.md, measured).
 STRIP = 16_384
-# A ray with a smaller share in its pixel is not followed in pictures: it could change the
-# 8-bit colour by 0.06 of a step. Clear glass splits every ray in two and would otherwise
-# cost 2^depth rays a pixel for light that nobody can see.
-LEAST_SHARE = 1.0 / 4096.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +41,21 @@ class Traced:
 
     picture: np.ndarray  # (size, size, 3) uint8, row 0 on top
     tree: RayTree  # of the pixels that frustum resolutions use
+    tally: Tally  # what was done, and what was not needed
 
 
 class Tracer:
     """A scene ready to be traced, at any pixel of any picture size."""
 
-    def __init__(self, scene: Scene, depth: int | None = None, least_share: float = 0.0):
+    def __init__(
+        self,
+        scene: Scene,
+        depth: int | None = None,
+        least_share: float = 0.0,
+        plan: Plan | None = None,
+    ):
         self.scene = scene
-        self.depth = scene.render.depth if depth is None else depth
+        self.plan = plan or plan_of(scene, depth)
         self.least_share = least_share
         self.compiled = CompiledScene(scene)
         self.materials = compile_materials(scene)
@@ -64,7 +69,7 @@ class Tracer:
     def waves(self, pixels: np.ndarray, width: int, height: int) -> list[Wave]:
         """Traces pixels (n,) (row * width + column) to the end; wave 0 holds their colours."""
         waves = [self._wave(self._camera(pixels, width, height))]
-        while len(waves) <= self.depth:
+        while len(waves) <= self.plan.depth:
             last = waves[-1]
             bounced = bounce(
                 self.compiled, self.materials, self.ior_of, last.rays, last.hits, last.media,
@@ -89,12 +94,15 @@ class Tracer:
             weight=np.ones(count),
             share=np.ones(count),
             media=stacks_holding(self.eye_media, stack_width(self.scene), count),
+            faint=0,
         )
 
     def _wave(self, shot: Bounced) -> Wave:
         rays: Rays = shot.rays
         hits = self.compiled.hits(rays)
-        lighting = light_hits(self.scene, self.compiled, self.materials, self.lights, rays, hits)
+        lighting = light_hits(
+            self.scene, self.compiled, self.materials, self.lights, rays, hits, self.plan
+        )
         colour = lighting.local_weight[:, None] * lighting.local
         colour[hits.object == NOWHERE] = self.scene.background
         return Wave(*shot, hits=hits, lighting=lighting, colour=colour)
@@ -116,14 +124,18 @@ def trace_picture(tracer: Tracer, workers: int = 2) -> Traced:
 
     def trace_strip(pixels: np.ndarray) -> tuple:
         waves = tracer.waves(pixels, size, size)
-        return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept)
+        tally = tally_waves(tracer.scene, tracer.plan.asked, waves)
+        return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept, tally), tally
 
-    picture, records = np.empty((size * size, 3), np.uint8), []
+    picture, records, total = np.empty((size * size, 3), np.uint8), [], Tally()
     with ThreadPoolExecutor(workers) as pool:
-        for pixels, (colours, recorded) in zip(strips, pool.map(trace_strip, strips), strict=True):
+        for pixels, (colours, recorded, tally) in zip(
+            strips, pool.map(trace_strip, strips), strict=True
+        ):
             picture[pixels] = colours
             records.append(recorded)
-    return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size))
+            total.add(tally)
+    return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size), total)
 
 
 def eight_bit(colour: np.ndarray) -> np.ndarray:

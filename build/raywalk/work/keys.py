@@ -24,7 +24,8 @@ STAGES = ("scene/placement.py", "optics", "geometry", "trace", "trace_file", "pr
 PACKAGES = ("numpy", "numba", "pillow")
 # A scene without a mesh runs none of this (tested), so it is not traced again when it changes.
 MESH_STAGES = frozenset(
-    f"geometry/{name}.py" for name in ("bvh", "display", "float32_copy", "mesh_file", "mesh_target")
+    f"geometry/{name}.py"
+    for name in ("bvh", "display", "float32_copy", "mesh_file", "mesh_spared", "mesh_target")
 )
 MESH_PACKAGES = ("embreex", "trimesh")
 # What a scene's data for the viewer is made by, from its trace and its words.

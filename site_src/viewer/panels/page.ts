@@ -4,6 +4,7 @@ import type { SceneData, Trace } from "../trace/types";
 import { KIND_NAMES, LINE_KINDS } from "../state/lines";
 import { grouped, list, say } from "../words";
 import { element } from "./element";
+import { sparedList } from "./spared";
 
 export interface PageParts {
   root: string; // relative path to the site's root
@@ -46,10 +47,11 @@ export function createPage({ root, article, title, links }: PageParts) {
     const figures = element("dl", "figures");
     for (const [name, value] of figuresOf(scene, trace))
       figures.append(element("div", "", element("dt", "", name), element("dd", "numbers", value)));
+    const spared = scene.spared.counts.length ? [element("h2", "", say("spared.title")), sparedList(scene), element("p", "spared-note", say("spared.note"))] : [];
     article.replaceChildren(
       element("h1", "", scene.title),
       element("p", "teaches", scene.teaches),
-      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", say("figures.title")), figures)),
+      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", say("figures.title")), figures, ...spared)),
     );
   }
 

@@ -1,0 +1,83 @@
+"""What tracing a scene did, and what it did not have to do."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from raywalk.geometry.compiled import CompiledScene, Rays
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.spared import tests_spared
+from raywalk.scene.model import Scene
+from raywalk.trace.tree import Kind, Visibility
+from raywalk.trace.wave import Wave
+
+
+@dataclass
+class Tally:
+    """Counts over a picture; the last four over its kept rays only, shadow rays not among them."""
+
+    pixels: int = 0
+    kept_pixels: int = 0  # those that some frustum resolution uses: their trees are kept
+    camera: int = 0
+    reflected: int = 0
+    refracted: int = 0
+    faint: int = 0  # rays not sent on: their share in the pixel is too small
+    shadow: int = 0  # shadow rays shot
+    turned: int = 0  # not shot: the surface is turned away from the light
+    colourless: int = 0  # not shot: the surface has no colour of its own
+    dark: int = 0  # not shot: the light gives nothing
+    unshadowed: int = 0  # not shot: the scene has no shadows
+    tests: int = 0  # exact tests with primitives
+    tests_spared: int = 0  # not made: the ray passes by the sphere round the primitive
+    mesh_rays: int = 0  # pairs of a ray and a mesh
+    mesh_rays_spared: int = 0  # not asked: the ray passes by the box round the mesh
+
+    def add(self, other: Tally) -> None:
+        """Counts another strip in."""
+        for field in fields(self):
+            setattr(self, field.name, getattr(self, field.name) + getattr(other, field.name))
+
+    def as_dict(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def tally_waves(scene: Scene, asked: tuple[bool, ...], waves: list[Wave]) -> Tally:
+    """All rays of a strip's waves."""
+    tally = Tally(pixels=len(waves[0].parent))
+    for wave in waves:
+        tally.camera += int((wave.kind == Kind.CAMERA).sum())
+        tally.refracted += int((wave.kind == Kind.REFRACTED).sum())
+        tally.faint += wave.faint
+        seen = wave.lighting.visibility
+        tally.turned += int((seen == Visibility.BEHIND).sum())
+        tally.shadow += int((seen <= Visibility.REACHED).sum())
+        hit = wave.hits.object != NOWHERE
+        own = wave.lighting.local_weight > 0.0
+        tally.colourless += int((hit & ~own).sum()) * sum(asked)
+        if scene.render.shadows:
+            tally.dark += int(own.sum()) * asked.count(False)
+        else:
+            tally.unshadowed += int(own.sum()) * len(asked)
+    rays = sum(len(wave.parent) for wave in waves)
+    tally.reflected = rays - tally.camera - tally.refracted
+    return tally
+
+
+def tally_tests(compiled: CompiledScene, rays: Rays, t: np.ndarray) -> Tally:
+    """What bounding volumes spare kept rays; t: (n,) where each ends."""
+    spared = tests_spared(compiled.primitives, rays.origin, rays.direction)
+    tally = Tally(
+        tests=len(t) * len(compiled.primitives.shape) - spared,
+        tests_spared=spared,
+        mesh_rays=len(t) * len(compiled.meshes),
+    )
+    if compiled.meshes:
+        from raywalk.geometry.mesh_spared import rays_past_box
+
+        for mesh in compiled.meshes:
+            local = rays.origin - mesh.centre
+            tally.mesh_rays_spared += rays_past_box(mesh.bvh, local, rays.direction, t)
+    return tally
