@@ -1,4 +1,4 @@
-"""The commands. Only this file prints and exits."""
+"""The commands. Only this file exits, and only it and terminal.py print."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from importlib import import_module
 from pathlib import Path
 
 from raywalk.errors import Told
+from raywalk.terminal import Terminal
 
 # Word on the command line -> its module in commands/. Only the one that runs is imported: what
 # the others need takes longer than a build with nothing to do.
@@ -27,17 +28,22 @@ def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns its exit code: 0 done, 1 bad input, 2 wrong usage."""
     arguments = sys.argv[1:] if arguments is None else arguments
     chosen = _parser(arguments).parse_args(arguments)
+    terminal = Terminal()
     try:
-        for line in chosen.run(chosen):
-            print(line, flush=True)
+        for told in chosen.run(chosen):
+            terminal.show(told)
     except Told as problems:
+        terminal.close()
         print(problems, file=sys.stderr)
         return 1
     except BrokenPipeError:
         return 1
     except KeyboardInterrupt:
+        terminal.close()
         print("\nstopped; the site is as it was before", file=sys.stderr)
         return 130
+    finally:
+        terminal.close()
     return 0
 
 

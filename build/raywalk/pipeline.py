@@ -16,6 +16,7 @@ import numpy as np
 
 from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.progress import Begin, End, Event, Progress, Tell
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
@@ -28,10 +29,11 @@ from raywalk.site.spared import as_table, spared_lines, spared_of
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
+from raywalk.work.cluster import run_on_cluster
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
-from raywalk.work.pool import cores, run_all
+from raywalk.work.pool import Finished, cores, run_all
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry, Store, damage_of
 
@@ -48,7 +50,7 @@ class Built:
     said: dict[str, Any]  # what the next build tells again if nothing changed
 
 
-def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
+def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, Built]:
     """Builds the site, telling what was traced, kept and written."""
     scenes = read_scenes(chosen.scenes)
     spoken = in_all_languages(scenes)
@@ -60,12 +62,9 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str, None, Built]:
         for scene in missing:
             yield f"{scene.id} is traced: {reason(store, parts[scene.id])}"
     if missing:
-        yield f"tracing {len(missing)} of {len(scenes)} scenes on {cores()} cores"
-    work = partial(trace_into, store, parts)
-    for number, (scene, seconds) in enumerate(
-        run_all(work, sorted(missing, key=guessed_cost)), start=1
-    ):
-        yield f"[{number}/{len(missing)}] {scene.id}: {seconds:.1f} s"
+        where = f"the cluster {chosen.scheduler}" if chosen.scheduler else f"{cores()} cores"
+        yield f"tracing {len(missing)} of {len(scenes)} scenes on {where}"
+        yield from trace_all(missing, store, parts, chosen.scheduler)
     entries = {scene.id: store.get(keys[scene.id]) for scene in scenes}
     facts = {scene.id: facts_of(entries[scene.id]) for scene in scenes}
     words = read_words()
@@ -131,13 +130,55 @@ def reason(store: Store, made_from: Parts) -> str:
 
 
 def guessed_cost(scene: Scene) -> float:
-    """Negative and only for the order: long work is started first, or a core waits at the end."""
+    """For the order and the progress bar only, in no unit."""
     is_mesh = any(isinstance(obj.shape, Mesh) for obj in scene.objects)
     bounces = scene.render.depth + 1
-    return -len(scene.objects) * bounces * (4 if has_glass(scene) else 1) * (3 if is_mesh else 1)
+    return len(scene.objects) * bounces * (4 if has_glass(scene) else 1) * (3 if is_mesh else 1)
 
 
-def trace_into(store: Store, parts: dict[str, Parts], scene: Scene, threads: int) -> float:
+def trace_all(
+    missing: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
+) -> Iterator[str | Event]:
+    """Traces scenes into the store, here or on a cluster; tells how far it is."""
+    # Long work is started first, or a core waits at the end.
+    scenes = sorted(missing, key=guessed_cost, reverse=True)
+    yield Begin({scene.id: guessed_cost(scene) for scene in scenes})
+    number = 0
+    for told in _traced(scenes, store, parts, scheduler):
+        if isinstance(told, Progress):
+            yield told
+            continue
+        number += 1
+        yield Progress(told.task.id, "", 1.0)
+        yield f"[{number}/{len(scenes)}] {told.task.id}: {told.result:.1f} s"
+    yield End()
+
+
+def _traced(
+    scenes: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
+) -> Iterator[Progress | Finished[Scene, float]]:
+    if not scheduler:
+        yield from run_all(partial(trace_into, store, parts), scenes, lambda scene: scene.id)
+        return
+    for told in run_on_cluster(scheduler, scenes):
+        if isinstance(told, Progress):
+            yield told
+            continue
+        seconds, files = told.result
+        made_from = parts[told.task.id]
+        store.entry(key_of(made_from), partial(write_files, files), made_from)
+        yield Finished(told.task, seconds)
+
+
+def write_files(files: dict[str, bytes], folder: Path) -> None:
+    """What a worker sent, into a folder."""
+    for name, content in files.items():
+        (folder / name).write_bytes(content)
+
+
+def trace_into(
+    store: Store, parts: dict[str, Parts], scene: Scene, threads: int, tell: Tell
+) -> float:
     """Traces a scene into the store, under its key; returns the seconds it took."""
     # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
     from raywalk.products import write_products

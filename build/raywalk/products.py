@@ -10,6 +10,7 @@ import numpy as np
 from PIL import Image
 
 from raywalk.geometry.overlap import overlap_warnings
+from raywalk.progress import Tell, say_nothing
 from raywalk.scene.model import Mesh, Scene
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
@@ -22,17 +23,22 @@ from raywalk.trace_file.script import write_script
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_file import Triangles
 
+TRACING = 0.7  # of a scene's time; the rest is encoding. Only the progress bar knows this.
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
 
-def write_products(scene: Scene, folder: Path, threads: int) -> None:
+def write_products(scene: Scene, folder: Path, threads: int, tell: Tell = say_nothing) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
-    facts.json, display.npz into a folder."""
+    facts.json, display.npz into a folder. tell: told the stage, and the share that is done."""
+    tell("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
-    traced = trace_picture(tracer, threads)
+    traced = trace_picture(tracer, threads, lambda share: tell("tracing", TRACING * share))
+    tell("picture", TRACING)
     write_png(folder / "picture.png", traced.picture)
     write_png(folder / "thumb.png", thumbnail(traced.picture))
-    for n in sorted(scene.render.resolutions):
+    levels = sorted(scene.render.resolutions)
+    for place, n in enumerate(levels):
+        tell(f"grid {n}", TRACING + (1 - TRACING) * place / len(levels))
         write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
     write_display(folder / "display.npz", scene, tracer)
     sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from raywalk.progress import Event
 from raywalk.work.last_build import LastBuild, inputs_of
 
 SITE_SOURCE = Path("site_src")
@@ -25,10 +26,13 @@ def add_options(parser: Any) -> None:
     parser.add_argument("--out", type=Path, default=Path("dist"), help="where the site goes")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
     parser.add_argument("--explain", action="store_true", help="say why each thing is made again")
+    parser.add_argument(
+        "--scheduler", metavar="tcp://HOST:PORT", help="trace on this Dask cluster, not here"
+    )
     parser.add_argument("--stats", action="store_true", help="say what each scene did not need")
 
 
-def run(chosen: Namespace) -> Iterator[str]:
+def run(chosen: Namespace) -> Iterator[str | Event]:
     """Builds the site, telling what was traced, kept and written."""
     started = time.monotonic()
     last = LastBuild(chosen.work, chosen.out)

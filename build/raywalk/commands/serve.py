@@ -12,6 +12,7 @@ from typing import Any
 
 from raywalk.commands import build_site
 from raywalk.errors import SourceError, SourceErrors, Told, shown_path
+from raywalk.progress import Event
 from raywalk.site.live import Live
 
 EXTRAS = build_site.SITE_SOURCE / "serve"
@@ -28,7 +29,7 @@ def add_to(commands: Any) -> None:
     parser.set_defaults(run=run)
 
 
-def run(chosen: Namespace) -> Iterator[str]:
+def run(chosen: Namespace) -> Iterator[str | Event]:
     """Serves until stopped."""
     if chosen.site:
         yield from _serve_as_it_is(chosen)
@@ -43,7 +44,7 @@ def run(chosen: Namespace) -> Iterator[str]:
         service.shutdown()
 
 
-def _follow(chosen: Namespace, live: Live) -> Iterator[str]:
+def _follow(chosen: Namespace, live: Live) -> Iterator[str | Event]:
     """Builds at once and after each save; mistakes go to the pages and to the terminal."""
     from raywalk.work.watch import changes
 
@@ -63,7 +64,7 @@ def _follow(chosen: Namespace, live: Live) -> Iterator[str]:
             live.done()
 
 
-def _serve_as_it_is(chosen: Namespace) -> Iterator[str]:
+def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Event]:
     if not (chosen.site / "index.html").is_file():
         raise SourceErrors([SourceError(chosen.site, "", "is no built site", hint="run make")])
     service = _server(chosen.site, chosen.port, None)

@@ -8,8 +8,11 @@ the deepest wave to the camera rays. Rays that some frustum resolution needs are
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -24,11 +27,13 @@ from raywalk.trace.lighting import light_hits
 from raywalk.trace.media import stack_width, stacks_holding
 from raywalk.trace.placement_check import refuse_buried_camera
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
-from raywalk.trace.record import assemble, kept_pixels, record
+from raywalk.trace.record import Recorded, assemble, kept_pixels, record
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tally import Tally, tally_waves
 from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace.wave import Wave, add_children
+
+Result = TypeVar("Result")
 
 # Rays in a strip: with all their columns they stay within a core's cache. 262,144 were up
 # to 54 % slower (ACCURACY.md, measured).
@@ -113,29 +118,46 @@ def trace_scene(scene: Scene, workers: int = 2) -> Traced:
     return trace_picture(Tracer(scene, least_share=LEAST_SHARE), workers)
 
 
-def trace_picture(tracer: Tracer, workers: int = 2) -> Traced:
+def trace_picture(
+    tracer: Tracer, workers: int = 2, tell: Callable[[float], None] | None = None
+) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions.
 
-    The result does not depend on the number of workers.
+    The result does not depend on the number of workers. tell: told the share that is traced.
+    Only the strips at work are in memory: what grows with the picture is the picture alone.
     """
     render = tracer.scene.render
     size, kept = render.size, kept_pixels(render.size, render.resolutions)
-    strips = np.array_split(np.arange(size * size), max(1, -(-size * size // STRIP)))
+    count = max(1, -(-size * size // STRIP))
+    ends = np.linspace(0, size * size, count + 1).astype(int)
 
-    def trace_strip(pixels: np.ndarray) -> tuple:
+    def trace_strip(strip: int) -> tuple[np.ndarray, Recorded, Tally]:
+        pixels = np.arange(ends[strip], ends[strip + 1])
         waves = tracer.waves(pixels, size, size)
         tally = tally_waves(tracer.scene, tracer.plan.asked, waves)
         return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept, tally), tally
 
     picture, records, total = np.empty((size * size, 3), np.uint8), [], Tally()
-    with ThreadPoolExecutor(workers) as pool:
-        for pixels, (colours, recorded, tally) in zip(
-            strips, pool.map(trace_strip, strips), strict=True
-        ):
-            picture[pixels] = colours
-            records.append(recorded)
-            total.add(tally)
+    for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, workers)):
+        picture[ends[strip] : ends[strip + 1]] = colours
+        records.append(recorded)
+        total.add(tally)
+        if tell:
+            tell((strip + 1) / count)
     return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size), total)
+
+
+def in_order(work: Callable[[int], Result], count: int, workers: int) -> Iterator[Result]:
+    """work(0), work(1) ... in that order, by some threads, which run a little ahead at most."""
+    with ThreadPoolExecutor(workers) as pool:
+        ahead = deque(pool.submit(work, k) for k in range(min(count, 2 * workers)))
+        try:
+            for k in range(count):
+                yield ahead.popleft().result()
+                if k + 2 * workers < count:
+                    ahead.append(pool.submit(work, k + 2 * workers))
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
 
 
 def eight_bit(colour: np.ndarray) -> np.ndarray:

@@ -4,12 +4,43 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from typing import TypeVar
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
+from dataclasses import dataclass
+from queue import SimpleQueue
+from threading import Event as Flag
+from typing import Any, Generic, TypeVar
+
+from raywalk.progress import Progress, Tell
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+# work(task, threads, tell) -> result; tell(stage, share) as often as it likes.
+Work = Callable[[Task, int, Tell], Result]
+
+EVERY = 0.1  # seconds between two looks at how far the work is, and between two tellings
+# In a worker process: where progress goes to.
+_told: Any = None
+
+
+@dataclass(frozen=True)
+class Finished(Generic[Task, Result]):
+    """One task is done."""
+
+    task: Task
+    result: Result
+
+
+class Stopped(Exception):
+    """Raised in work whose result nobody waits for any longer."""
 
 
 def cores() -> int:
@@ -18,23 +49,79 @@ def cores() -> int:
 
 
 def run_all(
-    work: Callable[[Task, int], Result], tasks: Sequence[Task]
-) -> Iterator[tuple[Task, Result]]:
-    """work(task, threads) for every task, in the order in which they finish.
+    work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
+) -> Iterator[Progress | Finished[Task, Result]]:
+    """work(task, threads, tell) for every task, in the order in which they finish, and how far
+    each of them is, under its name.
 
     One task gets all cores as threads; several get a process each, with one thread. The
     results are the same either way. Processes are spawned, not forked: numba's and Embree's
     threads do not survive a fork. The first exception ends everything.
     """
     if len(tasks) < 2 or cores() < 2:
-        for task in tasks:
-            yield task, work(task, cores())
+        yield from _one_by_one(work, tasks, name)
         return
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(cores(), len(tasks)), mp_context=context) as pool:
-        waiting = {pool.submit(work, task, 1): task for task in tasks}
+    told = context.SimpleQueue()
+    with ProcessPoolExecutor(
+        min(cores(), len(tasks)), mp_context=context, initializer=_tell_to, initargs=(told,)
+    ) as pool:
+        waiting = {pool.submit(_in_process, work, task, name(task)): task for task in tasks}
+        yield from follow(pool, waiting, told)
+
+
+def _one_by_one(
+    work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
+) -> Iterator[Progress | Finished[Task, Result]]:
+    """In a thread, so that progress can be told meanwhile."""
+    told: SimpleQueue[Progress] = SimpleQueue()
+    stopped = Flag()
+
+    def run(task: Task) -> Result:
+        return work(task, cores(), teller(told, name(task), stopped))
+
+    with ThreadPoolExecutor(1) as pool:
         try:
-            for done in as_completed(waiting):
-                yield waiting[done], done.result()
+            yield from follow(pool, {pool.submit(run, task): task for task in tasks}, told)
         finally:
-            pool.shutdown(wait=False, cancel_futures=True)
+            stopped.set()
+
+
+def follow(
+    pool: Executor, waiting: dict[Future[Result], Task], told: Any
+) -> Iterator[Progress | Finished[Task, Result]]:
+    """Hands on what is told and what is finished, until nothing is waited for."""
+    try:
+        while waiting:
+            done, _ = wait(waiting, timeout=EVERY, return_when=FIRST_COMPLETED)
+            while not told.empty():
+                yield told.get()
+            for future in done:
+                yield Finished(waiting.pop(future), future.result())
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+
+
+def teller(told: Any, of: str, stopped: Flag | None = None) -> Tell:
+    """Tells progress into a queue, but not more often than anybody looks."""
+    last = 0.0
+
+    def tell(stage: str, share: float) -> None:
+        nonlocal last
+        if stopped and stopped.is_set():
+            raise Stopped
+        now = time.monotonic()
+        if now - last >= EVERY:
+            last = now
+            told.put(Progress(of, stage, share))
+
+    return tell
+
+
+def _tell_to(told: Any) -> None:
+    global _told
+    _told = told
+
+
+def _in_process(work: Work[Task, Result], task: Task, of: str) -> Result:
+    return work(task, 1, teller(_told, of))

@@ -1,0 +1,80 @@
+"""Lines, and on a terminal bars below them: one for all, one for each piece of work under way."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from raywalk.progress import Begin, End, Event, Progress
+
+if TYPE_CHECKING:
+    from rich.progress import Progress as Bars
+    from rich.progress import TaskID
+
+ALL = "all"
+PRECISION = 1000.0  # steps of a bar
+
+
+class Terminal:
+    """Prints what a command tells. Where nobody watches, into a file or a pipe: lines only."""
+
+    def __init__(self) -> None:
+        self._bars: Bars | None = None
+        self._of: dict[str, TaskID] = {}
+        self._costs: dict[str, float] = {}
+        self._shares: dict[str, float] = {}
+
+    def show(self, told: str | Event) -> None:
+        match told:
+            case str():
+                self._line(told)
+            case Begin(costs) if sys.stdout.isatty():
+                self._begin(costs)
+            case Progress() if self._bars:
+                self._progress(self._bars, told)
+            case End():
+                self.close()
+
+    def close(self) -> None:
+        """Takes the bars away; the lines stay."""
+        if self._bars:
+            self._bars.stop()
+        self._bars = None
+
+    def _line(self, text: str) -> None:
+        if self._bars:
+            self._bars.console.print(text, markup=False, highlight=False, soft_wrap=True)
+        else:
+            print(text, flush=True)
+
+    def _begin(self, costs: dict[str, float]) -> None:
+        self.close()
+        self._costs, self._shares, self._of = costs, dict.fromkeys(costs, 0.0), {}
+        self._bars = _bars()
+        self._of[ALL] = self._bars.add_task(f"{len(costs)} scenes", total=PRECISION, stage="")
+        self._bars.start()
+
+    def _progress(self, bars: Bars, told: Progress) -> None:
+        self._shares[told.of] = told.share
+        if told.of not in self._of:
+            self._of[told.of] = bars.add_task(told.of, total=PRECISION, stage=told.stage)
+        done = told.share >= 1.0
+        bars.update(
+            self._of[told.of], completed=PRECISION * told.share, stage=told.stage, visible=not done
+        )
+        whole = sum(self._costs.values())
+        so_far = sum(self._costs.get(name, 0.0) * share for name, share in self._shares.items())
+        bars.update(self._of[ALL], completed=PRECISION * so_far / whole if whole else 0.0)
+
+
+def _bars() -> Any:
+    # Only here: a build that nobody watches, or with nothing to do, does not pay for it.
+    from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bars
+
+    return Bars(
+        TextColumn("{task.description}"), BarColumn(bar_width=30),
+        TextColumn("{task.percentage:>3.0f} %"), TimeElapsedColumn(),
+        TextColumn("left"), TimeRemainingColumn(), TextColumn("{task.fields[stage]}"),
+        transient=True,
+    )  # fmt: skip

@@ -1,0 +1,148 @@
+"""Traces scenes on a Dask distributed cluster, byte for byte as on this machine.
+
+Workers need this package in the same state, and nothing else: scenes and mesh files are sent
+to them, and what they make comes back as bytes. Dask hands the work of a lost worker to others.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from raywalk.errors import Told
+from raywalk.progress import Progress
+from raywalk.scene.model import Mesh, Scene
+from raywalk.work.keys import MESH_PACKAGES, PACKAGES, STAGES, Parts, makers
+from raywalk.work.pool import Finished
+
+PATIENCE = 20.0  # seconds for the scheduler to answer, and for a first worker to come
+HOW = (
+    "start them with .venv/bin/dask scheduler, and on each machine\n"
+    "  .venv/bin/dask worker tcp://HOST:8786 --nthreads 1 --nworkers auto"
+)
+
+
+class ClusterError(Told):
+    """The cluster cannot be used; str() says why and what helps."""
+
+
+Files = dict[str, bytes]  # name -> content
+
+
+def run_on_cluster(
+    address: str, scenes: Sequence[Scene]
+) -> Iterator[Progress | Finished[Scene, tuple[float, Files]]]:
+    """Each scene's files and the seconds they took, in the order in which they are finished.
+
+    Raises ClusterError, and whatever tracing a scene raises.
+    """
+    client, distributed = connected(address)
+    here = made_by()
+    try:
+        waiting = {
+            client.submit(trace_there, scene, mesh_files(scene), here, pure=False): scene
+            for scene in scenes
+        }
+        for done in distributed.as_completed(waiting, loop=client.loop):
+            scene = waiting.pop(done)
+            yield Progress(scene.id, "", 1.0)
+            yield Finished(scene, _result(done, distributed))
+    finally:
+        client.close()
+
+
+def connected(address: str) -> tuple[Any, Any]:
+    """A client of a scheduler that has workers, and the package. Raises ClusterError."""
+    try:
+        import distributed
+    except ImportError:
+        raise ClusterError(
+            "--scheduler: the package `distributed` is not installed\n"
+            '  .venv/bin/python -m pip install -e ".[cluster]"'
+        ) from None
+    try:
+        client = distributed.Client(address, timeout=PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as problem:
+        raise ClusterError(
+            f"--scheduler {address}: cannot be reached ({problem})\n  {HOW}"
+        ) from None
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE)
+    except TimeoutError:
+        client.close()
+        raise ClusterError(f"--scheduler {address}: has no workers\n  {HOW}") from None
+    return client, distributed
+
+
+def _result(done: Any, distributed: Any) -> tuple[float, Files]:
+    try:
+        result: tuple[float, Files] = done.result()
+    except distributed.KilledWorker as problem:
+        raise ClusterError(f"--scheduler: its workers die while tracing ({problem})") from None
+    done.release()
+    return result
+
+
+def mesh_files(scene: Scene) -> Files:
+    """The content of each mesh file of a scene, by its path here."""
+    paths = {obj.shape.path for obj in scene.objects if isinstance(obj.shape, Mesh)}
+    return {str(path): path.read_bytes() for path in sorted(paths)}
+
+
+def made_by() -> Parts:
+    """The code and packages that trace, on this machine."""
+    return makers(STAGES, PACKAGES + MESH_PACKAGES)
+
+
+def trace_there(scene: Scene, meshes: Files, expected: Parts) -> tuple[float, Files]:
+    """On a worker: seconds, and every file that a trace of the scene makes.
+
+    Raises ClusterError if the worker's code or packages are not those of the builder: its bytes
+    could be others.
+    """
+    refuse_other_makers(expected, made_by())
+    from raywalk.products import write_products
+
+    begun = time.monotonic()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / "made"
+        folder.mkdir()
+        write_products(with_meshes(scene, meshes, Path(scratch)), folder, 1)
+        files = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+    return time.monotonic() - begun, files
+
+
+def refuse_other_makers(expected: Parts, found: Parts) -> None:
+    """Raises ClusterError that names what differs."""
+    other = [
+        name
+        for kind in ("code", "packages")
+        for name in sorted({*expected[kind], *found[kind]})
+        if expected[kind].get(name) != found[kind].get(name)
+    ]
+    if other:
+        more = f" and {len(other) - 3} more" if len(other) > 3 else ""
+        raise ClusterError(
+            f"--scheduler: a worker runs other code than we do: {', '.join(other[:3])}{more}"
+            "\n  bring its checkout and packages to the same state, and start it again"
+        )
+
+
+def with_meshes(scene: Scene, meshes: Files, folder: Path) -> Scene:
+    """The scene with its mesh files in a folder of this machine, under their own names."""
+    places = {}
+    for k, (path, content) in enumerate(meshes.items()):
+        places[path] = folder / str(k) / Path(path).name
+        places[path].parent.mkdir()
+        places[path].write_bytes(content)
+    objects = tuple(
+        replace(obj, shape=replace(obj.shape, path=places[str(obj.shape.path)]))
+        if isinstance(obj.shape, Mesh)
+        else obj
+        for obj in scene.objects
+    )
+    return replace(scene, objects=objects)
