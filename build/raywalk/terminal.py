@@ -69,12 +69,14 @@ class Terminal:
 
 def _bars() -> Any:
     # Only here: a build that nobody watches, or with nothing to do, does not pay for it.
-    from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bars
 
+    def text(shown: str) -> TextColumn:
+        return TextColumn(shown, markup=False)  # a scene's name may hold brackets
+
     return Bars(
-        TextColumn("{task.description}"), BarColumn(bar_width=30),
-        TextColumn("{task.percentage:>3.0f} %"), TimeElapsedColumn(),
-        TextColumn("left"), TimeRemainingColumn(), TextColumn("{task.fields[stage]}"),
+        text("{task.description}"), BarColumn(bar_width=20), text("{task.percentage:>3.0f} %"),
+        text("left"), TimeRemainingColumn(), text("{task.fields[stage]}"),
         transient=True,
     )  # fmt: skip

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from raywalk.geometry.bvh import box_entry
 from raywalk.geometry.triangle import vector
 from raywalk.optics.compiled import kernel
 
 
 @kernel
-def rays_past_box(bvh, local, direction, t_max):
-    """How many of n rays do not meet a mesh's box before t_max (n,).
+def goes_past_box(bvh, local, direction, t_max):
+    """Which of n rays do not meet a mesh's box before t_max (n,): (n,) bool.
 
     local, direction: (n, 3); origins relative to the mesh's centre.
     """
-    past = 0
+    past = np.empty(local.shape[0], np.bool_)
     for i in range(local.shape[0]):
         o, d = vector(local, i), vector(direction, i)
-        if not box_entry(bvh.low, bvh.high, 0, o, d, t_max[i]) < t_max[i]:
-            past += 1
+        past[i] = not box_entry(bvh.low, bvh.high, 0, o, d, t_max[i]) < t_max[i]
     return past

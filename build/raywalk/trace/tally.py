@@ -75,9 +75,9 @@ def tally_tests(compiled: CompiledScene, rays: Rays, t: np.ndarray) -> Tally:
         mesh_rays=len(t) * len(compiled.meshes),
     )
     if compiled.meshes:
-        from raywalk.geometry.mesh_spared import rays_past_box
+        from raywalk.geometry.mesh_spared import goes_past_box
 
         for mesh in compiled.meshes:
             local = rays.origin - mesh.centre
-            tally.mesh_rays_spared += rays_past_box(mesh.bvh, local, rays.direction, t)
+            tally.mesh_rays_spared += int(goes_past_box(mesh.bvh, local, rays.direction, t).sum())
     return tally

@@ -1,0 +1,69 @@
+"""Peak memory of making one scene, and how it grows with the picture: in processes of their own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from raywalk.bench.cases import Case
+from raywalk.scene import read_scene
+
+MOST = 1024.0  # MiB at 1155 x 1155
+# Bytes a pixel by which the peak may grow: picture 3, mask of kept pixels 1, and while the PNG is
+# made its filtered rows 3 and what they are packed into, at most 3; two more to spare.
+A_PIXEL = 12.0
+TIMES = 3  # the larger picture is so many times as wide: the same rays of the same grids
+MIB = 2.0**20
+
+PROGRAM = """
+import resource, sys, tempfile
+from pathlib import Path
+from raywalk.bench.speed_memory import make
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+make(Path(sys.argv[1]), int(sys.argv[2]))
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
+"""
+
+
+def make(path: Path, times: int) -> None:
+    """All files of a scene with a picture so many times as wide, into a folder that goes."""
+    import tempfile
+
+    from raywalk.products import write_products
+
+    scene = read_scene(path)
+    wide = replace(scene.render, size=times * scene.render.size)
+    with tempfile.TemporaryDirectory() as folder:
+        write_products(replace(scene, render=wide), Path(folder), 1)
+
+
+def peak(path: Path, times: int) -> float:
+    """Bytes that a process needed at most to make a scene."""
+    command = [sys.executable, "-c", PROGRAM, str(path), str(times)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    return float(done.stdout)
+
+
+def memory(path: Path) -> dict[str, Any]:
+    """Peaks of one scene at its own size and at TIMES of it."""
+    scene = read_scene(path)
+    own, wide = peak(path, 1), peak(path, TIMES)
+    pixels = scene.render.size**2 * (TIMES**2 - 1)
+    return {
+        "scene": scene.id, "size": scene.render.size, "peak": own / MIB,
+        "wide": wide / MIB, "a_pixel": (wide - own) / pixels,
+    }  # fmt: skip
+
+
+def memory_cases(rows: list[dict[str, Any]], seed: int) -> Iterator[Case]:
+    """Under 1 GiB, and beyond that the picture alone grows."""
+    for row in rows:
+        yield Case("memory", row["scene"], "peak, MiB", MOST, row["peak"], 0, seed)
+        yield Case(
+            "memory", row["scene"], f"bytes a pixel more at {TIMES} x {row['size']}",
+            A_PIXEL, row["a_pixel"], 0, seed,
+        )  # fmt: skip
