@@ -1,4 +1,4 @@
-"""Whether a scene costs more the more scenes there are: whole builds of few and many, on one core."""
+"""Whether a scene costs more the more scenes there are: builds of few and of many, on one core."""
 
 from __future__ import annotations
 
