@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 SEED = 20_260
+PARTS = ("skips", "memory", "many")
 
 
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
     parser = commands.add_parser("bench", help="measure run time against error, beside peers")
     parser.add_argument("--quick", action="store_true", help="fewer rays and rounds")
+    parser.add_argument("--only", choices=PARTS, help="one part of what has no page of its own")
     parser.add_argument("--seed", type=int, default=SEED, help="of all random rays")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where reports are kept")
     parser.add_argument("--out", type=Path, default=Path("dist"), help="the site the page goes to")
@@ -29,6 +31,9 @@ def run(chosen: Namespace) -> Iterator[str]:
     from raywalk.bench.report import keep_bench, publish_page
     from raywalk.scene import read_scenes
 
+    if chosen.only:
+        yield from run_part(chosen)
+        return
     yield f"seed {chosen.seed}"
     side, rounds = (128, 3) if chosen.quick else (bench.SIDE, bench.ROUNDS)
     measured: dict[str, Any] = {"seed": chosen.seed, "tasks": []}
@@ -54,4 +59,26 @@ def run(chosen: Namespace) -> Iterator[str]:
     yield from (case.as_line() for case in cases)
     keep_bench(chosen.work, measured)
     yield from publish_page(chosen.work, chosen.out)
+    refuse_broken(cases)
+
+
+def run_part(chosen: Namespace) -> Iterator[str]:
+    """One part: what skips bring, peak memory, or whether many scenes are dearer than few."""
+    from raywalk.bench import speed_many, speed_memory, speed_skips
+    from raywalk.bench.cases import refuse_broken
+    from raywalk.scene import read_scenes
+
+    scenes = read_scenes(chosen.scenes)
+    if chosen.only == "skips":
+        rows = list(speed_skips.skips(scenes, 3 if chosen.quick else 9))
+        yield "Time without the skip over time with it"
+        yield from speed_skips.as_table(rows)
+        cases = list(speed_skips.skip_cases(rows, chosen.seed))
+    elif chosen.only == "memory":
+        chosen_scenes = scenes[2:3] if chosen.quick else scenes
+        peaks = [speed_memory.memory(scene.path) for scene in chosen_scenes]
+        cases = list(speed_memory.memory_cases(peaks, chosen.seed))
+    else:
+        cases = list(speed_many.many_cases(speed_many.many(), chosen.seed))
+    yield from (case.as_line() for case in cases)
     refuse_broken(cases)

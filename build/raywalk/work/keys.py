@@ -67,11 +67,16 @@ def viewer_parts(site_source: Path) -> Parts:
     return {
         "what": "viewer",
         "of": "viewer",
-        "code": digests((path for path in sources if path.is_file()), site_source),
+        "code": digests((path for path in sources if is_source(path)), site_source),
         "packages": {
             lock.relative_to(root).as_posix(): digest(lock) for lock in locks if lock.is_file()
         },
     }
+
+
+def is_source(path: Path) -> bool:
+    """Not what the type check makes for itself: types are no part of what is built."""
+    return path.is_file() and not path.name.endswith(".d.ts")
 
 
 def makers(

@@ -77,7 +77,8 @@ def outputs_of(out: Path) -> dict[str, str]:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    return (path for path in folder.rglob("*") if path.is_file())
+    # Types that the type check makes for itself are no part of what is built.
+    return (path for path in folder.rglob("*") if path.is_file() and path.suffixes != [".d", ".ts"])
 
 
 @cache
