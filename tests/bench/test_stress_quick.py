@@ -11,6 +11,7 @@ import pytest
 from raywalk.bench import (
     stress_acne,
     stress_hits,
+    stress_media,
     stress_mesh,
     stress_mirrors,
     stress_optics,
@@ -43,6 +44,7 @@ SCENES = Path("scenes")
         (stress_optics, 200),
         (stress_mirrors, 10_000),
         (stress_order, 10_000),
+        (stress_media, 100_000),
         (stress_shadows, 10_000),
     ],
     ids=lambda value: value.__name__.split(".")[-1] if hasattr(value, "__name__") else str(value),

@@ -11,7 +11,6 @@ import pytest
 from tests.geometry.by_hand import CHALK, CLEAR, MIRROR, scene_of, unit
 
 from raywalk.errors import SourceErrors
-from raywalk.geometry.compiled import rays_from
 from raywalk.scene.model import (
     Box,
     Cylinder,
@@ -24,7 +23,6 @@ from raywalk.scene.model import (
     Sphere,
     Triple,
 )
-from raywalk.trace.bounce import Bounced
 from raywalk.trace.tree import Kind
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer
@@ -38,10 +36,7 @@ def follow(scene: Scene, origin: Triple, direction: np.ndarray) -> list[Wave]:
     """The waves of one ray that starts at the scene's eye."""
     ahead = (origin[0], origin[1], origin[2] - 1.0)
     tracer = Tracer(replace(scene, camera=replace(scene.camera, eye=origin, target=ahead)))
-    seen = tracer._camera(np.zeros(1, int), 1, 1)
-    shot = Bounced(**{**seen._asdict(), "rays": rays_from(np.array([origin]), direction[None])})
-    tracer._camera = lambda *_: shot  # type: ignore[method-assign]
-    return tracer.waves(np.zeros(1, int), 1, 1)
+    return tracer.follow(np.array([origin]), direction[None])
 
 
 def glassy(*shapes: Shape, material: Material = PLAIN, **render: Any) -> Scene:
@@ -139,7 +134,7 @@ def furnace(*, depth: int) -> Scene:
 def missing_weight(tracer: Tracer, waves: list[Wave]) -> np.ndarray:
     """(n,) share of each camera ray's light that the bounce limit cut off."""
     lost = [np.zeros(len(w.parent)) for w in waves]
-    if len(waves) == tracer.depth + 1:
+    if len(waves) == tracer.plan.depth + 1:
         lost[-1] = (waves[-1].hits.object >= 0).astype(float)
     for k in range(len(waves) - 1, 0, -1):
         np.add.at(lost[k - 1], waves[k].parent, waves[k].weight * lost[k])

@@ -60,7 +60,8 @@ def _no_spheres(scene: Scene) -> Tracer:
 def _no_boxes(scene: Scene) -> Tracer:
     """Rays that pass by a mesh's box are put to Embree too."""
     tracer = Tracer(scene, least_share=LEAST_SHARE)
-    for mesh in tracer.compiled.meshes:
+    meshes: list[Any] = tracer.compiled.meshes
+    for mesh in meshes:
         mesh.nearest = _asked_by_all(mesh)
     return tracer
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from raywalk.bench import (
     stress_acne,
     stress_hits,
+    stress_media,
     stress_mesh,
     stress_mirrors,
     stress_optics,
@@ -29,6 +30,7 @@ SUBJECTS: dict[str, Subject] = {
     "optics": stress_optics.cases,
     "mirrors": stress_mirrors.cases,
     "order": stress_order.cases,
+    "media": stress_media.cases,
     "shadows": stress_shadows.cases,
     "acne": stress_acne.cases,
     "runs": stress_runs.cases,

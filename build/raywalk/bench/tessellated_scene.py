@@ -32,7 +32,7 @@ class TessellatedScene:
             t = np.where(t < t_max, t, np.inf)
         return t, met, np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
 
-    def also_crossed(self, *_: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def beyond(self, *_: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Nothing: these scenes have no glass."""
         return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros(0, bool)
 

@@ -10,11 +10,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.triangle import height_over, shear, triangle_hit, triangle_normal
+from raywalk.geometry.triangle import (
+    distance_sq_to,
+    height_over,
+    shear,
+    triangle_hit,
+    triangle_normal,
+)
 from raywalk.optics.compiled import kernel
 
 LEAF = 4  # triangles in a leaf at most
 STACK = 64  # median splits halve: 2^64 triangles would fit
+# A ray leaves the triangles in whose planes, but for the error bound, it starts: those closer than
+# this many bounds, and those that continue its own face, up to this cosine. Between them they
+# hold all neighbours: the planes of others part by more than the bound within that distance.
+NEAR, PARALLEL = 1000.0, 1.0 - 1e-6
+ON = 4.0  # error bounds: a point this close to a triangle is on it
 REPEATED = 1e-12  # share of t by which the hits of neighbours on their common edge differ at most
 
 
@@ -114,7 +125,7 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
     """Nearest hit of one ray: (t, triangle, u, v, tests); triangle -1 if none before t_max.
 
     own: triangle the ray starts on, else -1; bound: how far its origin may be off the
-    surface it starts on (triangles whose plane is nearer than that are left, not hit).
+    surface it starts on (`is_left` says which triangles are left then, not hit).
     tests counts boxes and triangles. Ties go to the lowest triangle.
     """
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
@@ -137,13 +148,31 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
                     continue
                 if t == best and not (0 <= who and triangle < who):
                     continue
-                if bound > 0.0 and abs(height_over(o, corners, triangle)) <= bound:
+                if bound > 0.0 and is_left(corners, triangle, own, o, d, t, bound):
                     continue
                 best, who, u, v = t, triangle, a, b
         if depth == 0:
             return (best if who >= 0 else np.inf), who, u, v, tests
         depth -= 1
         node = stack[depth]
+
+
+@kernel
+def is_left(corners, triangle, own, o, d, t, bound):
+    """Whether a ray that starts at o, on the mesh, starts on this triangle or in its face, and is
+    told to meet it at t by rounding only."""
+    if abs(height_over(o, corners, triangle)) > bound:
+        return False
+    if own >= 0:
+        ax, ay, az = triangle_normal(corners, own)
+        bx, by, bz = triangle_normal(corners, triangle)
+        if abs(ax * bx + ay * by + az * bz) > PARALLEL:
+            return True
+    if distance_sq_to(o, corners, triangle) <= (NEAR * bound) ** 2:
+        return True
+    # Far off in its plane: seen edge-on, it may be met where it is not.
+    met = (o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2])
+    return distance_sq_to(met, corners, triangle) > (ON * bound) ** 2
 
 
 @kernel

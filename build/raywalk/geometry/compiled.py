@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive, surfaces_at
+from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
+from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives
 from raywalk.geometry.settle import settle_roots
+from raywalk.geometry.sides import primitives_beyond
 from raywalk.geometry.surface import Looks, primitive_surface
 from raywalk.optics.compiled import kernel
 from raywalk.scene.model import Mesh, Plane, Scene
 from raywalk.scene.placement import checker_axes
+
+if TYPE_CHECKING:
+    from raywalk.geometry.mesh_target import MeshTarget
 
 # A mesh and something else tie where their distances differ by this share, 500 roundings.
 TIE = 1e-13
@@ -63,11 +68,15 @@ class CompiledScene:
     def __init__(self, scene: Scene):
         self.primitives: Primitives = compile_primitives(scene)
         self.rank = _tie_ranks(scene)
-        clear = [scene.materials[obj.material].transmit > 0 for obj in scene.objects]
-        self.clear_rows = np.flatnonzero(np.array(clear, bool)[self.primitives.object])
         self.looks = _compile_looks(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
+        clear = np.array(
+            [scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool
+        )
+        self.clear_rows = np.flatnonzero(clear[self.primitives.object])
+        self.neighbours = neighbours(self.primitives, self.meshes, clear)
+        self.outermost_first = outermost_first(self.primitives, self.meshes, len(clear))
 
     def nearest(
         self, rays: Rays, t_max: np.ndarray | None = None
@@ -95,7 +104,9 @@ class CompiledScene:
             own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
             # A little beyond what was met before, as a tie may go to the mesh.
             reach = np.minimum(limit, t * (1.0 + TIE))
-            found, which, where = mesh.nearest(rays.origin, rays.direction, reach, own)
+            found, which, where = mesh.nearest(
+                rays.origin, rays.direction, reach, own, rays.leaving != NOWHERE
+            )
             comes_first = (met != NOWHERE) & (self.rank[mesh.index] < self.rank[met])
             at_least = np.where(comes_first, 1.0 + TIE, 1.0 - TIE) * t
             closer = (found < at_least) & (found < limit)
@@ -141,16 +152,54 @@ class CompiledScene:
         start = np.searchsorted(ray, np.arange(len(rays.origin) + 1))
         return start.astype(np.int32), t, met
 
-    def also_crossed(
-        self, point: np.ndarray, direction: np.ndarray, leaving: np.ndarray
+    def beyond(
+        self, rays: Rays, came: np.ndarray, straight: bool = False
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Other transparent primitives whose surfaces run through a hit point: ray (c,), object
-        (c,), and whether a ray that goes on there enters it (c,) bool.
+        """Which glass rays that start on a surface are in, just beyond their origins: ray (c,),
+        object (c,), largest objects first, and whether it is in it (c,) bool.
 
-        leaving: (n,) the object that was met. The rays that go on will not meet those surfaces
-        there: they have been left already, as `roots` says.
+        Of each ray the object that it leaves and those near it are named; no other can have
+        changed there. came: (n,) the distance at which the origins were met, which says how
+        close surfaces must be to count as one. straight: rays go on as they came, so the face
+        of a mesh that they met tells on which side of it they are.
         """
-        return surfaces_at(self.primitives, self.clear_rows, point, direction, leaving)
+        found = [
+            primitives_beyond(
+                self.primitives, self.clear_rows, self.neighbours,
+                rays.origin, rays.direction, rays.leaving, rays.inner,
+            )
+        ]  # fmt: skip
+        found += [
+            self._beyond_mesh(mesh, rays, came, straight) for mesh in self.meshes if mesh.glass
+        ]
+        ray, who, within = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        if not self.neighbours.any():
+            return ray, who, within
+        order = np.argsort(self.outermost_first[who], kind="stable")
+        return ray[order], who[order], within[order]
+
+    def _beyond_mesh(
+        self, mesh: MeshTarget, rays: Rays, came: np.ndarray, straight: bool
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The same of one mesh: by its normal on a face, by what comes next where in doubt."""
+        at = np.flatnonzero(
+            (rays.leaving == mesh.index) | self.neighbours[rays.leaving, mesh.index]
+        )
+        own = np.where(rays.leaving[at] == mesh.index, rays.triangle[at], -1).astype(np.int32)
+        asked = np.flatnonzero(own < 0) if straight else np.arange(len(at))
+        doubtful = asked[
+            mesh.in_doubt(
+                rays.origin[at[asked]], rays.direction[at[asked]], own[asked],
+                2.0 * TIE * came[at[asked]],
+            )
+        ]  # fmt: skip
+        within = rays.inner[at]
+        unsure = at[doubtful]
+        within[doubtful] = mesh.holds(rays.origin[unsure], rays.direction[unsure], own[doubtful])
+        known = own >= 0
+        known[doubtful] = True
+        ray = at[known].astype(np.int32)
+        return ray, np.full(len(ray), mesh.index, np.int32), within[known]
 
     def count_tests(self, rays: Rays, t_max: np.ndarray) -> np.ndarray:
         """(n,) intersection tests a ray needs: every primitive, and each mesh's tree."""
@@ -198,7 +247,7 @@ def _compile_looks(scene: Scene) -> Looks:
     return Looks(material, checker, size, turn)
 
 
-def _compile_meshes(scene: Scene) -> list:
+def _compile_meshes(scene: Scene) -> list[MeshTarget]:
     indices = [k for k, obj in enumerate(scene.objects) if isinstance(obj.shape, Mesh)]
     if not indices:
         return []
@@ -209,12 +258,12 @@ def _compile_meshes(scene: Scene) -> list:
     for k in indices:
         obj = scene.objects[k]
         try:
-            targets.append(MeshTarget(k, load_triangles(scene, obj)))
+            glass = scene.materials[obj.material].transmit > 0
+            targets.append(MeshTarget(k, load_triangles(scene, obj), glass))
         except SourceErrors as raised:
             problems += raised.errors
             continue
-        material = scene.materials[obj.material]
-        if material.transmit > 0 and not targets[-1].triangles.closed:
+        if glass and not targets[-1].triangles.closed:
             problems.append(_open_glass(scene, k))
     if problems:
         raise SourceErrors(problems)

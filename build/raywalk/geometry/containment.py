@@ -12,24 +12,21 @@ from raywalk.geometry.solids import BOX, CYLINDER, PLANE, SPHERE, height
 def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
     """Closed objects that strictly contain a point (a plane: the half-space behind it),
     the largest first: what lies inside what, where one lies inside the other."""
-    sizes = _primitives_around(compiled, point)
+    around = _primitives_around(compiled, point)
     for mesh in compiled.meshes:
-        if not mesh.triangles.closed:
-            continue
-        if winding_number(mesh.corners, point - mesh.centre) > 0.5:
-            sizes[mesh.index] = mesh.size**3
-    return sorted(sizes, key=lambda k: (-sizes[k], k))
+        if mesh.triangles.closed and winding_number(mesh.corners, point - mesh.centre) > 0.5:
+            around.append(mesh.index)
+    return sorted(around, key=lambda k: int(compiled.outermost_first[k]))
 
 
-def _primitives_around(compiled: CompiledScene, point: np.ndarray) -> dict[int, float]:
-    table, sizes = compiled.primitives, {}
+def _primitives_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
+    table, around = compiled.primitives, []
     for k, shape in enumerate(table.shape):
         x, y, z = to_local(table.to_local[k], *(point - table.centre[k]))
-        if shape == PLANE and y < 0.0:
-            sizes[int(table.object[k])] = np.inf
-        if shape in (SPHERE, BOX, CYLINDER) and height(shape, x, y, z) < 0.0:
-            sizes[int(table.object[k])] = abs(float(np.linalg.det(table.to_world[k])))
-    return sizes
+        behind = shape == PLANE and y < 0.0
+        if behind or (shape in (SPHERE, BOX, CYLINDER) and height(shape, x, y, z) < 0.0):
+            around.append(int(table.object[k]))
+    return around
 
 
 def winding_number(corners: np.ndarray, point: np.ndarray) -> float:

@@ -11,26 +11,32 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
-from raywalk.geometry.float32_copy import STEEPEST, covers, trusted_above
+from raywalk.geometry.float32_copy import GAP, STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
-from raywalk.geometry.nearest import POINT_ERROR
+from raywalk.geometry.mesh_sides import is_near, leaves, outline_hit
+from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.triangle import height_over, shear, triangle_hit, triangle_normal, vector
 from raywalk.optics.compiled import kernel
 
 # In the unit-sized copy, where float32 steps are 6e-8:
 LIFT = 1e-6  # how far a ray that leaves the mesh starts off it for Embree
 EARLIER = 2e-6  # how far before its origin, or the mesh's box, any other ray starts
+# Error bounds: a ray that starts closer to another face than this is asked where it goes.
+DOUBT = 16.0
+# Cosine below which rounding, far from the origin too, may take a ray through a face it runs along.
+ALONG = 1e-9
 
 
 class MeshTarget:
     """One mesh object, ready for ray queries. Immutable; queries may run in threads."""
 
-    def __init__(self, index: int, triangles: Triangles):
+    def __init__(self, index: int, triangles: Triangles, glass: bool = False):
         from embreex import rtcore_scene
         from embreex.mesh_construction import TriangleMesh
 
         self.index = index  # of the object in Scene.objects
         self.triangles = triangles
+        self.glass = glass  # rays may be in it
         self.centre = triangles.centre
         self.corners = triangles.corners
         self.bvh = Bvh(*build_bvh(self.corners))
@@ -43,11 +49,13 @@ class MeshTarget:
         self._trusted = trusted_above(self.corners, self.scale, self.bvh)
 
     def nearest(
-        self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray,
+        on_other: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:  # fmt: skip
         """t (n,), triangle (n,) and barycentric (u, v) (n, 2) before t_max; inf and -1 if none.
 
-        origin, direction: (n, 3) float64 world; own: (n,) the triangle a ray starts on, or -1.
+        origin, direction: (n, 3) float64 world; own: (n,) the triangle a ray starts on, or -1;
+        on_other: (n,) bool, it starts on another object, which may touch this one.
         """
         count = len(origin)
         t, triangle = np.full(count, np.inf), np.full(count, -1, np.int32)
@@ -60,16 +68,45 @@ class MeshTarget:
         )  # fmt: skip
         if not len(crossing):
             return t, triangle, uv
+        touching = np.zeros(count, np.bool_)
+        if self.glass:
+            touching = start_close(
+                self.bvh, self.corners, self.centre, origin, on_other & (own < 0), GAP * self.size
+            )
         proposed = self._propose(starts[: len(crossing)], direction[crossing])
         redo = decide(
-            self.corners, self._trusted, inside, direction, t_max, own,
+            self.corners, self._trusted, inside, direction, t_max, own, touching,
             crossing, proposed, t, triangle, uv,
         )  # fmt: skip
         settle(
-            self.bvh, self.corners, self.centre, inside, direction, t_max, own,
-            redo, t, triangle, uv,
+            self.bvh, self.corners, self.centre, self.glass, inside, direction, t_max, own,
+            touching, redo, t, triangle, uv,
         )  # fmt: skip
         return t, triangle, uv
+
+    def in_doubt(
+        self, origin: np.ndarray, direction: np.ndarray, own: np.ndarray, error: np.ndarray
+    ) -> np.ndarray:
+        """Rays (c,) int of which the face they start on does not tell where they go: they start
+        off another object, at an edge, or along the face.
+
+        error: (n,) how far apart surfaces may be that count as one.
+        """
+        return doubtful(
+            self.bvh, self.corners, self.centre, self._trusted, origin, direction, own,
+            np.maximum(error, DOUBT * self.bound_at(origin)),
+        )  # fmt: skip
+
+    def holds(self, origin: np.ndarray, direction: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """(n,) bool: whether rays that start on a surface are in this closed mesh from there on.
+
+        They are if they next come out of it. So what a ray is in and what it will meet agree,
+        however rounding has placed surfaces that touch.
+        """
+        count = len(origin)
+        nowhere = np.full(count, np.inf)
+        _, triangle, _ = self.nearest(origin, direction, nowhere, own, np.full(count, True))
+        return next_leaves(self.corners, triangle, direction)
 
     def all_hits(self, origin: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Every hit of rays from free space: ray (h,) and t (h,), by ray, nearest first."""
@@ -94,6 +131,11 @@ class MeshTarget:
             self.centre, direction, met, self.index, triangle, uv,
             point, normal, geometric, inside,
         )  # fmt: skip
+
+    def bound_at(self, origin: np.ndarray) -> np.ndarray:
+        """(n,) how far each point may be off this mesh, world units."""
+        reach = np.abs(origin).sum(axis=1) + np.abs(self.centre).sum() + self.size
+        return np.asarray(POINT_ERROR * reach)
 
     def bound(self, origin: np.ndarray) -> float:
         """How far a point on this mesh may be off it, world units."""
@@ -158,17 +200,20 @@ def onto_plane(corners, k, local, i):
 
 
 @kernel
-def decide(corners, trusted, local, direction, t_max, own, crossing, proposed, t, triangle, uv):
+def decide(
+    corners, trusted, local, direction, t_max, own, touching, crossing, proposed, t, triangle, uv
+):
     """Takes the proposals that float32 cannot have got wrong; returns the rays left open.
 
-    trusted: (triangles, 3) barycentric coordinates above which a hit is certain.
+    trusted: (triangles, 3) barycentric coordinates above which a hit is certain; touching: (n,)
+    whether a ray starts so close to the mesh that float32 may place it behind it.
     """
     redo = np.empty(crossing.shape[0], np.int64)
     open_cases = 0
     for place in range(crossing.shape[0]):
         i, who = crossing[place], proposed[place]
         o, d = vector(local, i), vector(direction, i)
-        if own[i] >= 0 and not starts_clear(corners, trusted, own[i], o):
+        if touching[i] or (own[i] >= 0 and not starts_clear(corners, trusted, own[i], o)):
             redo[open_cases] = i
             open_cases += 1
             continue
@@ -200,6 +245,13 @@ def is_grazed(corners, k, d):
 
 
 @kernel
+def is_along(corners, k, d):
+    """Whether a direction runs along triangle k but for rounding."""
+    nx, ny, nz = triangle_normal(corners, k)
+    return abs(nx * d[0] + ny * d[1] + nz * d[2]) <= ALONG
+
+
+@kernel
 def starts_clear(corners, trusted, k, at):
     """Whether a point of triangle k lies where nothing else is so close that LIFT could skip it."""
     nx, ny, nz = triangle_normal(corners, k)
@@ -209,18 +261,64 @@ def starts_clear(corners, trusted, k, at):
 
 
 @kernel
-def settle(bvh, corners, centre, local, direction, t_max, own, redo, t, triangle, uv):
+def origin_bound(o, centre):
+    """How far a ray's origin, relative to the mesh's centre, may be off the surface it is on."""
+    reach = abs(o[0]) + abs(o[1]) + abs(o[2])
+    return POINT_ERROR * (reach + 2.0 * (abs(centre[0]) + abs(centre[1]) + abs(centre[2])))
+
+
+@kernel
+def settle(
+    bvh, corners, centre, glass, local, direction, t_max, own, touching, redo, t, triangle, uv
+):
     """Traces rays again in the float64 tree and overwrites their results."""
-    middle = abs(centre[0]) + abs(centre[1]) + abs(centre[2])
     for i in redo:
-        bound = 0.0
-        if own[i] >= 0:
-            reach = abs(local[i, 0]) + abs(local[i, 1]) + abs(local[i, 2])
-            bound = POINT_ERROR * (reach + 2.0 * middle)
-        distance, who, u, v, _ = bvh_nearest(
-            bvh, corners, vector(local, i), vector(direction, i), t_max[i], own[i], bound
-        )
+        o, d, bound = vector(local, i), vector(direction, i), 0.0
+        if own[i] >= 0 or touching[i]:
+            bound = origin_bound(o, centre)
+        distance, who, u, v, _ = bvh_nearest(bvh, corners, o, d, t_max[i], own[i], bound)
+        if who >= 0:
+            distance, who, u, v = outline_hit(
+                bvh, corners, glass, o, d, own[i], bound, distance, who, u, v
+            )
         t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
+
+
+@kernel
+def start_close(bvh, corners, centre, origin, asked, radius):
+    """(n,) bool: which of the asked points lie this close to a mesh."""
+    close = np.zeros(origin.shape[0], np.bool_)
+    for i in range(origin.shape[0]):
+        if asked[i]:
+            o = (origin[i, 0] - centre[0], origin[i, 1] - centre[1], origin[i, 2] - centre[2])
+            close[i] = is_near(bvh, corners, o, radius, -1)
+    return close
+
+
+@kernel
+def doubtful(bvh, corners, centre, trusted, origin, direction, own, error):
+    """Indices of the rays that start this close to a triangle other than their own, or along
+    their own."""
+    asked, filled = np.empty(origin.shape[0], np.int64), 0
+    for i in range(origin.shape[0]):
+        o = (origin[i, 0] - centre[0], origin[i, 1] - centre[1], origin[i, 2] - centre[2])
+        flat = own[i] >= 0 and is_along(corners, own[i], vector(direction, i))
+        if not flat and own[i] >= 0 and starts_clear(corners, trusted, own[i], o):
+            continue
+        if flat or is_near(bvh, corners, o, error[i], own[i]):
+            asked[filled] = i
+            filled += 1
+    return asked[:filled]
+
+
+@kernel
+def next_leaves(corners, triangle, direction):
+    """(n,) bool: whether rays pass the triangle they meet next outwards; not if they meet none."""
+    answer = np.zeros(triangle.shape[0], np.bool_)
+    for i in range(triangle.shape[0]):
+        if triangle[i] >= 0:
+            answer[i] = leaves(corners, triangle[i], vector(direction, i))
+    return answer
 
 
 @kernel

@@ -7,10 +7,8 @@ small as that error, and whatever is rounded on the way to it does not matter.
 
 from __future__ import annotations
 
-import math
-
 from raywalk.geometry.along_ray import point_along, sharp_product
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.nearest import CLOSE, NOWHERE
 from raywalk.geometry.solids import (
     BOX,
     DISC,
@@ -76,8 +74,10 @@ def from_close_up(
 @kernel
 def settled(t, shape, x, y, z, dx, dy, dz):
     """The root t, given its canonical hit point and the canonical direction."""
-    better = t + step_to_surface(shape, x, y, z, dx, dy, dz)
-    return better if 0.0 < better < math.inf else t
+    step = step_to_surface(shape, x, y, z, dx, dy, dz)
+    # Along a face the step is the point's rounding over a slope of rounding, and could end beside
+    # the face: the root that the solid's interval gave stays in it.
+    return t + step if abs(step) < CLOSE * t else t
 
 
 @kernel

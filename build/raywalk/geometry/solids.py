@@ -174,10 +174,10 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
     """
     sense = 1.0 if leaves else -1.0
     if shape == CYLINDER:
-        side, cap = sense * (x * dx + y * dy) > 0.0, sense * z * dz > 0.0
-        if side != cap:
-            return (x, y, 0.0) if side else (0.0, 0.0, math.copysign(1.0, z))
-        return face_normal(shape, x, y, z)
+        side, cap = sense * (x * dx + y * dy), sense * z * dz
+        if side > 0.0 and cap > 0.0:
+            return face_normal(shape, x, y, z)
+        return (x, y, 0.0) if side > cap else (0.0, 0.0, math.copysign(1.0, z))
     kx = x if sense * x * dx > 0.0 else 0.0
     ky = y if sense * y * dy > 0.0 else 0.0
     kz = z if sense * z * dz > 0.0 else 0.0

@@ -9,7 +9,10 @@ import numpy as np
 
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.geometry.settle import from_close_up, settled
+from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.solids import (
+    BOX,
+    CYLINDER,
     DISC,
     PLANE,
     SPHERE,
@@ -33,19 +36,16 @@ class Looks(NamedTuple):
 
 
 @kernel
-def on_surface(shape, x, y, z, dx, dy, dz, t, again):
+def on_surface(shape, x, y, z, dx, dy, dz, leaves):
     """A canonical hit point moved onto the surface, and the outward gradient there.
 
-    again: the ray started on this primitive, so it can only come out of it.
+    leaves: whether the ray comes out of the primitive there, if it is a solid.
     """
     if shape == PLANE:
         return x, 0.0, z, 0.0, 1.0, 0.0
     if shape == DISC or shape == TRIANGLE:
         return x, y, 0.0, 0.0, 0.0, 1.0
     if is_at_edge(shape, x, y, z):
-        # A convex solid holds the middle of the way if and only if the ray comes out of it.
-        half = 0.5 * t
-        leaves = again or height(shape, x - half * dx, y - half * dy, z - half * dz) < 0.0
         gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
     else:
         gx, gy, gz = face_normal(shape, x, y, z)
@@ -53,6 +53,25 @@ def on_surface(shape, x, y, z, dx, dy, dz, t, again):
     if shape == SPHERE:
         gx, gy, gz = x, y, z
     return x, y, z, gx, gy, gz
+
+
+@kernel
+def starts_in(shape, centre, to_local, stretch, k, ox, oy, oz, is_bound):
+    """Whether a ray starts in the solid of row k, or on it: then it comes out where it meets it.
+
+    Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
+    is_bound: the ray starts on a surface, perhaps this one's too.
+    """
+    x, y, z = ox - centre[k, 0], oy - centre[k, 1], oz - centre[k, 2]
+    lx = to_local[k, 0, 0] * x + to_local[k, 0, 1] * y + to_local[k, 0, 2] * z
+    ly = to_local[k, 1, 0] * x + to_local[k, 1, 1] * y + to_local[k, 1, 2] * z
+    lz = to_local[k, 2, 0] * x + to_local[k, 2, 1] * y + to_local[k, 2, 2] * z
+    bound = 0.0
+    if is_bound:
+        reach = abs(ox) + abs(oy) + abs(oz)
+        reach += abs(centre[k, 0]) + abs(centre[k, 1]) + abs(centre[k, 2])
+        bound = POINT_ERROR * stretch[k] * reach
+    return height(shape, lx, ly, lz) <= 2.0 * bound
 
 
 @kernel
@@ -73,12 +92,13 @@ def primitive_surface(
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive,
     and settles their t.
 
-    The normal faces the incoming ray. Rows of rays that met nothing or a mesh stay as they are.
+    The normal faces the incoming ray, but for rounding where that grazes a solid. Rows of rays
+    that met nothing or a mesh stay as they are.
     """
     table = primitives  # its columns are taken out once: inside the loop that would cost more
     centre, centre_rest, to_local = table.centre, table.centre_rest, table.to_local
     local_rest, is_skewed, to_world = table.to_local_rest, table.is_skewed, table.to_world
-    shapes, row_of = table.shape, table.row_of
+    shapes, row_of, stretch = table.shape, table.row_of, table.stretch
     for i in range(origin.shape[0]):
         if met[i] == NOWHERE or row_of[met[i]] < 0:
             continue
@@ -93,7 +113,15 @@ def primitive_surface(
             better = settled(t[i], shape, x, y, z, dx, dy, dz)
             step = better - t[i]
             t[i], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
-        x, y, z, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, t[i], again)
+        solid = shape == SPHERE or shape == BOX or shape == CYLINDER
+        leaves = solid and (
+            again
+            or starts_in(
+                shape, centre, to_local, stretch, k, origin[i, 0], origin[i, 1], origin[i, 2],
+                leaving[i] != NOWHERE,
+            )
+        )  # fmt: skip
+        x, y, z, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
         for c in range(3):
             away = to_world[k, c, 0] * x + to_world[k, c, 1] * y + to_world[k, c, 2] * z
             point[i, c] = centre[k, c] + (centre_rest[k, c] + away)
@@ -104,7 +132,7 @@ def primitive_surface(
         length = math.sqrt(nx * nx + ny * ny + nz * nz)
         nx, ny, nz = nx / length, ny / length, nz / length
         side = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
-        inside[i] = side > 0.0
+        inside[i] = leaves if solid else side > 0.0
         sign = -1.0 if inside[i] else 1.0
         normal[i, 0], normal[i, 1], normal[i, 2] = sign * nx, sign * ny, sign * nz
         material[i] = square_material(looks, met[i], x, z)

@@ -82,3 +82,76 @@ def height_over(o, corners, k):
     nx, ny, nz = triangle_normal(corners, k)
     x, y, z = o[0] - corners[k, 0, 0], o[1] - corners[k, 0, 1], o[2] - corners[k, 0, 2]
     return nx * x + ny * y + nz * z
+
+
+@kernel
+def distance_sq_to(o, corners, k):
+    """Squared distance of a point from triangle k, edges and corners included.
+
+    o: three numbers. Ericson, Real-Time Collision Detection, 2005, sec. 5.1.5: the region that
+    the point lies over tells which corner, edge or face is closest.
+    """
+    a, b, c = corner(corners, k, 0), corner(corners, k, 1), corner(corners, k, 2)
+    e, f, p = minus(b, a), minus(c, a), minus(o, a)
+    d1, d2 = dot(e, p), dot(f, p)
+    if d1 <= 0.0 and d2 <= 0.0:
+        return dot(p, p)
+    q = minus(o, b)
+    d3, d4 = dot(e, q), dot(f, q)
+    if d3 >= 0.0 and d4 <= d3:
+        return dot(q, q)
+    r = minus(o, c)
+    d5, d6 = dot(e, r), dot(f, r)
+    if d6 >= 0.0 and d5 <= d6:
+        return dot(r, r)
+    if d1 * d4 - d3 * d2 <= 0.0 and d1 >= 0.0 and d3 <= 0.0:
+        return off_line_sq(p, e, d1 / (d1 - d3))
+    if d5 * d2 - d1 * d6 <= 0.0 and d2 >= 0.0 and d6 <= 0.0:
+        return off_line_sq(p, f, d2 / (d2 - d6))
+    if d3 * d6 - d5 * d4 <= 0.0 and d4 >= d3 and d5 >= d6:
+        return off_line_sq(q, minus(c, b), (d4 - d3) / ((d4 - d3) + (d5 - d6)))
+    height = height_over(o, corners, k)
+    return height * height
+
+
+@kernel
+def solid_angle(o, corners, k):
+    """Solid angle of triangle k from a point, in shares of the whole sphere; positive from
+    behind its normal.
+
+    Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30(2), 1983. o: three numbers.
+    """
+    a = minus(corner(corners, k, 0), o)
+    b = minus(corner(corners, k, 1), o)
+    c = minus(corner(corners, k, 2), o)
+    la, lb, lc = math.sqrt(dot(a, a)), math.sqrt(dot(b, b)), math.sqrt(dot(c, c))
+    volume = (
+        a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+    )
+    rest = dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
+    return math.atan2(volume, la * lb * lc + rest) / (2.0 * math.pi)
+
+
+@kernel
+def corner(corners, k, c):
+    """Corner c of triangle k as three numbers."""
+    return corners[k, c, 0], corners[k, c, 1], corners[k, c, 2]
+
+
+@kernel
+def minus(a, b):
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@kernel
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel
+def off_line_sq(p, along, share):
+    """Squared length of p - share * along."""
+    x, y, z = p[0] - share * along[0], p[1] - share * along[1], p[2] - share * along[2]
+    return x * x + y * y + z * z

@@ -8,7 +8,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
-from raywalk.trace.media import cross_border, cross_more, indices_in
+from raywalk.trace.media import indices_before, indices_in, settle_media
 from raywalk.trace.tables import Materials
 from raywalk.trace.tree import Kind
 
@@ -41,15 +41,15 @@ def bounce(
     glass = np.flatnonzero(materials.transmit[hits.material] > 0.0)
     if len(glass):
         n_from, n_to, after = n_from.copy(), n_to.copy(), media.copy()
-        n_from[glass], n_to[glass], crossed = cross_border(
-            media[glass], hits.object[glass], hits.inside[glass], ior_of
-        )
-        # Glass that touches glass: both borders are crossed at once.
-        others = compiled.also_crossed(hits.point[glass], rays.direction[glass], hits.object[glass])
-        if len(others[0]):
-            cross_more(crossed, *others)
-            n_to[glass] = indices_in(crossed, ior_of)
-        after[glass] = crossed
+        n_from[glass] = indices_before(media[glass], hits.object[glass], hits.inside[glass], ior_of)
+        # Straight on: where glass touches glass, all borders are crossed at once.
+        straight = Rays(
+            hits.point[glass], rays.direction[glass], hits.object[glass], ~hits.inside[glass],
+            hits.triangle[glass],
+        )  # fmt: skip
+        crossed = media[glass]
+        settle_media(crossed, *compiled.beyond(straight, hits.t[glass], straight=True))
+        n_to[glass], after[glass] = indices_in(crossed, ior_of), crossed
         material = hits.material[glass]
         mirror[glass], through[glass], total[glass] = glass_shares(
             rays.direction[glass], hits.normal[glass], n_from[glass], n_to[glass],
@@ -71,7 +71,8 @@ def bounce(
         np.concatenate([hits.inside[back], ~hits.inside[on]]), hits.triangle[parent],
     )  # fmt: skip
     stacks = np.concatenate([media[back], after[on]])
-    cross_more(stacks, *compiled.also_crossed(onward.origin, onward.direction, onward.leaving))
+    if stacks.shape[1]:
+        settle_media(stacks, *compiled.beyond(onward, hits.t[parent]))
     return Bounced(
         rays=onward,
         parent=parent.astype(np.int32),

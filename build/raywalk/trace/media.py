@@ -29,31 +29,30 @@ def stacks_holding(entered: list[int], width: int, count: int) -> np.ndarray:
 
 
 @kernel
-def cross_border(stacks, who, inside, ior_of):
-    """Indices of refraction before and after the border, (n,) each, and the new stacks.
+def indices_before(stacks, who, inside, ior_of):
+    """(n,) index of refraction that rays come from, which meet object `who` (n,).
 
-    stacks: (n, w); who: (n,) object met; inside: (n,) bool, true where the ray leaves it;
-    ior_of: (objects,). Outside everything the index is 1.
+    inside: (n,) bool, true where the ray leaves it. Outside everything the index is 1.
     """
-    count = stacks.shape[0]
-    n_from, n_to, after = np.ones(count), np.ones(count), stacks.copy()
-    for i in range(count):
-        n_from[i] = index_in(stacks[i], ior_of)
+    before = indices_in(stacks, ior_of)
+    for i in range(stacks.shape[0]):
         if inside[i] and stacks[i, 0] < 0:
-            n_from[i] = ior_of[who[i]]  # left without having been entered: a lone border
-        enter_or_leave(after[i], who[i], not inside[i])
-        n_to[i] = index_in(after[i], ior_of)
-    return n_from, n_to, after
+            before[i] = ior_of[who[i]]  # left without having been entered: a lone border
+    return before
 
 
 @kernel
-def cross_more(stacks, ray, who, enters):
-    """Carries stacks (n, w) on across other borders at the same points: ray (c,), the object (c,)
-    and whether the ray is in it from there on (c,)."""
-    for k in range(ray.shape[0]):
-        stack = stacks[ray[k]]
-        if not enters[k] or not (stack == who[k]).any():
-            enter_or_leave(stack, who[k], enters[k])
+def settle_media(stacks, ray, who, within):
+    """Takes out of stacks (n, w) what rays are not in any more, and adds what they are in now.
+
+    ray, who, within: (c,) each, largest objects first, as CompiledScene.beyond says: of several
+    bodies entered at once the smallest comes to lie on top.
+    """
+    for enters in (False, True):
+        for k in range(ray.shape[0]):
+            stack = stacks[ray[k]]
+            if within[k] == enters and (stack == who[k]).any() != enters:
+                enter_or_leave(stack, who[k], enters)
 
 
 @kernel

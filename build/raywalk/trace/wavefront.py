@@ -73,7 +73,13 @@ class Tracer:
 
     def waves(self, pixels: np.ndarray, width: int, height: int) -> list[Wave]:
         """Traces pixels (n,) (row * width + column) to the end; wave 0 holds their colours."""
-        waves = [self._wave(self._camera(pixels, width, height))]
+        direction = camera_directions(self.scene.camera, width, height, pixels)
+        origin = np.tile(np.array(self.scene.camera.eye, float), (len(pixels), 1))
+        return self.follow(origin, direction)
+
+    def follow(self, origin: np.ndarray, direction: np.ndarray) -> list[Wave]:
+        """Traces rays (n, 3) that start where the eye is, or in the same media, to the end."""
+        waves = [self._wave(self._shot(origin, direction))]
         while len(waves) <= self.plan.depth:
             last = waves[-1]
             bounced = bounce(
@@ -87,10 +93,8 @@ class Tracer:
             add_children(before.colour, after.parent, after.weight, after.colour)
         return waves
 
-    def _camera(self, pixels: np.ndarray, width: int, height: int) -> Bounced:
-        direction = camera_directions(self.scene.camera, width, height, pixels)
-        origin = np.tile(np.array(self.scene.camera.eye, float), (len(pixels), 1))
-        count = len(pixels)
+    def _shot(self, origin: np.ndarray, direction: np.ndarray) -> Bounced:
+        count = len(origin)
         return Bounced(
             rays=rays_from(origin, direction),
             parent=np.full(count, -1, np.int32),

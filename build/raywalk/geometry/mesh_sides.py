@@ -1,0 +1,112 @@
+"""On which side of a closed mesh a ray is: at its edges, and where it touches something else."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.geometry.bvh import REPEATED, STACK, box_entry, is_left
+from raywalk.geometry.triangle import (
+    distance_sq_to,
+    shear,
+    solid_angle,
+    triangle_hit,
+    triangle_normal,
+)
+from raywalk.optics.compiled import kernel
+
+# Hits closer to an edge than this barycentric share are asked whether they tie with a neighbour's.
+AT_EDGE = 1e-6
+
+
+@kernel
+def is_near(bvh, corners, o, radius, own):
+    """Whether a triangle other than `own` comes as close to a point as this."""
+    stack = np.empty(STACK, np.int32)
+    depth, node = 0, 0
+    while True:
+        apart = False
+        for k in range(3):
+            apart |= o[k] < bvh.low[node, k] - radius or o[k] > bvh.high[node, k] + radius
+        if not apart:
+            if bvh.held[node] == 0:
+                stack[depth] = bvh.second[node]
+                depth += 1
+                node += 1
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+                triangle = bvh.order[place]
+                if triangle != own and distance_sq_to(o, corners, triangle) <= radius * radius:
+                    return True
+        if depth == 0:
+            return False
+        depth -= 1
+        node = stack[depth]
+
+
+@kernel
+def is_around(corners, o):
+    """Whether a closed mesh goes round a point: the sum of its triangles' solid angles."""
+    turns = 0.0
+    for k in range(corners.shape[0]):
+        turns += solid_angle(o, corners, k)
+    return turns > 0.5
+
+
+@kernel
+def outline_hit(bvh, corners, glass, o, d, own, bound, t, who, u, v):
+    """The hit itself, or the one that ties with it at an edge where a front face meets a back
+    face, with the t of the nearer: (t, triangle, u, v).
+
+    Seen from outside an outline shows its front face, from inside its back face. Only glass is
+    looked at from inside.
+    """
+    if min(u, min(v, 1.0 - u - v)) > AT_EDGE:
+        return t, who, u, v
+    whose, a, b = tied_across(bvh, corners, o, d, own, bound, t, who)
+    if whose < 0:
+        return t, who, u, v
+    inside = False
+    if glass:
+        half = 0.5 * t
+        inside = is_around(corners, (o[0] + half * d[0], o[1] + half * d[1], o[2] + half * d[2]))
+    return (t, who, u, v) if leaves(corners, who, d) == inside else (t, whose, a, b)
+
+
+@kernel
+def tied_across(bvh, corners, o, d, own, bound, t, who):
+    """Of the triangles that a ray passes in the other sense than `who`, but for rounding in the
+    same place, the nearest, then lowest: (triangle, u, v); triangle -1 if there is none."""
+    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    stack = np.empty(STACK, np.int32)
+    depth, node = 0, 0
+    sense = leaves(corners, who, d)
+    best, found, u, v = t * (1.0 + REPEATED), -1, 0.0, 0.0
+    while True:
+        if box_entry(bvh.low, bvh.high, node, o, d, best) < np.inf:
+            if bvh.held[node] == 0:
+                stack[depth] = bvh.second[node]
+                depth += 1
+                node += 1
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+                triangle = bvh.order[place]
+                distance, a, b = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
+                if not 0.0 < distance <= best or leaves(corners, triangle, d) == sense:
+                    continue
+                if distance == best and 0 <= found <= triangle:
+                    continue
+                if bound > 0.0 and is_left(corners, triangle, own, o, d, distance, bound):
+                    continue
+                if triangle != own:
+                    best, found, u, v = distance, triangle, a, b
+        if depth == 0:
+            return found, u, v
+        depth -= 1
+        node = stack[depth]
+
+
+@kernel
+def leaves(corners, triangle, d):
+    """Whether a ray passes a triangle along its normal: out of the mesh."""
+    nx, ny, nz = triangle_normal(corners, triangle)
+    return nx * d[0] + ny * d[1] + nz * d[2] > 0.0

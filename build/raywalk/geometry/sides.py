@@ -1,0 +1,87 @@
+"""On which side of a body a ray goes on from a point: of its surface, or of another's.
+
+Nothing is remembered and nothing counted: where surfaces touch, rounding may tell that one is
+met a little before or behind the other, or not at all. But where a ray goes on from a point is
+settled by that point and the way alone, and by the rules that `roots` finds the next hit with.
+So no ray keeps a medium that it has left.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.geometry.solids import BOX, CYLINDER, PLANE, SPHERE, height
+from raywalk.optics.compiled import kernel
+
+# A computed hit point is off its surface by at most this share of |p| + |centre|:
+# about a dozen roundings of 1.1e-16; measured 0 self-hits in 802,000 at 16 eps.
+POINT_ERROR = 16.0 * 2.220446049250313e-16
+# Boxes that are further apart than this share of their sizes and places do not touch.
+SLACK = 1e-9
+
+
+@kernel
+def goes_in(shape, x, y, z, dx, dy, dz, bound):
+    """Whether a ray goes into a solid from a canonical point within `bound` of its surface.
+
+    At an edge it must go inwards from every face there: a convex solid is on one side of each.
+    """
+    if shape == PLANE:
+        return dy < 0.0
+    if shape == BOX:
+        edge = 1.0 - 2.0 * bound
+        into_x, into_y, into_z = x * dx < 0.0, y * dy < 0.0, z * dz < 0.0
+        return (abs(x) < edge or into_x) and (abs(y) < edge or into_y) and (abs(z) < edge or into_z)
+    if shape == SPHERE:
+        return x * dx + y * dy + z * dz < 0.0
+    if x * x + y * y >= 1.0 - 2.0 * bound and x * dx + y * dy >= 0.0:
+        return False
+    return not (shape == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
+
+
+@kernel
+def is_within(shape, x, y, z, dx, dy, dz, bound):
+    """Whether a ray is in a closed body just beyond a canonical point; of a plane, behind it.
+
+    bound: how far, in canonical units, the point may be off a surface that it lies on.
+    """
+    level = y if shape == PLANE else 0.5 * height(shape, x, y, z)
+    return goes_in(shape, x, y, z, dx, dy, dz, bound) if abs(level) <= bound else level < 0.0
+
+
+@kernel
+def primitives_beyond(primitives, rows, near, origin, direction, leaving, inner):
+    """In which of these rows rays are just beyond their origins: ray (c,), object (c,) and
+    within (c,) bool, for the object that a ray leaves and its neighbours.
+
+    near: (objects, objects) bool, whether a ray that leaves the first may be at the second's
+    surface. What a ray leaves it leaves to the side that it says.
+    """
+    size = origin.shape[0] * rows.shape[0]
+    ray, met, within = np.empty(size, np.int32), np.empty(size, np.int32), np.empty(size, np.bool_)
+    filled = 0
+    for i in range(origin.shape[0]):
+        ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        for k in rows:
+            who = primitives.object[k]
+            own = who == leaving[i]
+            if not own and not near[leaving[i], who]:
+                continue
+            ray[filled], met[filled], within[filled] = i, who, inner[i]
+            if not own:
+                m, c = primitives.to_local, primitives.centre
+                reach = abs(ox) + abs(oy) + abs(oz) + abs(c[k, 0]) + abs(c[k, 1]) + abs(c[k, 2])
+                x, y, z = ox - c[k, 0], oy - c[k, 1], oz - c[k, 2]
+                within[filled] = is_within(
+                    primitives.shape[k],
+                    m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z,
+                    m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z,
+                    m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z,
+                    m[k, 0, 0] * dx + m[k, 0, 1] * dy + m[k, 0, 2] * dz,
+                    m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz,
+                    m[k, 2, 0] * dx + m[k, 2, 1] * dy + m[k, 2, 2] * dz,
+                    POINT_ERROR * primitives.stretch[k] * reach,
+                )
+            filled += 1
+    return ray[:filled], met[:filled], within[:filled]
