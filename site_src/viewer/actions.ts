@@ -2,6 +2,7 @@
 import type { CardLine } from "./panels/card";
 import type { Session } from "./session";
 import type { RayEvent } from "./state/events";
+import { nextLook, withLook, withObserver, type Look } from "./state/look";
 import * as player from "./state/play";
 import type { Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
@@ -33,9 +34,11 @@ export function createActions(session: Session, outside: Outside) {
     move: (right: number, down: number) => doing((now) => change.move(now, right, down)),
     pick: (column: number, row: number) =>
       doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
-    observer: (observer: ViewState["observer"]) => doing((now) => ({ ...now, observer })),
+    observer: (observer: ViewState["observer"]) => doing((now) => withObserver(now, observer)),
     camera: () => doing((now) => ({ ...now, observer: "camera" })),
-    slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice })),
+    look: (look: Look) => doing((now) => withLook(now, look)),
+    nextLook: () => doing((now) => withLook(now, nextLook(now))),
+    slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice: now.slice === slice ? "none" : slice })),
     nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
     pickAlong: (along: number) =>
       doing((now) => change.select(now, now.slice === "column" ? now.pixel[0] : along, now.slice === "column" ? along : now.pixel[1])),

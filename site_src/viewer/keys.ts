@@ -10,6 +10,7 @@ export interface KeyActs {
   /** The lesson's next or previous stop while one is given, else the next or previous scene. */
   page: (by: 1 | -1) => void;
   camera: () => void;
+  nextLook: () => void;
   nextSlice: () => void;
   play: () => void;
   event: (by: 1 | -1) => void;
@@ -41,6 +42,7 @@ export function listenToKeys(acts: KeyActs) {
     PageUp: () => acts.page(-1),
     PageDown: () => acts.page(1),
     r: acts.camera,
+    t: acts.nextLook,
     x: acts.nextSlice,
     p: acts.play,
     ",": () => acts.event(-1),

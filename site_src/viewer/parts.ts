@@ -35,10 +35,10 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     document.body.dataset.renderer = "flat";
     simpler(say(`trouble.${why}`));
   };
-  const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, withGl, () => document.querySelector(".view-pad"));
+  const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, pageParts.root, withGl, () => [...document.querySelectorAll(".view-pad, .view-switch, .view-note")]);
   const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
   const slice = createSlice({ pick: acts.pickAlong });
-  const viewSwitch = createViewSwitch({ slice: acts.slice });
+  const viewSwitch = createViewSwitch({ look: acts.look, slice: acts.slice });
   const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => notify(say("trouble.pictureMissing")) });
   const card = createCard(acts);
   const controls = createControls(acts);
@@ -53,7 +53,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     element(
       "div",
       "work",
-      element("div", "stage-row", code.element, element("section", "stage", stage.element, slice.element, viewSwitch.element, legend.element, pad.element)),
+      element("div", "stage-row", code.element, element("section", "stage", stage.element, slice.element, viewSwitch.element, viewSwitch.note, legend.element, pad.element)),
       lesson.element,
       player.element,
       controls.element,

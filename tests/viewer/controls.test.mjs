@@ -136,9 +136,9 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.equal((await state(page)).observer, "start");
       const box = await page.locator(".stage-view").boundingBox();
       const drag = async (dx, dy) => {
-        await page.mouse.move(box.x + 30, box.y + 90);
+        await page.mouse.move(box.x + 200, box.y + 30);
         await page.mouse.down();
-        await page.mouse.move(box.x + 30 + dx, box.y + 90 + dy, { steps: 3 });
+        await page.mouse.move(box.x + 200 + dx, box.y + 30 + dy, { steps: 3 });
         await page.mouse.up();
         await settled(page);
       };

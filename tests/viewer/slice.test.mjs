@@ -50,7 +50,7 @@ test("X goes round: space, row, column, space; the buttons do the same; the addr
   assert.match(await canvas().getAttribute("aria-label"), /column's camera rays.*row 8/);
   await follow(page, "still=1&n=15&p=5,8&slice=row");
   assert.equal((await state(page)).slice, "row");
-  await page.getByRole("button", { name: /^The scene in space/ }).click();
+  await page.getByRole("button", { name: /^Slice along this row/ }).click();
   await settled(page);
   assert.equal((await state(page)).slice, "none");
   assert.equal(await canvas().isVisible(), false);

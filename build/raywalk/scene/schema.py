@@ -133,6 +133,9 @@ RayChoice = Annotated[
 ]
 Rays = Annotated[tuple[RayChoice, ...], Allowed('a list of "pixel", "row", "column", "all"')]
 Tiles = Annotated[Literal["empty", "filled"], one_of("empty", "filled")]
+Look = Annotated[
+    Literal["plain", "approximate", "traced"], one_of("plain", "approximate", "traced")
+]
 Slice = Annotated[Literal["none", "row", "column"], one_of("none", "row", "column")]
 Place = Annotated[Literal["start", "camera"], one_of("start", "camera")]
 Observer = Annotated[
@@ -152,6 +155,9 @@ class ViewTable(Table):
     rays: Maybe[Rays] = Field(default=None, description="which rays are drawn; [] draws none")
     tiles: Maybe[Tiles] = Field(
         default=None, description="whether the frustum's tiles show their colours"
+    )
+    look: Maybe[Look] = Field(
+        default=None, description="how the stage shows the scene; traced needs the camera's view"
     )
     slice: Maybe[Slice] = Field(
         default=None, description="the selected row's or column's plane of rays, drawn flat"

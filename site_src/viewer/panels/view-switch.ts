@@ -1,24 +1,41 @@
-/** In the stage's corner: the scene in space, or the plane of a row's or a column's rays drawn flat. */
+/**
+ * In the stage's corner: the scene in space as a graphics card draws it or as the rays found it, or the plane of a
+ * row's or a column's rays drawn flat. Under it one sentence says what is seen.
+ */
+import { LOOKS, type Look } from "../state/look";
 import { SLICES, type Slice } from "../state/section";
 import type { ViewState } from "../state/view-state";
 import { say } from "../words";
 import { button, element, pressed } from "./element";
 
-export function createViewSwitch(acts: { slice: (slice: Slice) => void }) {
-  const choices = SLICES.map((slice) => {
-    return { slice, choice: button(say(`slice.${slice}.word`), say(`slice.${slice}.help`), () => acts.slice(slice)) };
-  });
-  const [space, ...slices] = choices.map((each) => each.choice);
-  const note = element("p", "slice-note");
-  const root = element("div", "view-switch", element("div", "joined", space, element("span", "between", say("slice.slice")), ...slices), note);
+export interface ViewActs {
+  look: (look: Look) => void;
+  slice: (slice: Slice) => void;
+}
+
+type Direction = Exclude<Slice, "none">;
+const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none");
+
+export function createViewSwitch(acts: ViewActs) {
+  const looks = LOOKS.map((look) => ({ look, choice: button(say(`look.${look}.word`), say(`look.${look}.help`), () => acts.look(look)) }));
+  const slices = DIRECTIONS.map((slice) => ({ slice, choice: button(say(`slice.${slice}.word`), say(`slice.${slice}.help`), () => acts.slice(slice)) }));
+  const joined = (...parts: HTMLElement[]) => element("div", "joined", ...parts);
+  const note = element("p", "view-note");
+  const root = element(
+    "div",
+    "view-switch",
+    joined(...looks.map((each) => each.choice)),
+    joined(element("span", "between", say("slice.slice")), ...slices.map((each) => each.choice)),
+  );
   root.setAttribute("role", "group");
   root.setAttribute("aria-label", say("slice.view"));
   return {
     element: root,
-    show({ slice }: ViewState) {
-      for (const each of choices) pressed(each.choice, each.slice === slice);
-      note.hidden = slice === "none";
-      if (slice !== "none") note.textContent = say(`slice.${slice}.note`);
+    note,
+    show({ look, slice }: ViewState) {
+      for (const each of looks) pressed(each.choice, slice === "none" && each.look === look);
+      for (const each of slices) pressed(each.choice, each.slice === slice);
+      note.textContent = slice === "none" ? say(`look.${look}.note`) : say(`slice.${slice}.note`);
     },
   };
 }

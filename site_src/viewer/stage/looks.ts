@@ -69,11 +69,13 @@ const highlight = (material: MaterialData) => colour(material.specular).multiply
 export interface Looks {
   /** `onlyFace`: draw this side only. */
   of: (material: MaterialData, onlyFace?: Side, flat?: boolean) => Material;
+  /** Is it drawn as something to look through? */
   isClear: (material: MaterialData) => boolean;
   dispose: () => void;
 }
 
-export function createLooks(): Looks {
+/** plain: no mirror and no glass, every surface is matte in its own colour. */
+export function createLooks(plain: boolean): Looks {
   const balls = { chrome: paintedBall(chrome), clear: paintedBall(clear) };
   const made: Material[] = [];
   const keep = <M extends Material>(material: M): M => (made.push(material), material);
@@ -89,12 +91,12 @@ export function createLooks(): Looks {
     return look;
   }
 
-  const isClear = (material: MaterialData) => material.transmit > 0.3;
+  const isClear = (material: MaterialData) => !plain && material.transmit > 0.3;
   return {
     isClear,
     of(material, side = FrontSide, flat = false) {
       if (isClear(material)) return glass(side, flat);
-      if (material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }));
+      if (!plain && material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }));
       return keep(
         new MeshPhongMaterial({
           color: colour(material.diffuse),

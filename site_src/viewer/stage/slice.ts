@@ -8,10 +8,11 @@ import type { SceneData, Trace, Vec3 } from "../trace/types";
 import { createLabels, type Label } from "./labels";
 
 const EDGE = 34; // CSS pixels round the drawing, for labels
-const HEADROOM = 66; // more above it, for the switch and its note
-const NARROW = 700; // below, both stand above the drawing
+const ASIDE = 110; // more on its left, for the switch
+const NARROW = 700; // below, that stands above the drawing
 const FAINT = 0.34; // of a row's other rays
 const HEAD = 9; // of an arrow
+const INK = 0.55; // of a colour on a light page
 const PALEST = 0.42; // mirrors and glass have no colour of their own: their outlines must be seen on the dark page
 
 export interface SliceView {
@@ -43,10 +44,10 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     canvas.height = Math.round(height * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
     const { section, scene, trace, chosen, tiles, tile } = now;
-    const headroom = width < NARROW ? 0 : HEADROOM;
+    const aside = width < NARROW ? 0 : ASIDE;
     const [left, top, right, bottom] = frameOf(section, scene);
-    const zoom = Math.min((width - 2 * EDGE) / Math.max(right - left, 1e-9), (height - headroom - 2 * EDGE) / Math.max(bottom - top, 1e-9));
-    const [shiftX, shiftY] = [width / 2 - (zoom * (left + right)) / 2, (height + headroom) / 2 - (zoom * (top + bottom)) / 2];
+    const zoom = Math.min((width - aside - 2 * EDGE) / Math.max(right - left, 1e-9), (height - 2 * EDGE) / Math.max(bottom - top, 1e-9));
+    const [shiftX, shiftY] = [(width + aside) / 2 - (zoom * (left + right)) / 2, height / 2 - (zoom * (top + bottom)) / 2];
     const at = ([x, y]: Flat): Flat => [shiftX + zoom * x, shiftY + zoom * y];
     back = (x, y) => [(x - shiftX) / zoom, (y - shiftY) / zoom];
     const on = (point: Vec3) => at(section.flat(point));
@@ -98,7 +99,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
 
   function drawCurve({ object, kind, points }: Curve, at: (f: Flat) => Flat, zoom: number, scene: SceneData) {
     const material = scene.materials[scene.objects[object].material];
-    const paint = hexOf(material.diffuse.map((v) => PALEST + (1 - PALEST) * v) as unknown as Vec3);
+    const paint = hexOf(material.diffuse.map((v) => (STAGE.casing ? INK * v : PALEST + (1 - PALEST) * v)) as unknown as Vec3);
     const path = new Path2D();
     if (kind === CURVE.ellipse) {
       const [centre, u, v] = points;

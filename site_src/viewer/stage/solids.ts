@@ -58,7 +58,7 @@ function sideOf(object: ObjectData, scene: SceneData): Side {
   return object.type === "sphere" || object.type === "box" || (object.type === "cylinder" && !object.open) ? FrontSide : DoubleSide;
 }
 
-function lightsOf(scene: SceneData) {
+function lightsOf(scene: SceneData, plain: boolean) {
   const group = new Group();
   // A little light from everywhere, so that shapes keep their form in the shade.
   group.add(new AmbientLight(0xffffff, 0.22 * Math.PI));
@@ -66,7 +66,7 @@ function lightsOf(scene: SceneData) {
     const light = new PointLight(0xffffff, intensity * Math.PI, 0, 0); // three divides by pi
     light.color.setRGB(...colour);
     light.position.set(...position);
-    light.castShadow = scene.shadows;
+    light.castShadow = scene.shadows && !plain;
     light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     light.shadow.camera.near = scene.bounds.radius / 40; // nearer, and depths far away run together
     light.shadow.camera.far = scene.bounds.radius * 6;
@@ -77,10 +77,11 @@ function lightsOf(scene: SceneData) {
   return group;
 }
 
-export function createSolids(scene: SceneData) {
+/** plain: each surface by itself, without shadows, mirrors or glass. */
+export function createSolids(scene: SceneData, plain: boolean) {
   const object = new Group();
-  const looks = createLooks();
-  const lights = lightsOf(scene);
+  const looks = createLooks(plain);
+  const lights = lightsOf(scene, plain);
   object.add(lights);
   const walls = scene.objects.filter((each) => each.type === "plane");
   for (const each of scene.objects) {

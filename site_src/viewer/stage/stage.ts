@@ -10,6 +10,7 @@ import { createLabels, type Box, type Label } from "./labels";
 import type { LitLine } from "./line-set";
 import type { Line } from "../state/lines";
 import type { StageRenderer, StageView } from "./renderer";
+import { createTracedPicture } from "./traced-picture";
 import { createWebglRenderer } from "./webgl";
 
 export interface StageActs {
@@ -24,14 +25,15 @@ const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const NEAR_A_LINE = 9; // pixels
 const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
-/** over: what stands on the stage and must not hide a label. */
-export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLElement | null) {
+/** root: relative path to the site's root. over: what stands on the stage and must not hide a label. */
+export function createStage(acts: StageActs, root: string, withGl: boolean, over: () => readonly Element[]) {
   const element = document.createElement("div");
   element.className = "stage-view";
   element.tabIndex = 0;
   element.setAttribute("role", "application");
   element.setAttribute("aria-label", say("stage.label"));
   const labels = createLabels();
+  const traced = createTracedPicture(root);
   let view: StageView | null = null;
   let observer: Observer | null = null;
   let projection: Projection | null = null;
@@ -42,7 +44,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
   let renderer: StageRenderer = (withGl && createWebglRenderer(fallBack)) || createFlatRenderer();
   let isFlat = !withGl || renderer.canvas.dataset.flat === "yes";
   if (withGl && isFlat) queueMicrotask(() => acts.flat("refused"));
-  element.append(renderer.canvas, labels.element);
+  element.append(renderer.canvas, traced.element, labels.element);
 
   function fallBack() {
     renderer.canvas.remove();
@@ -54,8 +56,10 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
   }
 
   function measure() {
-    const [stage, box] = [element.getBoundingClientRect(), over()?.getBoundingClientRect()];
-    taken = box ? [{ left: box.left - stage.left, right: box.right - stage.left, top: box.top - stage.top, bottom: box.bottom - stage.top }] : [];
+    const stage = element.getBoundingClientRect();
+    taken = over()
+      .map((each) => each.getBoundingClientRect())
+      .map((box) => ({ left: box.left - stage.left, right: box.right - stage.left, top: box.top - stage.top, bottom: box.bottom - stage.top }));
     size = { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
     renderer.resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
     draw();
@@ -67,7 +71,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
       const inside = seen.depth > 0 && seen.x > 0 && seen.y > 0 && seen.x < size.width && seen.y < size.height;
       return inside ? [{ key, text, x: seen.x, y: seen.y, kind }] : [];
     };
-    if (state.observer === "camera" && view!.tiles > 0) return []; // the tiles hide what they would name
+    if (state.observer === "camera" && (view!.tiles > 0 || state.look === "traced")) return []; // the tiles hide what they would name
     const first = chosen.find((line) => line.light < 0);
     const lit = view!.lit ? view!.lit.ray : first?.ray;
     const arrived = chosen.some((line) => line.ray === lit && line.light < 0 && !line.growing);
@@ -96,6 +100,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => HTMLEl
     observer = observerOf(view.state.observer, view.scene, view.plane, size.width / size.height);
     projection = createProjection(observer, size.width, size.height);
     renderer.draw(view, observer, projection);
+    traced.show(view.state.look === "traced" && view.state.observer === "camera" ? view.scene : null, view.plane, projection);
     labels.show(labelsOf(view), size.width, size.height, taken, strokesOf(view.chosen));
     frames++;
   }

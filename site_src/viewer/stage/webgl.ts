@@ -16,10 +16,12 @@ const hitDots = (lines: readonly Line[]): Dot[] =>
 const KEPT_SETS = 4;
 const DOTS_UP_TO = 1500; // lines: beyond, the dots would hide what they lie on
 
+const isPlain = (view: StageView) => view.state.look === "plain";
+
 /** What stays while the scene stays. */
 function createSet(view: StageView) {
   const world = new Scene();
-  const solids = createSolids(view.scene);
+  const solids = createSolids(view.scene, isPlain(view));
   const tiles = createTiles(view.plane);
   const sign = createCameraSign(view.plane, view.scene.bounds.radius);
   const lamps = createDots(34, 0.55);
@@ -72,16 +74,19 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
   renderer.debug.checkShaderErrors = false; // asking waits for the compiler; the tests look at what is drawn
   const camera = new PerspectiveCamera();
   let size = { width: 1, height: 1, ratio: 1 };
-  const sets = new Map<StageView["scene"], ReturnType<typeof createSet>>();
+  const sets = new Map<string, ReturnType<typeof createSet> & { of: StageView["scene"] }>();
 
   /** The last few scenes stay on the graphics card: going back to one takes no time. */
   function setFor(view: StageView) {
-    const known = sets.get(view.scene);
-    const set = known ?? createSet(view);
-    sets.delete(view.scene);
-    sets.set(view.scene, set);
+    const name = `${view.scene.id} ${isPlain(view)}`;
+    const last = sets.get(name);
+    const known = last?.of === view.scene ? last : null;
+    if (last && !known) last.dispose(); // the scene was read anew since
+    const set = known ?? { ...createSet(view), of: view.scene };
+    sets.delete(name);
+    sets.set(name, set);
     if (known) return set;
-    for (const [scene, old] of sets) if (sets.size > KEPT_SETS) old.dispose(), sets.delete(scene);
+    for (const [each, old] of sets) if (sets.size > KEPT_SETS) old.dispose(), sets.delete(each);
     set.resize(size.width, size.height, size.ratio);
     renderer.shadowMap.needsUpdate = true;
     return set;

@@ -2,10 +2,11 @@
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type Kept, type RayChoice, type ViewState } from "./view-state";
+import { LOOKS } from "./look";
 import { SLICES } from "./section";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "slice", "step", "answer", "e", "speed", "projector", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "step", "answer", "e", "speed", "projector", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const placeOf = (observer: ViewState["observer"]) =>
@@ -23,6 +24,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   const filled = ({ tiles }: ViewState) => (tiles === "empty" ? tiles : "filled");
   if (filled(state) !== filled(start)) put("tiles", filled(state));
   if (placeOf(state.observer) !== placeOf(start.observer)) put("cam", placeOf(state.observer));
+  if (state.look !== start.look) put("look", state.look);
   if (state.slice !== start.slice) put("slice", state.slice);
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
@@ -91,6 +93,7 @@ export function followAddress(
     }) ?? told.rays,
     tiles: read("tiles", (text) => (text === "empty" || text === "filled" ? text : null)) ?? told.tiles,
     observer: read("cam", readObserver) ?? told.observer,
+    look: read("look", (text) => LOOKS.find((each) => each === text) ?? null) ?? told.look,
     slice: read("slice", (text) => SLICES.find((each) => each === text) ?? null) ?? told.slice,
   };
   // How many events there are is known with the trace.

@@ -2,6 +2,7 @@
 import type { SceneData, Trace, View } from "../trace/types";
 import type { ObserverChoice } from "./observer";
 import { NOT_TOLD } from "./play";
+import type { Look } from "./look";
 import { SLICES, type Slice } from "./section";
 
 export type RayChoice = "pixel" | "row" | "column" | "all";
@@ -20,6 +21,7 @@ export interface ViewState {
   drawn: number; // tiles shown so far while filling; may be a fraction
   speed: number;
   observer: ObserverChoice;
+  look: Look;
   slice: Slice; // the plane of the selected row's or column's rays, drawn flat instead of the stage
   step: number | null; // of the lesson
   revealed: boolean; // the step's answer
@@ -52,6 +54,7 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     tiles: "empty",
     drawn: 0,
     observer: "start",
+    look: "approximate",
     slice: "none",
     step: null,
     revealed: false,
@@ -125,7 +128,8 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     n,
     rays: view.rays ?? start.rays,
     tiles: view.tiles ?? start.tiles,
-    observer: view.observer ?? start.observer,
+    observer: view.look === "traced" ? "camera" : (view.observer ?? start.observer), // the picture's only place
+    look: view.look ?? start.look,
     slice: view.slice ?? start.slice,
     step: state.step,
     revealed: state.revealed,

@@ -98,6 +98,7 @@ export interface View {
   pixel?: readonly [number, number]; // column, row from the top left
   rays?: readonly ("pixel" | "row" | "column" | "all")[]; // [] shows none
   tiles?: "empty" | "filled";
+  look?: "plain" | "approximate" | "traced"; // of the stage
   slice?: "none" | "row" | "column"; // drawn flat instead of the stage
   observer?: "start" | "camera" | { eye: Vec3; target: Vec3 };
 }

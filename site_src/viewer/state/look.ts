@@ -1,0 +1,22 @@
+/** How the stage shows the scene: what a graphics card draws by itself, or what the rays found. */
+import type { ViewState } from "./view-state";
+
+export type Look = "plain" | "approximate" | "traced";
+export const LOOKS: readonly Look[] = ["plain", "approximate", "traced"];
+
+/** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */
+export const withLook = (state: ViewState, look: Look): ViewState => ({
+  ...state,
+  look,
+  slice: "none",
+  observer: look === "traced" ? "camera" : state.observer,
+});
+
+export const nextLook = ({ look }: ViewState): Look => LOOKS[(LOOKS.indexOf(look) + 1) % LOOKS.length];
+
+/** From anywhere else than the ray-tracing camera the stage is rasterised again. */
+export const withObserver = (state: ViewState, observer: ViewState["observer"]): ViewState => ({
+  ...state,
+  observer,
+  look: state.look === "traced" && observer !== "camera" ? "approximate" : state.look,
+});
