@@ -27,18 +27,18 @@ TRACING = 0.7  # of a scene's time; the rest is encoding. Only the progress bar 
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
 
-def write_products(scene: Scene, folder: Path, threads: int, tell: Tell = say_nothing) -> None:
+def write_products(scene: Scene, folder: Path, threads: int, report: Tell = say_nothing) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
-    facts.json, display.npz into a folder. tell: told the stage, and the share that is done."""
-    tell("reading", 0.0)
+    facts.json, display.npz into a folder. report: told the stage, and the share that is done."""
+    report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
-    traced = trace_picture(tracer, threads, lambda share: tell("tracing", TRACING * share))
-    tell("picture", TRACING)
+    traced = trace_picture(tracer, threads, lambda share: report("tracing", TRACING * share))
+    report("picture", TRACING)
     write_png(folder / "picture.png", traced.picture)
     write_png(folder / "thumb.png", thumbnail(traced.picture))
     levels = sorted(scene.render.resolutions)
     for place, n in enumerate(levels):
-        tell(f"grid {n}", TRACING + (1 - TRACING) * place / len(levels))
+        report(f"grid {n}", TRACING + (1 - TRACING) * place / len(levels))
         write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
     write_display(folder / "display.npz", scene, tracer)
     sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
