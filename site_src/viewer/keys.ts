@@ -55,6 +55,7 @@ export function listenToKeys(acts: KeyActs) {
 
   function press(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
+    if (event.key !== "?" && document.querySelector("dialog[open]")) return; // the page below a sheet keeps still
     const target = event.target instanceof Element ? event.target : null;
     if (target?.closest(TYPING)) return;
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button

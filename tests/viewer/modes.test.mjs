@@ -1,0 +1,154 @@
+/** Links, pictures, help, full screen, projector, and the page inside another one. */
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { after, before, test } from "node:test";
+import { DIST, launch, newPage, ON_DISK, open, press, richScene, settled, state, until } from "./browser.mjs";
+import { serve } from "./server.mjs";
+
+const rich = richScene();
+const START = "still=1&gl=none&n=15&p=5,8";
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+const button = (name) => page.getByRole("button", { name });
+
+test("Link copies the address of this very view", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
+  await press(page, "ArrowRight", "h");
+  await button("Copy the link").click();
+  const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];
+  assert.ok(copied.startsWith(ON_DISK));
+  await open(page, ON_DISK, rich.path, new URL(copied).hash.slice(1));
+  assert.deepEqual(await state(page), there);
+});
+
+for (const how of ["", "&gl=none", "&slice=row"])
+  test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
+    await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
+    if (how.includes("slice")) await page.locator(".slice canvas").waitFor();
+    const [download] = await Promise.all([page.waitForEvent("download"), button("Save this view").click()]);
+    assert.equal(download.suggestedFilename(), `${rich.id}-5-8.png`);
+    const { PNG } = await import("pngjs");
+    const image = PNG.sync.read(readFileSync(await download.path()));
+    const box = await page.locator(".stage-view:visible, .slice:visible").boundingBox();
+    assert.ok(Math.abs(image.width - box.width) <= 1 && image.height > box.height);
+    const colours = new Set();
+    for (let at = 0; at < image.data.length; at += 40) colours.add(image.data.readUInt32BE(at));
+    assert.ok(colours.size > 20, "something is drawn");
+  });
+
+test("the help sheet lists every key, keeps the focus, and closes with Esc, its key and its cross", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  for (const close of [() => press(page, "Escape"), () => press(page, "?"), () => page.getByRole("button", { name: "Close (Esc)" }).click()]) {
+    await press(page, "?");
+    assert.equal(await page.getByRole("dialog").count(), 1);
+    for (let k = 0; k < 6; k++) await page.keyboard.press("Tab");
+    assert.ok(await page.evaluate(() => document.activeElement === document.body || !!document.activeElement.closest("dialog")));
+    await press(page, "a", "PageDown");
+    await close();
+    assert.equal(await page.getByRole("dialog").count(), 0);
+  }
+  assert.deepEqual((await state(page)).rays, ["pixel"], "the page keeps still under a sheet");
+  assert.equal((await state(page)).scene, rich.id);
+  await button("All keys").click();
+  const listed = await page.locator("dialog kbd").allInnerTexts();
+  const keys = readFileSync("site_src/viewer/keys.ts", "utf8").match(/const table.*? = \{\n(.*?)\n {2}\};/s)[1];
+  const bound = [...keys.matchAll(/^ {4}"?([^":\s]+| )"?:/gm)].map(([, key]) => key).filter((key) => key.length === 1 && key !== " " && key !== "=");
+  assert.ok(bound.length > 10);
+  assert.deepEqual(bound.filter((key) => !listed.includes(key === "-" ? "\u2212" : key.toUpperCase())), []);
+});
+
+test("F asks for the full screen, and a refusal is said", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  await page.evaluate(() => (document.documentElement.requestFullscreen = () => ((window.asked = true), Promise.reject(new Error("no")))));
+  await press(page, "f");
+  assert.equal(await page.evaluate(() => window.asked), true);
+  assert.match(await page.locator("#notice").innerText(), /does not let this page fill the screen/);
+});
+
+test("the projector page is light, large, in the address, and shows pressed keys", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  const looks = () => page.evaluate(() => ["body", ".lesson-text"].map((part) => getComputedStyle(document.querySelector(part))).map((style, k) => (k ? parseFloat(style.fontSize) : style.backgroundColor)));
+  const [, plain] = await looks();
+  await press(page, "j", "h");
+  const [ground, large] = await looks();
+  assert.equal(ground, "rgb(255, 255, 255)");
+  assert.ok(large >= 1.35 * plain);
+  assert.match(await page.locator(".key-sign").innerText(), /H\s+rays of the selected row/);
+  await page.waitForFunction(() => location.hash.includes("projector=1"));
+  await page.reload();
+  await page.evaluate(() => window.raywalk.ready);
+  assert.equal((await state(page)).projector, true);
+  await press(page, "2");
+  await until(page, (s, t) => t.shown.scene === s.scene && t.shown.scene.startsWith("02"));
+  assert.equal((await state(page)).projector, true, "it stays from scene to scene");
+  await button("Large type").click();
+  assert.equal((await state(page)).projector, false);
+});
+
+for (const where of ["a file", "another origin"])
+  test(`inside ${where} it is compact, works, and leads to the whole page`, async () => {
+    const site = await serve(DIST);
+    try {
+      const base = where === "a file" ? ON_DISK : site.url;
+      const folder = mkdtempSync(join(tmpdir(), "course-"));
+      writeFileSync(join(folder, "course.html"), `<!doctype html><title>Course</title><iframe src="${base}${rich.path}?embed#${START}" width="900" height="640" title="Ray walk"></iframe>`);
+      const outer = await browser.newPage({ viewport: { width: 1000, height: 760 } });
+      await outer.goto(pathToFileURL(join(folder, "course.html")).href);
+      const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
+      await frame.waitForFunction(() => window.raywalk?.state());
+      await frame.evaluate(() => window.raywalk.ready);
+      await frame.locator("li.ray").first().waitFor();
+      assert.deepEqual(await frame.locator(".top, nav.scenes").evaluateAll((parts) => parts.map((part) => part.checkVisibility())), [false, false]);
+      await frame.locator("li.ray").first().click();
+      assert.equal((await frame.evaluate(() => window.raywalk.state())).event, 1);
+      const whole = frame.getByRole("link", { name: "Open in Raywalk" });
+      await whole.focus();
+      const to = new URL(await whole.getAttribute("href"));
+      assert.ok(to.href.startsWith(base) && !to.search && to.hash.includes("e=2"), to.href);
+      const { wide, small } = await frame.evaluate(() => ({
+        wide: document.documentElement.scrollWidth - innerWidth,
+        small: [...document.querySelectorAll("button, a, input")].filter((e) => e.checkVisibility({ visibilityProperty: true }) && e.offsetWidth && (e.offsetWidth < 44 || e.offsetHeight < 44)).map((e) => e.getAttribute("aria-label") ?? e.textContent),
+      }));
+      assert.deepEqual([wide, small], [0, []]);
+      await outer.close();
+    } finally {
+      site.close();
+    }
+  });
+
+test("the pseudo-code marks the told event's line, folds, and remembers it", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  const code = page.getByRole("region", { name: "The algorithm" });
+  await page.evaluate(() => localStorage.setItem("raywalk code", "folded"));
+  await page.reload();
+  await page.evaluate(() => window.raywalk.ready);
+  assert.equal(await code.isVisible(), false);
+  await button("the algorithm as pseudo-code").click();
+  const lines = [];
+  const events = await page.evaluate(() => window.raywalk.stats().events.map((event) => event.what));
+  for (const what of events) {
+    await press(page, ".");
+    const here = await page.locator(".code-lines [aria-current]").allInnerTexts();
+    assert.equal(here.length, 1, what);
+    lines.push([what, here[0]]);
+  }
+  const of = new Map(lines);
+  assert.match(of.get("meets"), /nearest/);
+  assert.match(of.get("reached"), /shadow ray/);
+  assert.match(of.get("reflected"), /trace\(reflected\)/);
+  assert.match(of.get("pixel"), /^pixel/);
+  await page.reload();
+  await page.evaluate(() => window.raywalk.ready);
+  await settled(page);
+  assert.equal(await code.isVisible(), true);
+});
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
