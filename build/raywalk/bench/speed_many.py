@@ -20,12 +20,19 @@ title = "Ball {k}"
 teaches = "A ball."
 camera = {{ eye = [0, 0, 5], target = [0, 0, 0] }}
 render = {{ size = 315, resolutions = [7, 21, 63], depth = 3 }}
-objects = [
-  {{ name = "ball", type = "sphere", center = [0, 0, 0], radius = {radius},
-    material = {{ like = "coloured", reflect = 0.5 }} }},
-  {{ name = "floor", type = "plane", point = [0, -1, 0], normal = [0, 1, 0], material = "white" }},
-]
 lights = [{{ position = [1, 2, 3] }}]
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = {radius}
+material = {{ like = "coloured", reflect = 0.5 }}
+[[objects]]
+name = "floor"
+type = "plane"
+point = [0, -1, 0]
+normal = [0, 1, 0]
+material = "white"
 """
 
 PROGRAM = """

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raywalk.trace_file.palette import palette_of
 from raywalk.trace_file.script import write_beside
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -29,16 +30,10 @@ def png(rgb8: np.ndarray) -> bytes:
     """The smaller of true colour and, where it fits, palette."""
     height, width, _ = rgb8.shape
     tries = [_file(width, height, TRUE_COLOUR, b"", _rows(rgb8.reshape(height, -1), UP))]
-    packed = rgb8.reshape(-1, 3).astype(np.uint32) @ np.array([65536, 256, 1], np.uint32)
-    colours, index = np.unique(packed, return_inverse=True)
-    if len(colours) <= 256:
-        palette = np.stack([colours >> 16, colours >> 8 & 255, colours & 255], axis=1)
-        rows = index.reshape(height, width).astype(np.uint8)
-        tries.append(
-            _file(
-                width, height, PALETTE, palette.astype(np.uint8).tobytes(), _rows(rows, NO_FILTER)
-            )
-        )
+    if found := palette_of(rgb8):
+        palette, index = found
+        data = _rows(index, NO_FILTER)
+        tries.append(_file(width, height, PALETTE, palette.tobytes(), data))
     return min(tries, key=len)
 
 

@@ -1,0 +1,46 @@
+"""What the speed parts of the bench measure; how long things take is not asserted here."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from raywalk.bench.speed_many import write_scenes
+from raywalk.bench.speed_skips import SKIPS, measured, skip_cases
+from raywalk.scene import read_scene, read_scenes
+from raywalk.trace.plan import plan_of
+
+FOLDER = Path(__file__).parents[2] / "scenes"
+# Between them they have something to leave out for every skip.
+NAMES = ("01-shading", "05-many-bounces", "06-bunny-far", "08-glass")
+
+
+def small(name: str):
+    scene = read_scene(FOLDER / name)
+    return replace(scene, render=replace(scene.render, size=105, resolutions=(5, 15)))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_skip_changes_a_picture(name):
+    """Each is measured beside doing what it leaves out: the same pixels come out."""
+    scene = small(name)
+    rows = [measured(scene, skip, 1) for skip in SKIPS if skip.needed(plan_of(scene), scene)]
+    assert rows
+    changed = [case for case in skip_cases(rows, 0) if "8-bit" in case.metric and not case.holds]
+    assert not changed
+
+
+def test_every_skip_has_a_scene_that_it_is_for():
+    """One that never has anything to leave out would be dead code."""
+    scenes = [small(name) for name in NAMES]
+    for skip in SKIPS:
+        assert any(skip.needed(plan_of(scene), scene) for scene in scenes), skip.key
+
+
+def test_the_scenes_that_are_built_by_the_dozen_are_in_order_and_all_different(tmp_path):
+    """Equal ones would be traced once."""
+    write_scenes(tmp_path, 3)
+    radii = {scene.objects[0].shape.radius for scene in read_scenes(tmp_path)}
+    assert len(radii) == 3
