@@ -24,8 +24,8 @@ MAY_IMPORT = {
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.tree", "scene", "errors"},
     "telling": {"trace.tree", "trace_file", "scene", "words"},
-    "slides": {"scene", "trace_file", "telling", "words", "errors"},
-    "site": {"scene", "trace_file", "words", "errors"},
+    "slides": {"scene", "trace_file", "telling", "words", "lesson_text", "errors"},
+    "site": {"scene", "trace_file", "words", "lesson_text", "errors"},
 }
 VIEWER_MAY_IMPORT = {
     "trace": {"trace"},

@@ -18,6 +18,7 @@ COMMANDS = {
     "inspect": "inspect",
     "probe": "probe",
     "pixel": "pixel",
+    "slides": "slides",
     "serve": "serve",
     "bench": "bench",
     "stress": "stress",

@@ -26,6 +26,7 @@ from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.spared import as_table, spared_lines, spared_of
+from raywalk.slide_pipeline import make_decks, plan, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -82,15 +83,22 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
             store, page_data_parts(scene, keys[scene.id]),
             partial(write_page_data, scene, entries[scene.id]), chosen,
         )  # fmt: skip
+    plans = [plan(scene, entries[scene.id].folder, keys[scene.id]) for scene in scenes]
+    decks = yield from make_decks(store, plans)
+    notes += slide_remarks(decks)
+    yield from slide_remarks(decks)
     with staged(chosen.out) as out:
         script = (viewer.folder / "viewer.js").read_bytes()
         assets = write_assets(out, site_source, script)
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
+        downloads = publish_slides(out / "slides", decks)
         publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
         for code, told in spoken.items():
-            write_edition(out, site_source, [each.scene for each in told], facts, assets, code)
-    used = [*entries.values(), *data.values(), viewer]
+            write_edition(
+                out, site_source, [each.scene for each in told], facts, assets, downloads, code
+            )
+    used = [*entries.values(), *data.values(), *decks, viewer]
     store.prune(keep={entry.folder.name for entry in used})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
@@ -191,7 +199,7 @@ def trace_into(
 
 def write_edition(
     out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
-    assets: dict[str, str], code: str,
+    assets: dict[str, str], downloads: dict[str, list[str]], code: str,
 ) -> None:  # fmt: skip
     """The site in one language: its sentences, the scenes' words, its pages."""
     words = read_words(code)
@@ -202,7 +210,9 @@ def write_edition(
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     spared = {scene.id: spared_lines(facts[scene.id], words) for scene in scenes}
     told_by = assets | write_words(out, words)
-    write_pages(out, site_source / "templates", scenes, figures, told_by, words, spared)
+    write_pages(
+        out, site_source / "templates", scenes, figures, told_by, downloads, words, spared
+    )
 
 
 def bundle(site_source: Path, folder: Path) -> None:

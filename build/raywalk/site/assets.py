@@ -9,7 +9,7 @@ from pathlib import Path
 
 from raywalk.words import Words
 
-PAGES_ONLY = ("pages",)  # sentences that the viewer never says
+PAGES_ONLY = ("pages", "slides")  # sentences that the viewer never says
 
 
 class BundleError(Exception):

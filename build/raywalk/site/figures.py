@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from raywalk.scene.model import Mesh, Scene
-from raywalk.scene.models import find_catalogue, read_catalogue
+from raywalk.scene.credits import named_models
+from raywalk.scene.model import Scene
 from raywalk.words import Words
 
 Figures = list[tuple[str, str]]  # label, value
@@ -60,14 +60,9 @@ def has_glass(scene: Scene) -> bool:
 
 def model_credits(scene: Scene, words: Words) -> list[str]:
     """Title, credit and licence of each named model in the scene, once each."""
-    named = {obj.shape.model for obj in scene.objects if isinstance(obj.shape, Mesh)}
-    if not named:
-        return []
-    models, _ = read_catalogue(find_catalogue(scene.path))
-    known = [models.tables[name] for name in sorted(named) if name in models.tables]
     return [
         words.say(
             "pages.figures.modelIs", title=table.title, credit=table.credit, licence=table.licence
         )
-        for table in known
+        for table in named_models(scene)
     ]

@@ -8,9 +8,10 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
 
+from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import Scene
+from raywalk.site.downloads import sorted_downloads
 from raywalk.site.figures import Figures, has_glass
-from raywalk.site.lesson_text import lesson_html
 from raywalk.site.saying import sayings
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -21,10 +22,12 @@ Assets = dict[str, str]
 
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
-    words: Words | None = None, spared: dict[str, Figures] | None = None,
+    downloads: dict[str, list[str]], words: Words | None = None,
+    spared: dict[str, Figures] | None = None,
 ) -> None:  # fmt: skip
-    """index.html, model/index.html and scenes/<id>/index.html of one language: under `out` for
-    the default one, under out/<code> for another. scenes: in that language.
+    """index.html, model/, slides/ and scenes/<id>/index.html of one language: under `out` for
+    the default one, under out/<code> for another. scenes: in that language; downloads: names of
+    the files in slides/, by scene id or "course".
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -45,8 +48,13 @@ def write_pages(
         glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
+    decks = {id: sorted_downloads(id, names) for id, names in downloads.items()}
+    write("slides/index.html", "slides.html", decks=decks)
     for scene in scenes:
-        told = _scene(scene, figures[scene.id]) | {"spared": (spared or {}).get(scene.id)}
+        told = _scene(scene, figures[scene.id]) | {
+            "spared": (spared or {}).get(scene.id),
+            "downloads": decks[scene.id],
+        }
         write(f"scenes/{scene.id}/index.html", "scene.html", scene=told)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import (
     Camera,
     Cylinder,
@@ -20,7 +21,6 @@ from raywalk.scene.model import (
     SceneObject,
 )
 from raywalk.scene.placement import checker_axes, placement
-from raywalk.site.lesson_text import lesson_html
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 
 Json = dict[str, Any]

@@ -79,7 +79,11 @@ class Tracer:
 
     def follow(self, origin: np.ndarray, direction: np.ndarray) -> list[Wave]:
         """Traces rays (n, 3) that start where the eye is, or in the same media, to the end."""
-        waves = [self._wave(self._shot(origin, direction))]
+        return self.to_the_end(self._shot(origin, direction))
+
+    def to_the_end(self, first: Bounced) -> list[Wave]:
+        """Traces these first rays, wherever they start and whatever they leave."""
+        waves = [self._wave(first)]
         while len(waves) <= self.plan.depth:
             last = waves[-1]
             bounced = bounce(

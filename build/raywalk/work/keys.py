@@ -29,7 +29,7 @@ MESH_STAGES = frozenset(
 )
 MESH_PACKAGES = ("embreex", "trimesh")
 # What a scene's data for the viewer is made by, from its trace and its words.
-PAGE_STAGES = ("scene", "site", "trace_file")
+PAGE_STAGES = ("scene", "site", "trace_file", "lesson_text.py")
 PAGE_PACKAGES = ("numpy", "markdown")
 
 Parts = dict[str, Any]  # plain values, as JSON

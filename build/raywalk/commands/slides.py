@@ -1,0 +1,172 @@
+"""raywalk slides: one lesson's slides, or the course's, in the form that is asked for."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from raywalk.commands.check import scene_file
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.scene import read_scene, read_scenes
+from raywalk.scene.model import Scene
+from raywalk.scene.wording import did_you_mean, joined
+
+FORMATS = (
+    "html", "pdf", "pptx", "svg", "handout-2", "handout-3", "handout-6", "worksheet", "answers",
+)  # fmt: skip
+ASPECTS = ("16:9", "4:3")
+PALETTES = ("screen", "print")
+COURSE = "course"
+
+
+def add_to(commands: Any) -> None:
+    """Adds the command's arguments."""
+    parser = commands.add_parser("slides", help="a lesson as slides, handouts, worksheet")
+    parser.add_argument("scene", help='a scene file, folder or id; "course" for all of them')
+    parser.add_argument("--steps", type=steps, help="of the lesson, as 1,3-5; all if left out")
+    parser.add_argument(
+        "--format", type=formats, default=("html", "pdf", "pptx"),
+        help=f"one or more of {joined(FORMATS)}, with commas between",
+    )  # fmt: skip
+    parser.add_argument("--aspect", choices=ASPECTS, default=ASPECTS[0])
+    parser.add_argument(
+        "--palette", choices=PALETTES,
+        help="colours for a projector or for paper; left out: pdf for paper, pptx for a projector",
+    )  # fmt: skip
+    parser.add_argument("--out", type=Path, default=Path("slides"), help="folder for the files")
+    parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
+    parser.set_defaults(run=run)
+
+
+def run(chosen: Namespace) -> Iterator[str]:
+    """Names each file that was written. Raises SourceErrors."""
+    scenes = _scenes(chosen)
+    _refuse_steps(chosen, scenes)
+    # Only now: what is wrong is told before anything heavy is imported.
+    from raywalk.slide_products import write_files
+    from raywalk.slides.deck import COURSE, Sources, course_of, lesson_slides, scene_deck
+    from raywalk.slides.layout import LAYOUTS
+    from raywalk.slides.palette import PALETTES
+    from raywalk.slides.pdf import MissingGlyphs
+
+    layout, palette = LAYOUTS[chosen.aspect], PALETTES.get(chosen.palette)
+    sources = []
+    for scene in scenes:
+        sources.append(Sources(scene, *(yield from _prepared(chosen, scene, layout))))
+    lessons = [each.lesson(layout) for each in sources]
+    if chosen.scene == COURSE:
+        deck = course_of(sources, [lesson_slides(each) for each in lessons], layout)
+        lesson = None
+    else:
+        deck, lesson = scene_deck(sources[0], layout, chosen.steps, lessons[0]), lessons[0]
+    chosen.out.mkdir(parents=True, exist_ok=True)
+    before = {path: path.stat().st_mtime_ns for path in chosen.out.iterdir()}
+    try:
+        write_files(chosen.out, deck, chosen.format, lesson, palette, strict=True)
+    except MissingGlyphs as lost:
+        raise SourceErrors([_lost(scenes, lost.characters)]) from None
+    for path in sorted(chosen.out.iterdir()):
+        if before.get(path) != path.stat().st_mtime_ns:
+            yield f"{path}: {path.stat().st_size / 1000:.0f} KB"
+
+
+def steps(text: str) -> frozenset[int]:
+    """ "1,3-5" as {0, 2, 3, 4}."""
+    chosen: set[int] = set()
+    for part in text.split(","):
+        match = re.fullmatch(r"\s*(\d{1,4})(?:-(\d{1,4}))?\s*", part, re.ASCII)
+        first, last = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
+        if not match or not 1 <= first <= last:
+            message = f"{part!r} is no step: write numbers from 1 and ranges, as 1,3-5"
+            raise argparse.ArgumentTypeError(message)
+        chosen |= set(range(first - 1, last))
+    return frozenset(chosen)
+
+
+def formats(text: str) -> tuple[str, ...]:
+    """ "pdf,svg" as a tuple, each once."""
+    named = [part.strip() for part in text.split(",")]
+    for name in named:
+        if name not in FORMATS:
+            hint = did_you_mean(name, FORMATS)
+            raise argparse.ArgumentTypeError(
+                f"no format is called {name!r}; known: {joined(FORMATS)}"
+                + (f"; {hint}" if hint else "")
+            )
+    return tuple(dict.fromkeys(named))
+
+
+def _scenes(chosen: Namespace) -> list[Scene]:
+    if chosen.scene == COURSE:
+        return read_scenes(chosen.scenes)
+    file = scene_file(chosen.scene, chosen.scenes)
+    if not file.exists() and file.parent.parent == chosen.scenes and chosen.scenes.is_dir():
+        known = sorted(path.parent.name for path in chosen.scenes.glob("*/scene.toml"))
+        raise SourceErrors([
+            SourceError(
+                chosen.scenes, "", f'there is no scene "{chosen.scene}"',
+                allowed=f"known: {joined([*known, COURSE])}",
+                hint=did_you_mean(chosen.scene, known),
+            )
+        ])  # fmt: skip
+    return [read_scene(file)]
+
+
+def _refuse_steps(chosen: Namespace, scenes: list[Scene]) -> None:
+    """The steps must be there, and a course has none of its own."""
+    if chosen.scene == COURSE:
+        one_lesson = [name for name in chosen.format if name in ("worksheet", "answers")]
+        if chosen.steps is not None or one_lesson:
+            what = "--steps" if chosen.steps is not None else f"--format {one_lesson[0]}"
+            problem = f"{what} is for the lesson of one scene, not for the course"
+            raise SourceErrors([SourceError(chosen.scenes, "", problem)])
+        return
+    [scene] = scenes
+    if not scene.lesson:
+        raise SourceErrors([SourceError(scene.path, "lesson", "has no steps to make slides of")])
+    missing = sorted(k + 1 for k in chosen.steps or () if k >= len(scene.lesson))
+    if missing:
+        message = f"has no step {joined(map(str, missing))}"
+        allowed = f"allowed: 1 to {len(scene.lesson)}"
+        raise SourceErrors([SourceError(scene.path, "lesson", message, allowed=allowed)])
+
+
+def _prepared(chosen: Namespace, scene: Scene, layout: Any) -> Any:
+    """Folders of the scene's trace and sights, made if the store has them not."""
+    from raywalk.slide_pipeline import make_sights, plan
+    from raywalk.work.digests import key_of
+    from raywalk.work.keys import trace_parts
+    from raywalk.work.pool import cores
+    from raywalk.work.store import Store
+
+    store, parts = Store(chosen.work), trace_parts(scene)
+    found = store.find(key_of(parts))
+    if not found:
+        yield f"tracing {scene.id}"
+        from raywalk.products import write_products
+
+        found = store.entry(
+            key_of(parts), lambda folder: write_products(scene, folder, cores()), parts
+        )
+    made = plan(scene, found.folder, key_of(parts), layout)
+    return found.folder, make_sights(store, made).folder
+
+
+def _lost(scenes: list[Scene], characters: list[str]) -> SourceError:
+    """Where the first of the characters stands that the font has not."""
+    named = ", ".join(f"{c} (U+{ord(c):04X})" for c in characters[:8])
+    path, key = scenes[0].path, "lesson"
+    for scene in scenes:
+        for k, step in enumerate(scene.lesson):
+            for of, text in (("text", step.text), ("answer", step.answer)):
+                if any(c in text for c in characters):
+                    path, key = scene.path, f"lesson[{k}].{of}"
+                    break
+    return SourceError(
+        path, key, f"the font of PDF slides has no {named}",
+        hint="formats html, svg and pptx are set by the reader's own fonts",
+    )  # fmt: skip

@@ -1,0 +1,202 @@
+"""What an onlooker sees of a scene: a shaded view from any place, and which stretches of a
+line are hidden from there.
+
+Walls are cut away as on the viewer's stage: a plane seen from the side on which the ray-tracing
+camera is not, and what of a plane lies beyond another one, outside of the room.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raywalk.geometry.compiled import Hits, Rays, rays_from
+from raywalk.geometry.containment import objects_around
+from raywalk.geometry.nearest import NOWHERE
+from raywalk.scene.model import Plane
+from raywalk.scene.placement import placement
+from raywalk.trace.bounce import Bounced
+from raywalk.trace.media import stack_width, stacks_holding
+from raywalk.trace.tree import Kind
+from raywalk.trace.wavefront import Tracer, eight_bit
+
+# An endless floor fades away between these distances from the scene's middle, in its radii.
+FADE_FROM, FADE_TO = 1.0, 2.1
+# A plane ends this share of the scene's radius beyond where another one crosses it: no gap.
+EDGE = 1e-6
+STRIP = 16_384  # rays at a time, as in wavefront.py
+SAMPLES = 48  # places along a line at which its visibility is asked
+HALVINGS = 14  # where it changes between two of them: to 1e-6 of the line
+# A point this share nearer than the surface in front of it counts as on it, so as visible.
+ON_SURFACE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Onlooker:
+    """Where it stands and how wide it sees; pixels of its view. Vectors (3,), frame unit."""
+
+    eye: np.ndarray
+    right: np.ndarray
+    up: np.ndarray
+    forward: np.ndarray
+    focal: float  # pixels that one world unit takes at depth 1
+    width: int
+    height: int
+
+
+def shaded_view(tracer: Tracer, look: Onlooker) -> np.ndarray:
+    """(height, width, 4) uint8: traced colours, and how much there is to see at each pixel:
+    0 where rays leave the scene, fading far out on a plane."""
+    walls, media = Walls(tracer, look.eye), _media_at(tracer, look.eye)
+    pixels = np.arange(look.width * look.height)
+    view = np.zeros((len(pixels), 4), np.uint8)
+    for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
+        first = _through_cut(tracer, _from(look, _directions(look, strip)), walls)
+        wave = tracer.follow(_as_camera_rays(tracer, media, first))[0]
+        view[strip, :3] = eight_bit(wave.colour)
+        view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
+    return view.reshape(look.height, look.width, 4)
+
+
+def hidden_stretches(
+    tracer: Tracer, eye: np.ndarray, lines: np.ndarray
+) -> list[list[tuple[float, float]]]:
+    """For each of the lines (n, 2, 3) the stretches, as shares of its way, that an opaque object
+    hides from the eye. Stretches shorter than 1 / SAMPLES may be missed; ends are exact to 1e-6."""
+    if not len(lines):
+        return []
+    walls = Walls(tracer, eye)
+    share = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    start, way = lines[:, :1], lines[:, 1:] - lines[:, :1]
+    hidden = _hidden(tracer, eye, (start + share[:, None] * way).reshape(-1, 3), walls)
+    hidden = hidden.reshape(len(lines), SAMPLES)
+    line, before = np.nonzero(hidden[:, 1:] != hidden[:, :-1])
+    low, high = share[before], share[before + 1]
+    first = hidden[line, before]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        same = first == _hidden(
+            tracer, eye, lines[line, 0] + middle[:, None] * (lines[line, 1] - lines[line, 0]), walls
+        )
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    changes = (low + high) / 2
+    return [_stretches(bool(hidden[k, 0]), changes[line == k].tolist()) for k in range(len(lines))]
+
+
+def hidden_points(tracer: Tracer, eye: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(n,) bool: which of the points (n, 3) an opaque object hides from the eye."""
+    return _hidden(tracer, eye, points, Walls(tracer, eye))
+
+
+class Walls:
+    """A scene's planes, and what of them is cut away for an onlooker."""
+
+    def __init__(self, tracer: Tracer, eye: np.ndarray):
+        scene = tracer.scene
+        camera = np.array(scene.camera.eye, float)
+        self.margin = EDGE * tracer.scene_sphere[1]
+        self.is_wall = np.array([isinstance(obj.shape, Plane) for obj in scene.objects], bool)
+        self.cut = np.zeros(len(scene.objects), bool)
+        self.sides: list[tuple[int, np.ndarray, float]] = []  # object, normal to the camera, offset
+        for k in np.flatnonzero(self.is_wall).tolist():
+            linear, point = placement(scene.objects[k])
+            normal = np.cross(linear[:, 2], linear[:, 0])
+            normal = normal / np.sqrt(normal @ normal) * np.sign((camera - point) @ normal or 1.0)
+            self.cut[k] = (eye - point) @ normal < 0
+            self.sides.append((k, normal, float(point @ normal)))
+
+    def let_through(self, hits: Hits) -> np.ndarray:
+        """(n,) bool: hits on walls that are not there for the onlooker."""
+        hit = hits.object != NOWHERE
+        gone = hit & self.cut[hits.object] if len(self.cut) else np.zeros(len(hit), bool)
+        for k, normal, offset in self.sides:
+            beyond = hits.point @ normal < offset - self.margin
+            gone |= hit & self.is_wall[hits.object] & (hits.object != k) & beyond
+        return gone
+
+
+def _stretches(starts_hidden: bool, changes: list[float]) -> list[tuple[float, float]]:
+    borders = [0.0, *changes] if starts_hidden else changes
+    if len(borders) % 2:
+        borders = [*borders, 1.0]
+    return list(zip(borders[::2], borders[1::2], strict=True))
+
+
+def _directions(look: Onlooker, pixels: np.ndarray) -> np.ndarray:
+    """(n, 3) unit directions through the centres of pixels (n,), raster order."""
+    row, column = np.divmod(pixels, look.width)
+    x = (column + 0.5 - look.width / 2) / look.focal
+    y = (row + 0.5 - look.height / 2) / look.focal
+    away = look.forward + x[:, None] * look.right - y[:, None] * look.up
+    return np.asarray(away / np.sqrt((away**2).sum(axis=1, keepdims=True)))
+
+
+def _from(look: Onlooker, direction: np.ndarray) -> Rays:
+    return rays_from(np.tile(look.eye, (len(direction), 1)), direction)
+
+
+def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> Rays:
+    """The rays, started anew behind every plane that is cut away."""
+    going = np.arange(len(rays.origin)) if walls.sides else np.empty(0, int)
+    rays = Rays(*(column.copy() for column in rays))
+    while len(going):
+        hits = tracer.compiled.hits(rays.take(going))
+        through = np.flatnonzero(walls.let_through(hits))
+        going, hits = going[through], hits.take(through)
+        rays.origin[going], rays.leaving[going] = hits.point, hits.object
+        rays.inner[going], rays.triangle[going] = ~hits.inside, hits.triangle
+    return rays
+
+
+def _media_at(tracer: Tracer, eye: np.ndarray) -> list[int]:
+    """The glass that the onlooker stands in."""
+    scene = tracer.scene
+    around = objects_around(tracer.compiled, eye)
+    return [k for k in around if scene.materials[scene.objects[k].material].transmit > 0]
+
+
+def _as_camera_rays(tracer: Tracer, media: list[int], rays: Rays) -> Bounced:
+    count, scene = len(rays.origin), tracer.scene
+    return Bounced(
+        rays=rays,
+        parent=np.full(count, -1, np.int32),
+        branch=np.zeros(count, np.uint8),
+        kind=np.full(count, Kind.CAMERA, np.uint8),
+        weight=np.ones(count),
+        share=np.ones(count),
+        media=stacks_holding(media, stack_width(scene), count),
+    )
+
+
+def _presence(tracer: Tracer, met: np.ndarray, point: np.ndarray) -> np.ndarray:
+    """(n,) 0..1: 1 on bodies, less far out on a plane, 0 where nothing was met."""
+    centre, radius = tracer.scene_sphere
+    flat = np.array([isinstance(obj.shape, Plane) for obj in tracer.scene.objects], bool)
+    far = np.sqrt(((point - centre) ** 2).sum(axis=1)) / radius
+    fade = np.clip((FADE_TO - far) / (FADE_TO - FADE_FROM), 0, 1)
+    there = (
+        np.where(flat[met], fade * fade * (3 - 2 * fade), 1.0) if len(flat) else np.ones(len(met))
+    )
+    return np.where(met == NOWHERE, 0.0, there)
+
+
+def _hidden(tracer: Tracer, eye: np.ndarray, points: np.ndarray, walls: Walls) -> np.ndarray:
+    """(n,) bool: whether something opaque and not cut away stands before each point."""
+    scene = tracer.scene
+    clear = np.array([scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool)
+    away = points - eye
+    reach = np.sqrt((away**2).sum(axis=1))
+    rays = rays_from(np.tile(eye, (len(points), 1)), away / reach[:, None])
+    left = reach * (1.0 - ON_SURFACE)
+    hidden, going = np.zeros(len(points), bool), np.arange(len(points))
+    while len(going):
+        hits = tracer.compiled.hits(rays.take(going))
+        before = (hits.object != NOWHERE) & (hits.t < left[going])
+        passed = before & (clear[hits.object] | walls.let_through(hits))
+        hidden[going[before & ~passed]] = True
+        going, hits = going[passed], hits.take(passed)
+        left[going] -= hits.t
+        rays.origin[going], rays.leaving[going] = hits.point, hits.object
+        rays.inner[going], rays.triangle[going] = ~hits.inside, hits.triangle
+    return hidden

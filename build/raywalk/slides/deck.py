@@ -1,0 +1,77 @@
+"""Decks: a scene's lesson, and the whole course, as lists of slides."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from raywalk.scene.model import Scene
+from raywalk.slides.figure import Deck, Slide
+from raywalk.slides.front import course_slides, credits_slides, goals_slides, title_slide
+from raywalk.slides.layout import Layout
+from raywalk.slides.placing import read_placed
+from raywalk.slides.sights import read_sights, stops_seen
+from raywalk.slides.step_slide import Lesson, step_slides
+from raywalk.slides.sum_slide import sum_slides
+from raywalk.slides.words import say
+
+COURSE = "course"  # the id of the deck of all scenes
+
+
+@dataclass(frozen=True)
+class Sources:
+    """Where a scene's slides come from."""
+
+    scene: Scene
+    traced: Path  # picture.png, display.npz, <n>.json.gz
+    sights: Path  # view-<k>.png, sights.json, of the layout's aspect
+
+    def lesson(self, layout: Layout) -> Lesson:
+        placed = read_placed(self.scene, self.traced / "display.npz")
+        seen = stops_seen(placed, self.traced, layout)
+        return Lesson(placed, seen, read_sights(self.sights), self.traced / "picture.png", layout)
+
+
+def scene_deck(
+    sources: Sources,
+    layout: Layout,
+    steps: frozenset[int] | None = None,
+    lesson: Lesson | None = None,
+) -> Deck:
+    """steps: which of the lesson, from 0; with them only their slides and no others. lesson:
+    that of these sources, where it is at hand."""
+    scene, lesson = sources.scene, lesson or sources.lesson(layout)
+    slides: list[Slide] = []
+    if steps is None:
+        slides += [title_slide(scene, lesson.picture, layout), *goals_slides(scene, layout)]
+    slides += lesson_slides(lesson, steps)
+    if steps is None:
+        slides += credits_slides([scene], layout)
+    return Deck(scene.id, scene.title, layout.width, layout.height, tuple(slides))
+
+
+def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[Slide]:
+    """The steps; the sum of a colour comes before the lesson's last question."""
+    slides: list[Slide] = []
+    questions = [k for k, seen in enumerate(lesson.seen) if seen.stop.kind == "question"]
+    before = questions[-1] if questions else len(lesson.seen)
+    for k, seen in enumerate(lesson.seen):
+        if k == before and steps is None:
+            slides += sum_slides(lesson)
+        if steps is None or seen.stop.step in steps:
+            slides += step_slides(lesson, k)
+    if before == len(lesson.seen) and steps is None:
+        slides += sum_slides(lesson)
+    return slides
+
+
+def course_of(all_sources: list[Sources], lessons: list[list[Slide]], layout: Layout) -> Deck:
+    """Every scene's lesson after the other."""
+    scenes = [sources.scene for sources in all_sources]
+    pictures = [sources.traced / "picture.png" for sources in all_sources]
+    slides = course_slides(scenes, pictures, layout)
+    for sources, picture, lesson in zip(all_sources, pictures, lessons, strict=True):
+        slides.append(title_slide(sources.scene, picture, layout, "section"))
+        slides += lesson
+    slides += credits_slides(scenes, layout)
+    return Deck(COURSE, say("slides.course"), layout.width, layout.height, tuple(slides))

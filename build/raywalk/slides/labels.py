@@ -1,0 +1,91 @@
+"""Where words beside things stand: clear of one another, of lines and of the figure's edge.
+
+A label with no clear place is left out; the table beside the figure says the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from raywalk.slides.figure import Item, Point, Polygon, Run, Text
+from raywalk.slides.layout import SMALLEST, Box
+from raywalk.slides.typeface import shortened, width
+
+RINGS = (9.0, 16.0, 26.0, 38.0)  # points from the thing to its label
+DIRECTIONS = (0, 180, 90, 270, 45, 315, 135, 225, 22, 338, 158, 202, 68, 112, 248, 292)
+PAD = 3.0  # round the words
+LONGEST = 170.0
+
+
+@dataclass(frozen=True)
+class Label:
+    text: str
+    at: Point  # what it belongs to
+    colour: str = "ink"
+    bold: bool = False
+
+
+class Places:
+    """What is taken in a figure: boxes of labels, strokes of lines."""
+
+    def __init__(self, frame: Box):
+        self.frame = frame
+        self.boxes: list[Box] = []
+        self.strokes: list[tuple[Point, Point]] = []
+
+    def put(self, labels: Iterable[Label]) -> list[Item]:
+        """Plates and words of the labels that found a place, the first ones first."""
+        items: list[Item] = []
+        for label in labels:
+            text = shortened(label.text, SMALLEST, LONGEST, label.bold)
+            box = self._free(label.at, width(text, SMALLEST, label.bold) + 2 * PAD)
+            if box is None:
+                continue
+            self.boxes.append(box)
+            items += _drawn(box, text, label)
+        return items
+
+    def _free(self, at: Point, wide: float) -> Box | None:
+        high = SMALLEST * 1.15
+        for ring in RINGS:
+            for degrees in DIRECTIONS:
+                x, y = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+                # The box's nearest edge is `ring` away from the thing.
+                left = at[0] + x * ring + (x - 1) / 2 * wide
+                top = at[1] + y * ring + (y - 1) / 2 * high
+                box = Box(left, top, wide, high)
+                if self.frame.holds(box) and self._is_clear(box):
+                    return box
+        return None
+
+    def _is_clear(self, box: Box) -> bool:
+        return not any(box.overlaps(other) for other in self.boxes) and not any(
+            crosses(box, *stroke) for stroke in self.strokes
+        )
+
+
+def crosses(box: Box, start: Point, end: Point) -> bool:
+    """Whether any of the line lies in the box."""
+    low, high = 0.0, 1.0
+    for k in range(2):
+        way = end[k] - start[k]
+        near, far = (box.left, box.right) if k == 0 else (box.top, box.bottom)
+        if abs(way) < 1e-9:
+            if not near < start[k] < far:
+                return False
+            continue
+        a, b = sorted(((near - start[k]) / way, (far - start[k]) / way))
+        low, high = max(low, a), min(high, b)
+    return low < high
+
+
+def _drawn(box: Box, text: str, label: Label) -> list[Item]:
+    corners = ((box.left, box.top), (box.right, box.top), (box.right, box.bottom),
+               (box.left, box.bottom))  # fmt: skip
+    plate = Polygon(corners, "ground", opacity=0.7, name=f"plate of {text}")
+    inner = Box(box.left + PAD, box.top, box.width - 2 * PAD, box.height)
+    runs = (Run(text, label.bold),)
+    words = Text(inner, (runs,), SMALLEST, label.colour, leading=1.15, name=f"label {text}")
+    return [plate, words]

@@ -1,0 +1,117 @@
+"""A lesson's Markdown as paragraphs of runs, and its first sentence as a slide's title."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from html.parser import HTMLParser
+
+from raywalk.lesson_text import lesson_html
+from raywalk.slides.figure import Run
+
+LONGEST_TITLE = 74  # characters: two lines on a slide
+BLOCKS = {"p", "li", "h1", "h2", "h3", "h4", "h5", "h6", "pre", "blockquote", "td", "th"}
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    runs: tuple[Run, ...]
+    bullet: str = ""  # "•" or "1." for an item of a list
+
+    @property
+    def text(self) -> str:
+        return "".join(run.text for run in self.runs)
+
+
+def paragraphs_of(markdown: str) -> list[Paragraph]:
+    """What a reader reads: links are their words, pictures their description."""
+    reader = _Reader()
+    reader.feed(lesson_html(markdown))
+    reader.close()
+    reader.end_paragraph()
+    return reader.paragraphs
+
+
+def plain_text(markdown: str) -> str:
+    """All words in one line, as on the slides of the step taken together."""
+    return " ".join(paragraph.text for paragraph in paragraphs_of(markdown))
+
+
+def title_and_body(paragraphs: list[Paragraph]) -> tuple[str, list[Paragraph]]:
+    """The first sentence if it is short enough for a title, and the rest; else "" and all."""
+    if not paragraphs or paragraphs[0].bullet:
+        return "", paragraphs
+    first = paragraphs[0]
+    match = re.match(r".+?[.?!…](?=\s|$)", first.text)
+    sentence = match.group() if match else first.text
+    if len(sentence) > LONGEST_TITLE:
+        return "", paragraphs
+    rest = _after(first.runs, len(sentence))
+    return sentence, ([Paragraph(rest)] if rest else []) + paragraphs[1:]
+
+
+def _after(runs: tuple[Run, ...], skipped: int) -> tuple[Run, ...]:
+    """The runs without their first characters and the space that follows."""
+    left: list[Run] = []
+    for run in runs:
+        text, skipped = run.text[skipped:], max(0, skipped - len(run.text))
+        if not left:
+            text = text.lstrip()
+        if text:
+            left.append(Run(text, run.bold, run.italic))
+    return tuple(left)
+
+
+class _Reader(HTMLParser):
+    """Collects runs from the HTML that our own Markdown writer made."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.paragraphs: list[Paragraph] = []
+        self.runs: list[Run] = []
+        self.bold = self.italic = 0
+        self.lists: list[int] = []  # numbers of open lists; 0 for bullets
+        self.bullet = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in ("strong", "b", "h1", "h2", "h3", "h4", "h5", "h6"):
+            self.bold += 1
+        if tag in ("em", "i"):
+            self.italic += 1
+        if tag in ("ul", "ol"):
+            self.end_paragraph()
+            self.lists.append(int(tag == "ol"))
+        if tag == "li":
+            self.end_paragraph()
+            number = self.lists[-1] if self.lists else 0
+            self.bullet = f"{number}." if number else "•"
+            if number:
+                self.lists[-1] += 1
+        elif tag in BLOCKS and not (tag == "p" and self.bullet and not self.runs):
+            self.end_paragraph()
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in ("strong", "b", "h1", "h2", "h3", "h4", "h5", "h6"):
+            self.bold -= 1
+        if tag in ("em", "i"):
+            self.italic -= 1
+        if tag in BLOCKS:
+            self.end_paragraph()
+        if tag in ("ul", "ol") and self.lists:
+            self.lists.pop()
+
+    def handle_data(self, data: str) -> None:
+        text = re.sub(r"\s+", " ", data)
+        if not self.runs:
+            text = text.lstrip()
+        if text:
+            self.runs.append(Run(text, self.bold > 0, self.italic > 0))
+
+    def end_paragraph(self) -> None:
+        """What was read so far is one paragraph."""
+        if self.runs and "".join(run.text for run in self.runs).strip():
+            last = self.runs[-1]
+            self.runs[-1] = Run(last.text.rstrip(), last.bold, last.italic)
+            self.paragraphs.append(Paragraph(tuple(self.runs), self.bullet))
+            self.bullet = ""
+        self.runs = []

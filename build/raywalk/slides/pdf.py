@@ -1,0 +1,214 @@
+"""Slides as PDF by ReportLab: text is text in an embedded font, with title, language, outline."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable
+
+from reportlab import rl_config
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.pdfgen.canvas import Canvas
+
+from raywalk.slides.deck import COURSE
+from raywalk.slides.figure import (
+    Deck,
+    Dot,
+    Group,
+    Item,
+    Line,
+    Picture,
+    Polygon,
+    Run,
+    Table,
+    Text,
+    flat,
+)
+from raywalk.slides.palette import DASH_LENGTHS, SCREEN, Palette
+from raywalk.slides.svg import arrow_head
+from raywalk.slides.table_parts import table_parts
+from raywalk.slides.typeface import ASCENT, font_file, is_right_to_left, run_width, width
+
+
+class MissingGlyphs(Exception):
+    """Characters that the embedded font does not have; str() names them."""
+
+    def __init__(self, characters: Iterable[str]):
+        self.characters = sorted(set(characters))
+        named = ", ".join(f"{c} (U+{ord(c):04X})" for c in self.characters[:8])
+        more = f" and {len(self.characters) - 8} more" if len(self.characters) > 8 else ""
+        super().__init__(f"{named}{more}")
+
+
+def deck_pdf(deck: Deck, palette: Palette) -> bytes:
+    """A page a slide. Raises MissingGlyphs."""
+    canvas, out = new_canvas(deck.title, deck.language, (deck.width, deck.height))
+    for k, slide in enumerate(deck.slides):
+        if not slide.is_continued:
+            canvas.bookmarkPage(f"s{k}")
+            level = 1 if deck.id == COURSE and slide.kind not in OUTER else 0
+            canvas.addOutlineEntry(slide.title, f"s{k}", level, closed=level == 0)
+        draw_slide(canvas, slide.items, deck, palette)
+        canvas.showPage()
+    return finished(canvas, out)
+
+
+# Kinds of slides that head a course's outline; the others stand below them.
+OUTER = ("title", "section", "goals", "credits")
+
+
+def new_canvas(title: str, language: str, size: tuple[float, float]) -> tuple[Canvas, io.BytesIO]:
+    """Invariant: no date, no random number, so the same slides are the same bytes."""
+    rl_config.useA85 = 0  # pictures as they are: a fifth smaller, and half the time
+    out = io.BytesIO()
+    canvas = Canvas(out, pagesize=size, invariant=1, pageCompression=1, lang=language)
+    canvas.setTitle(title)
+    canvas.setAuthor("Raywalk")
+    canvas.setCreator("Raywalk")
+    canvas.setProducer("Raywalk")
+    return canvas, out
+
+
+def finished(canvas: Canvas, out: io.BytesIO) -> bytes:
+    canvas.save()
+    return out.getvalue()
+
+
+def draw_slide(canvas: Canvas, items: Iterable[Item], deck: Deck, palette: Palette) -> None:
+    """Everything of a slide with its lower left corner at the origin."""
+    refuse_missing(items)
+    canvas.setFillColor(palette["ground"])
+    canvas.rect(0, 0, deck.width, deck.height, stroke=0, fill=1)
+    pen = Pen(canvas, deck.height, palette)
+    for item in items:
+        pen.draw(item)
+
+
+def refuse_missing(items: Iterable[Item]) -> None:
+    """Raises MissingGlyphs if a text has what the font has not."""
+    known = _face(False, False)
+    lost = {
+        char
+        for item in flat(tuple(items))
+        for run in _runs(item)
+        for char in run.text
+        if ord(char) not in known and char != "\u200f"
+    }
+    if lost:
+        raise MissingGlyphs(lost)
+
+
+def _runs(item: Item) -> Iterable[Run]:
+    if isinstance(item, Text):
+        return (run for line in item.lines for run in line)
+    if isinstance(item, Table):
+        return (Run(cell.text) for row in item.rows for cell in row)
+    return ()
+
+
+def font(bold: bool = False, italic: bool = False) -> str:
+    """The name under which the style is registered."""
+    name = "Arimo" + ("-Bold" if bold else "") + ("-Italic" if italic else "")
+    if name not in pdfmetrics.getRegisteredFontNames():
+        pdfmetrics.registerFont(TTFont(name, str(font_file(bold, italic))))
+    return name
+
+
+def _face(bold: bool, italic: bool) -> dict[int, int]:
+    return pdfmetrics.getFont(font(bold, italic)).face.charToGlyph
+
+
+class Pen:
+    """Draws items on a canvas whose y goes up; ours goes down."""
+
+    def __init__(self, canvas: Canvas, height: float, palette: Palette):
+        self.canvas, self.height, self.palette = canvas, height, palette
+
+    def draw(self, item: Item) -> None:
+        match item:
+            case Line():
+                self._line(item)
+            case Polygon():
+                self._polygon(item)
+            case Dot():
+                self._dot(item)
+            case Picture():
+                self._picture(item)
+            case Text():
+                self._text(item)
+            case Table():
+                for part in table_parts(item):
+                    self.draw(part)
+            case Group():
+                for part in item.items:
+                    self.draw(part)
+
+    def _line(self, line: Line) -> None:
+        c = self.canvas
+        c.setStrokeColor(self.palette[line.colour])
+        c.setLineWidth(line.width)
+        c.setDash(list(DASH_LENGTHS[line.dash]))
+        c.line(line.start[0], self.height - line.start[1], line.end[0], self.height - line.end[1])
+        c.setDash([])
+        if head := arrow_head(line):
+            self._polygon(Polygon(head, line.colour))
+
+    def _polygon(self, area: Polygon) -> None:
+        c = self.canvas
+        path = c.beginPath()
+        (x, y), *others = area.points
+        path.moveTo(x, self.height - y)
+        for x, y in others:
+            path.lineTo(x, self.height - y)
+        path.close()
+        if area.fill:
+            c.setFillColor(self.palette[area.fill])
+            c.setFillAlpha(area.opacity)
+        if area.edge:
+            c.setStrokeColor(self.palette[area.edge])
+            c.setLineWidth(area.edge_width)
+        c.drawPath(path, stroke=bool(area.edge), fill=bool(area.fill))
+        if area.fill and area.opacity < 1:
+            c.setFillAlpha(1)
+
+    def _dot(self, dot: Dot) -> None:
+        c = self.canvas
+        c.setFillColor(self.palette[dot.fill])
+        if dot.edge:
+            c.setStrokeColor(self.palette[dot.edge])
+            c.setLineWidth(1)
+        c.circle(*(dot.centre[0], self.height - dot.centre[1]), dot.radius, bool(dot.edge), 1)
+
+    def _picture(self, picture: Picture) -> None:
+        data = picture.on_screen if self.palette is SCREEN else picture.on_paper
+        box = picture.box
+        mask = "auto" if data.startswith(b"\x89PNG") else None
+        place = (box.left, self.height - box.bottom, box.width, box.height)
+        self.canvas.drawImage(ImageReader(io.BytesIO(data)), *place, mask=mask)
+
+    def _text(self, text: Text) -> None:
+        c = self.canvas
+        c.setFillColor(self.palette[text.colour])
+        high = text.size * text.leading
+        for k, line in enumerate(text.lines):
+            y = text.box.top + k * high + (high - 1.117 * text.size) / 2 + ASCENT * text.size
+            runs = _in_visual_order(line, text.right_to_left)
+            whole = sum(run_width(run, text.size) for run in runs)
+            left = text.box.left
+            left += {"left": 0, "centre": 0.5, "right": 1}[text.align] * (text.box.width - whole)
+            for run in runs:
+                c.setFont(font(run.bold, run.italic), text.size)
+                c.drawString(left, self.height - y, run.text)
+                left += width(run.text, text.size, run.bold, run.italic)
+
+
+def _in_visual_order(line: tuple[Run, ...], is_backwards: bool) -> tuple[Run, ...]:
+    """Left to right as it is seen. A line with Hebrew is reordered as a whole, in one style."""
+    words = "".join(run.text for run in line)
+    if not is_backwards and not any(is_right_to_left(char) for char in words):
+        return line
+    from bidi import get_display
+
+    first = line[0]
+    return (Run(get_display(words, base_dir="R" if is_backwards else "L"), first.bold),)

@@ -1,0 +1,89 @@
+"""Pixels for figures: the shaded view pale on the ground, fine grids of tiles, the picture."""
+
+from __future__ import annotations
+
+import io
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from raywalk.slides.figure import Picture
+from raywalk.slides.layout import Box
+from raywalk.slides.palette import PRINT, SCREEN, Palette
+from raywalk.slides.sights import Seen
+from raywalk.slides.words import say
+
+QUALITY = 85  # of JPEG; the views are pale, nothing of it shows
+SHARP = 2.0  # pixels a point of a fine grid
+PICTURE_SIDE = 480  # pixels of the traced picture beside a figure
+TITLE_SIDE = 900
+
+
+@cache
+def washed(view: Path) -> tuple[bytes, bytes]:
+    """The view (RGBA file) laid pale on the ground: JPEG for the screen and for paper."""
+    pixels = np.asarray(Image.open(view), np.float32)
+    presence = pixels[..., 3:] / 255
+    return _laid(pixels[..., :3], presence, SCREEN), _laid(pixels[..., :3], presence, PRINT)
+
+
+def _laid(colours: np.ndarray, presence: np.ndarray, palette: Palette) -> bytes:
+    ground = np.array([int(palette["ground"][k : k + 2], 16) for k in (1, 3, 5)], np.float32)
+    strength = presence * palette.wash
+    return jpeg(Image.fromarray(np.rint(ground + strength * (colours - ground)).astype(np.uint8)))
+
+
+def jpeg(image: Image.Image) -> bytes:
+    out = io.BytesIO()
+    image.convert("RGB").save(out, "JPEG", quality=QUALITY, subsampling=0, optimize=True)
+    return out.getvalue()
+
+
+@cache
+def traced_picture(file: Path, side: int) -> bytes:
+    """The scene's picture at most `side` pixels wide, as JPEG."""
+    image = Image.open(file).convert("RGB")
+    if image.width > side:
+        image = image.resize((side, side), Image.Resampling.BOX)
+    return jpeg(image)
+
+
+def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | None:
+    """A fine grid's coloured tiles as one picture in perspective; None if none is seen."""
+    n, view = seen.view.n, seen.projection
+    away = np.stack([seen.plane.across, seen.plane.down, seen.plane.origin - seen.observer.eye])
+    depth = away @ view.forward
+    to_figure = np.stack([
+        (view.width / 2 * depth + view.focal * (away @ view.right)),
+        (view.height / 2 * depth - view.focal * (away @ view.up)),
+        depth,
+    ])  # fmt: skip
+    if not np.isfinite(to_figure).all() or abs(np.linalg.det(to_figure)) < 1e-12:
+        return None
+    corners = view.project(seen.plane.corners())
+    if (corners[:, 2] <= 0).any():
+        return None
+    low = np.clip(np.floor(corners[:, :2].min(axis=0)), 0, [box.width, box.height])
+    high = np.clip(np.ceil(corners[:, :2].max(axis=0)), 0, [box.width, box.height])
+    if (high - low < 1).any():
+        return None
+    # Pixel (x, y) of the picture -> point of the figure -> tile (column, row).
+    place = np.array([[1 / SHARP, 0, low[0]], [0, 1 / SHARP, low[1]], [0, 0, 1.0]])
+    back = np.diag([n, n, 1.0]) @ np.linalg.inv(to_figure) @ place
+    back = back / back[2, 2]
+    tiles = np.full((n, n, 4), 255, np.uint8)
+    tiles[..., :3] = seen.trace.tiles.reshape(n, n, 3)
+    tiles.reshape(-1, 4)[sorted(hidden), 3] = 0
+    across, down = (int(k) for k in np.rint((high - low) * SHARP))
+    image = Image.fromarray(tiles).transform(
+        (across, down),
+        Image.Transform.PERSPECTIVE,
+        back.reshape(-1)[:8].tolist(),
+        Image.Resampling.NEAREST,
+    )
+    out = io.BytesIO()
+    image.save(out, "PNG")
+    where = Box(box.left + low[0], box.top + low[1], high[0] - low[0], high[1] - low[1])
+    return Picture(where, out.getvalue(), out.getvalue(), say("slides.tiles", n=n), "")

@@ -1,0 +1,92 @@
+"""The numbers of a pixel's rays as a table beside the figure."""
+
+from __future__ import annotations
+
+from raywalk.scene.model import Scene
+from raywalk.slides.figure import Cell, Table
+from raywalk.slides.layout import SMALLEST, Box
+from raywalk.slides.sights import Seen
+from raywalk.slides.step_figure import ray_order
+from raywalk.slides.typeface import shortened, width
+from raywalk.slides.words import columns, fixed, place, say
+from raywalk.trace_file import Kind
+
+ROW = 20.0  # points
+SAMPLE = 26.0  # of a ray's line before its number
+SWATCH = 12.0
+GAP = 6.0  # between columns
+MOST_DECIMALS = 3
+
+
+def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | None:
+    """At most so many rows with the heading; the last may say how many rays are left out.
+
+    None if no pixel is selected or not even one ray fits.
+    """
+    rays = ray_order(seen)
+    if not rays or most_rows < 2:
+        return None
+    shown = rays if len(rays) < most_rows else rays[: most_rows - 2]
+    if not shown:
+        return None
+    decimals = MOST_DECIMALS if box.width >= 330 else 2
+    body = [_row(scene, seen, k, ray, decimals) for k, ray in enumerate(shown, start=1)]
+    widths = _widths(body, box.width)
+    heading = tuple(Cell(word, bold=True) for word in columns())
+    body = [
+        (row[0], Cell(shortened(row[1].text, SMALLEST, widths[1] - GAP)), *row[2:]) for row in body
+    ]
+    if len(shown) < len(rays):
+        left = Cell(say("slides.moreRays", shown=len(shown), of=len(rays)))
+        body.append((left, *[Cell()] * (len(heading) - 1)))
+    rows = (heading, *body)
+    frame = Box(box.left, box.top, sum(widths), ROW * len(rows))
+    alt = say("slides.tableAlt", **place(seen))
+    align = ("left", "left", "right", "right", "right", "right", "right")
+    return Table(frame, tuple(widths), align, rows, ROW, SMALLEST, say("slides.table"), alt)
+
+
+def _row(scene: Scene, seen: Seen, number_: int, ray: int, decimals: int) -> tuple[Cell, ...]:
+    trace = seen.trace
+    kind = Kind(int(trace.kind[ray])).name.lower()
+    met = int(trace.object[ray])
+    swatch = "#{:02x}{:02x}{:02x}".format(*eight_bit(trace.colour[ray].tolist()))
+    first = Cell(str(number_), sample=kind)
+    if met < 0:
+        return (
+            first,
+            Cell(say("slides.nothing")),
+            Cell(),
+            Cell(),
+            Cell(),
+            Cell(),
+            Cell(swatch=swatch),
+        )
+    at = [Cell(_fitting(v, decimals)) for v in [*trace.point[ray].tolist(), float(trace.t[ray])]]
+    return (first, Cell(scene.objects[met].name), *at, Cell(swatch=swatch))
+
+
+def _fitting(value: float, decimals: int) -> str:
+    """One decimal less for every further digit before the point."""
+    digits = len(str(int(abs(value))))
+    return fixed(value, max(0, decimals - max(0, digits - 1)))
+
+
+def _widths(body: list[tuple[Cell, ...]], whole: float) -> list[float]:
+    heading = columns()
+    needs = [
+        max([width(heading[k], SMALLEST, bold=True), *(width(r[k].text, SMALLEST) for r in body)])
+        for k in range(len(heading))
+    ]
+    needs[0] += SAMPLE
+    needs[-1] = SWATCH
+    wide = [need + GAP for need in needs]
+    wide[-1] = SWATCH + GAP
+    rest = whole - sum(wide[:1] + wide[2:])
+    wide[1] = min(wide[1], max(rest, 40.0))
+    return wide
+
+
+def eight_bit(colour: list[float]) -> list[int]:
+    """0..255, halves up, as the picture has it."""
+    return [int(255 * min(1.0, max(0.0, c)) + 0.5) for c in colour]

@@ -1,0 +1,184 @@
+"""A stop of the lesson as a slide: its words, its figure, its numbers; long words go on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
+from raywalk.slides.figure import Group, Item, Line, Picture, Polygon, Slide
+from raywalk.slides.layout import SMALLEST, Box, Layout
+from raywalk.slides.lesson_words import paragraphs_of, title_and_body
+from raywalk.slides.lines import KINDS
+from raywalk.slides.notes import step_notes
+from raywalk.slides.palette import KIND_DASH
+from raywalk.slides.pictures import PICTURE_SIDE, traced_picture
+from raywalk.slides.placing import Placed
+from raywalk.slides.ray_table import ROW, ray_table
+from raywalk.slides.sights import Seen, Sight
+from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
+from raywalk.slides.typeface import width
+from raywalk.slides.words import chosen_tile, kind_word, place, say
+
+GAP = 12.0
+LINE = 20.0
+LEAST_PICTURE, MOST_PICTURE = 84.0, 170.0
+SAMPLE = 24.0  # of a line in the legend
+LEGEND_ROW = 18.0
+
+
+@dataclass(frozen=True, eq=False)
+class Lesson:
+    """What all slides of one scene's lesson need."""
+
+    placed: Placed
+    seen: list[Seen]
+    sights: list[Sight]
+    picture: Path  # the traced picture
+    layout: Layout
+
+    @property
+    def place(self) -> str:
+        """The scene in a footer."""
+        scene = self.placed.scene
+        return " ".join(part for part in (scene.key, scene.title) if part)
+
+
+def step_slides(lesson: Lesson, index: int) -> list[Slide]:
+    """One slide, and further ones for words that do not fit."""
+    layout, seen = lesson.layout, lesson.seen[index]
+    scene, stop = lesson.placed.scene, seen.stop
+    head, body = title_and_body(paragraphs_of(stop.text))
+    head = head or scene.title
+    figure = step_figure(Drawing(lesson.placed, seen, lesson.sights[index], layout.figure))
+    marks = _legend(seen, lesson.sights[index], layout)
+    figure = replace(figure, items=(*figure.items, *marks))
+    words = flow(body, BODY_SIZE, layout.words.width)
+    first, rest = words.split(layout.words.height)
+    numbers = [] if stop.kind == "question" else _numbers(lesson, seen, first)
+    under = footer(
+        _where(lesson, seen), say("slides.stepOf", step=stop.step + 1, of=len(scene.lesson)), layout
+    )
+    items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
+    notes = tuple(step_notes(scene, seen))
+    slides = [Slide(head, (*items, *under), notes, stop.kind, figure=figure)]
+    while rest.lines:
+        part, rest = rest.split(_wide(layout).height)
+        # The rest is wrapped anew to the whole slide's width.
+        again = say("slides.continued", title=head)
+        texts = flow_texts(part, _wide(layout))
+        slides.append(
+            Slide(again, (title(again, layout.title), *texts, *under), (), stop.kind, True)
+        )
+    return slides
+
+
+def _wide(layout: Layout) -> Box:
+    """Where the words that did not fit go on."""
+    top = layout.title.bottom + 12
+    return Box(layout.words.left, top, layout.words.width, layout.footer.top - 12 - top)
+
+
+def _where(lesson: Lesson, seen: Seen) -> str:
+    view = seen.view
+    parts = [say("slides.brand"), lesson.place]
+    if seen.chosen:
+        parts.append(say("slides.pixelOf", **place(seen)))
+    else:
+        parts.append(f"{view.n} × {view.n}")
+    if seen.one_in > 1:
+        parts.append(say("slides.oneIn", count=seen.one_in))
+    return " · ".join(parts)
+
+
+def _numbers(lesson: Lesson, seen: Seen, words: Flow) -> list[Item]:
+    """The traced picture, the pixel's colour and its table, in what room the words leave."""
+    layout = lesson.layout
+    box = layout.aside or Box(
+        layout.words.left,
+        layout.words.top + words.height() + GAP,
+        layout.words.width,
+        layout.words.height - words.height() - GAP,
+    )
+    items: list[Item] = []
+    room = box.height
+    # A table of at least three rays comes before the picture, the picture before more rows.
+    most = int((room - (LEAST_PICTURE + GAP if room > LEAST_PICTURE + GAP + 4 * ROW else 0)) / ROW)
+    table = ray_table(lesson.placed.scene, seen, box, min(most, 10))
+    if table:
+        room -= table.box.height + GAP
+    used = 0.0
+    if room >= LEAST_PICTURE:
+        used = min(room, MOST_PICTURE)
+        items += _picture(lesson, seen, Box(box.left, box.top, box.width, used))
+    elif room >= LINE and seen.chosen:
+        used = LINE
+        items += _pixel_colour(seen, Box(box.left, box.top, box.width, used))
+    if table:
+        top = box.top + (used + GAP if used else 0)
+        items.append(replace(table, box=Box(box.left, top, *table.box[2:])))
+    return items
+
+
+def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
+    """The traced picture with the selected tile marked, and the pixel's colour beside it."""
+    side = box.height
+    frame = Box(box.left, box.top, side, side)
+    data = traced_picture(lesson.picture, PICTURE_SIDE)
+    alt = say("picture.alt", title=lesson.placed.scene.title)
+    items: list[Item] = [Picture(frame, data, data, say("slides.picture"), alt)]
+    if not seen.chosen:
+        return items
+    n, (column, row) = seen.view.n, seen.view.pixel
+    tile = max(side / n, 5.0)
+    x = frame.left + (column + 0.5) / n * side - tile / 2
+    y = frame.top + (row + 0.5) / n * side - tile / 2
+    square = ((x, y), (x + tile, y), (x + tile, y + tile), (x, y + tile))
+    items.append(Polygon(square, None, "#000000", 3.0, name=chosen_tile(seen.view.pixel)))
+    items.append(Polygon(square, None, "#ffffff", 1.4, name=chosen_tile(seen.view.pixel)))
+    beside = Box(frame.right + GAP, frame.top, box.right - frame.right - GAP, side)
+    return items + _pixel_colour(seen, beside)
+
+
+def _pixel_colour(seen: Seen, box: Box) -> list[Item]:
+    """ "Pixel 7, 9" and its colour as a swatch and three numbers; one line if there is no room."""
+    tile = seen.trace.tiles[3 * seen.view.index : 3 * seen.view.index + 3].tolist()
+    colour = "#{:02x}{:02x}{:02x}".format(*tile)
+    name = say("card.pixel", column=seen.view.pixel[0], row=seen.view.pixel[1])
+    told = ", ".join(map(str, tile))
+    if box.height < 60:
+        text_box = Box(box.left + 20, box.top, box.width - 20, LINE)
+        return [_swatch(box.left, box.top + 3, 14, colour), one_line(f"{name}: {told}", text_box)]
+    return [
+        one_line(name, Box(box.left, box.top, box.width, 18), bold=True),
+        _swatch(box.left, box.top + 24, 28, colour),
+        one_line(told, Box(box.left, box.top + 58, box.width, 18)),
+    ]
+
+
+def _swatch(left: float, top: float, side: float, colour: str) -> Polygon:
+    corners = ((left, top), (left + side, top), (left + side, top + side), (left, top + side))
+    return Polygon(corners, colour, "rule", 0.75, name=say("slides.swatch"))
+
+
+def _legend(seen: Seen, sight: Sight, layout: Layout) -> list[Item]:
+    """What the lines' styles mean, under the figure; only those that are there."""
+    lines = [*seen.chosen, *seen.thin]
+    kinds = [kind for kind in KINDS if any(line.kind == kind for line in lines)]
+    entries = [(kind_word(kind), kind, KIND_DASH[kind], CHOSEN_WIDTH) for kind in kinds]
+    if any(sight.chosen):
+        entries.append((say("slides.hidden"), "soft", "hidden", CHOSEN_WIDTH * HIDDEN_SHARE * 1.2))
+    items: list[Item] = []
+    left, top = layout.figure.left, layout.figure.bottom + 3
+    for word, colour, dash, line_width in entries:
+        wide = SAMPLE + 6 + width(word, SMALLEST)
+        if left + wide > layout.figure.right and left > layout.figure.left:
+            left, top = layout.figure.left, top + LEGEND_ROW
+        middle = top + LEGEND_ROW / 2
+        arrow = dash != "hidden"
+        items.append(
+            Line((left, middle), (left + SAMPLE, middle), colour, line_width, dash, arrow, word)
+        )
+        items.append(one_line(word, Box(left + SAMPLE + 6, top, wide, LEGEND_ROW), name=word))
+        left += wide + 14
+    return [Group(say("slides.legend"), "", tuple(items))] if items else []

@@ -1,0 +1,117 @@
+"""The files: complete in themselves, small, the same bytes each time, readable by everyone."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from xml.etree import ElementTree
+
+import pytest
+from pptx import Presentation
+from pypdf import PdfReader
+
+from raywalk.slide_products import FORMATS, deck_files
+from raywalk.slides.figure import Deck
+from raywalk.slides.handout import PER_SHEET, handout_pdf
+from raywalk.slides.html import deck_html
+from raywalk.slides.palette import PRINT, SCREEN
+from raywalk.slides.pdf import deck_pdf
+from raywalk.slides.pptx import deck_pptx
+
+
+def test_twice_made_is_the_same_to_the_byte(balls):
+    """Nothing of the clock, of random numbers or of an order by chance."""
+    first, second = (
+        dict(deck_files(balls.deck(), FORMATS, None, balls.lesson())) for _ in range(2)
+    )
+    assert sorted(first) == sorted(second)
+    assert [name for name in first if first[name] != second[name]] == []
+
+
+def test_no_file_is_over_a_megabyte(balls):
+    """A lesson can be sent by mail."""
+    for name, data in deck_files(balls.deck(), FORMATS, None, balls.lesson()):
+        assert len(data) < 1_000_000, name
+
+
+def test_html_needs_nothing_from_elsewhere(deck: Deck):
+    """Data only: no address, no script, no style but its own, which its policy names."""
+    page = deck_html(deck)
+    links = re.findall(r'(?:href|src)="([^"]*)"', page)
+    assert links and all(link.startswith(("data:", "#")) for link in links)
+    assert "<script" not in page and " style=" not in page and "url(" not in page
+    assert "default-src 'none'" in page and "style-src 'sha256-" in page
+    assert page.count("<section ") == len(deck.slides)
+
+
+def test_svg_figures_are_well_formed_and_alone(balls):
+    figures = dict(deck_files(balls.deck(), ("svg",), None, None))
+    assert len(figures) == 5
+    for data in figures.values():
+        root = ElementTree.fromstring(data)
+        assert root.find("{http://www.w3.org/2000/svg}desc").text
+        for element in root.iter():
+            assert element.get("href", "data:").startswith("data:")
+            assert "style" not in element.attrib and "script" not in element.tag
+
+
+def test_pdf_has_title_language_outline_and_text(deck: Deck):
+    reader = PdfReader(io.BytesIO(deck_pdf(deck, PRINT)))
+    assert reader.metadata.title == "Two balls"
+    assert reader.trailer["/Root"]["/Lang"] == "en"
+    assert [entry.title for entry in reader.outline] == [s.title for s in deck.slides]
+    assert "It brings back what it meets." in " ".join(reader.pages[3].extract_text().split())
+    fonts = {
+        str(font.get_object()["/BaseFont"])
+        for page in reader.pages
+        for font in page["/Resources"]["/Font"].values()
+    }
+    assert all("Arimo" in name or name == "/Helvetica" for name in fonts)
+    for page in reader.pages:  # Helvetica is named by ReportLab on every page, never used
+        assert b"/F1 1" not in page.get_contents().get_data().replace(b"/F1 12 Tf 14.4 TL", b"")
+
+
+def test_pptx_has_titles_notes_names_and_descriptions(deck: Deck):
+    shown = Presentation(io.BytesIO(deck_pptx(deck, SCREEN)))
+    for slide, made in zip(deck.slides, shown.slides, strict=True):
+        assert made.shapes.title.text_frame.text == slide.title
+        if slide.notes:
+            assert made.notes_slide.notes_text_frame.text == "\n".join(slide.notes)
+        ids = re.findall(r'<p:cNvPr id="(\d+)"', made._element.xml)
+        assert len(ids) == len(set(ids))
+        assert not re.search(r'id="(?!1")\d+" name=""', made._element.xml)  # 1: the slide itself
+    step = shown.slides[3]
+    figure = next(shape for shape in step.shapes if shape.name == "Figure")
+    assert "mirror" in figure._element.xpath("./p:nvGrpSpPr/p:cNvPr")[0].get("descr")
+    assert {"Frustum", "Ray 1, camera ray", "Ray 2, reflected"} <= {s.name for s in figure.shapes}
+    assert any(shape.has_table for shape in step.shapes)
+
+
+def test_pptx_is_a_zip_with_one_date_in_one_order(deck: Deck):
+    with zipfile.ZipFile(io.BytesIO(deck_pptx(deck, SCREEN))) as packed:
+        names = packed.namelist()
+        assert names[0] == "[Content_Types].xml" and names[1:] == sorted(names[1:])
+        assert {info.date_time for info in packed.infolist()} == {(2020, 1, 1, 0, 0, 0)}
+
+
+@pytest.mark.parametrize("per_sheet", PER_SHEET)
+def test_handouts_have_as_many_sheets_as_they_need(deck: Deck, per_sheet: int):
+    pages = PdfReader(io.BytesIO(handout_pdf(deck, per_sheet))).pages
+    assert len(pages) == -(-len(deck.slides) // per_sheet)
+
+
+def test_the_worksheets_answers_are_the_traces(balls):
+    """The nearest hit of a pixel that is asked for, recomputed from the trace file."""
+    from raywalk.slides.worksheet import questions
+
+    trace = balls.lesson().seen[0].trace
+    asked = questions(balls.lesson())
+    assert len(asked) >= 7
+    for question in asked:
+        match = re.search(r"pixel \((\d+), (\d+)\) of the 7 × 7 grid meet first", question.asks)
+        if match and "distance" in question.answer:
+            pixel = int(match[2]) * 7 + int(match[1])
+            name = balls.scene.objects[int(trace.object[pixel])].name
+            assert question.answer.startswith(f"{name}, at distance {trace.t[pixel]:.3f}, ")
+    assert asked[-1].answer == "Yes. Both lights reach it."

@@ -1,0 +1,184 @@
+"""What stands on slides: the lesson's words, all of them, large enough, nothing on another."""
+
+from __future__ import annotations
+
+import io
+import re
+
+import pytest
+from pptx import Presentation
+from pypdf import PdfReader
+
+from raywalk.slides.figure import Deck, Group, Line, Slide, Table, Text, flat
+from raywalk.slides.html import deck_html
+from raywalk.slides.labels import crosses
+from raywalk.slides.layout import SMALLEST, Box
+from raywalk.slides.lesson_words import plain_text
+from raywalk.slides.palette import PRINT, SCREEN
+from raywalk.slides.pdf import MissingGlyphs, deck_pdf
+from raywalk.slides.pptx import deck_pptx
+from raywalk.slides.views import stops_of
+
+LONG = " ".join(f"Sentence {k} says something that nobody can leave out." for k in range(160))
+
+
+def texts(slide: Slide) -> list[Text]:
+    return [item for item in flat(slide.items) if isinstance(item, Text)]
+
+
+def told(slides: list[Slide]) -> str:
+    """Title and body of a step's slides, without what is said again on a continued one."""
+    parts = []
+    for slide in slides:
+        if not slide.is_continued:
+            parts += [t.words for t in texts(slide) if t.is_title]
+        parts += [t.words for t in texts(slide) if t.name in ("words", "bullet")]
+    return " ".join(parts)
+
+
+@pytest.mark.parametrize("aspect", ["16:9", "4:3"])
+def test_the_slides_of_a_step_say_what_the_lesson_says(balls, aspect):
+    """Every word once, in order; a step whose first sentence is too long for a title has the
+    scene's."""
+    slides = [s for s in balls.deck(aspect).slides if s.kind in ("step", "question", "answer")]
+    stops = stops_of(balls.scene)
+    assert len(slides) == len(stops)
+    for slide, stop in zip(slides, stops, strict=True):
+        assert told([slide]) == plain_text(stop.text)
+        assert slide.kind == stop.kind
+        assert slide.notes[0] == plain_text(stop.text)
+
+
+@pytest.mark.parametrize("aspect", ["16:9", "4:3"])
+def test_nothing_is_small_cut_or_over_something_else(balls, aspect):
+    """Text of at least 14 points within the slide; words never on words."""
+    deck = balls.deck(aspect)
+    page = Box(0, 0, deck.width, deck.height)
+    for slide in deck.slides:
+        boxes = [(t.words, tight(t)) for t in texts(slide)]
+        boxes += [(i.name, i.box) for i in flat(slide.items) if isinstance(i, Table)]
+        for words, box in boxes:
+            assert page.holds(box), (slide.title, words)
+        for k, (words, box) in enumerate(boxes):
+            for others, other in boxes[k + 1 :]:
+                assert not box.overlaps(other), (slide.title, words, others)
+        sizes = [i.size for i in flat(slide.items) if isinstance(i, Text | Table)]
+        assert min(sizes) >= SMALLEST
+
+
+def tight(text: Text) -> Box:
+    """The words' own box, a hair smaller: neighbours may touch."""
+    from raywalk.slides.typeface import run_width
+
+    wide = max(sum(run_width(run, text.size) for run in line) for line in text.lines)
+    box = text.box
+    share = {"left": 0.0, "centre": 0.5, "right": 1.0}[text.align]
+    left = box.left + share * (box.width - wide)
+    high = len(text.lines) * text.size * text.leading
+    return Box(left + 0.1, box.top + 0.1, max(wide - 0.2, 0.1), max(high - 0.2, 0.1))
+
+
+def test_labels_keep_clear_of_rays(deck: Deck):
+    """No label of a figure is struck through by a ray of the selected pixel."""
+    for slide in deck.slides:
+        if not slide.figure:
+            continue
+        labels = [i for i in flat(slide.figure.items) if isinstance(i, Text) and "label" in i.name]
+        groups = [
+            i for i in slide.figure.items if isinstance(i, Group) and i.name.startswith("Ray ")
+        ]
+        rays = [line for group in groups for line in group.items if isinstance(line, Line)]
+        for label in labels:
+            assert not [ray for ray in rays if crosses(tight(label), ray.start, ray.end)]
+
+
+def test_very_long_words_go_on_on_the_next_slides(made):
+    """160 sentences: every one is there once, over several slides, none cut."""
+    lesson = f'[[lesson]]\ntext = "{LONG}"\nview = {{ resolution = 7, pixel = [2, 3] }}'
+    deck = made(lesson).deck()
+    steps = [s for s in deck.slides if s.kind == "step"]
+    assert len(steps) > 2 and [s.is_continued for s in steps] == [False] + [True] * (len(steps) - 1)
+    assert told(steps) == LONG
+    page = Box(0, 0, deck.width, deck.height)
+    assert all(page.holds(tight(t)) for s in steps for t in texts(s))
+
+
+def test_one_word_longer_than_a_line_is_broken(made):
+    """A word of 400 letters stays within its column."""
+    lesson = f'[[lesson]]\ntext = "See: {"abcdefgh" * 50}"\nview = {{ resolution = 7 }}'
+    deck = made(lesson).deck()
+    page = Box(0, 0, deck.width, deck.height)
+    for slide in deck.slides:
+        assert all(page.holds(tight(t)) for t in texts(slide))
+    step = next(s for s in deck.slides if s.kind == "step")
+    body = "".join(t.words for t in texts(step) if t.name == "words")
+    assert body.replace(" ", "") == "See:" + "abcdefgh" * 50
+
+
+def test_hebrew_reads_from_right_to_left(made):
+    """Set right, marked in every format; in PDF in the order in which it is seen."""
+    words = "קרן אחת פוגעת בכדור."
+    lesson = f'[[lesson]]\ntext = "{words} {words} {words} {words}"\nview = {{ resolution = 7 }}'
+    deck = made(lesson).deck()
+    step = next(s for s in deck.slides if s.kind == "step")
+    body = next(t for t in texts(step) if t.name == "words")
+    assert body.right_to_left and body.align == "right"
+    assert 'direction="rtl"' in deck_html(deck)
+    seen = PdfReader(io.BytesIO(deck_pdf(deck, PRINT))).pages[deck.slides.index(step)]
+    assert words.split()[0][::-1] in seen.extract_text() or words.split()[0] in seen.extract_text()
+    slide = Presentation(io.BytesIO(deck_pptx(deck, SCREEN))).slides[deck.slides.index(step)]
+    assert 'rtl="1"' in slide._element.xml
+
+
+def test_letters_that_the_font_lacks_are_refused_in_pdf(made):
+    """By name, before anything is written; the other formats are set by the reader's fonts."""
+    deck = made('[[lesson]]\ntext = "A ray: 光線"\nview = { resolution = 7 }').deck()
+    with pytest.raises(MissingGlyphs, match=r"光 \(U\+5149\), 線 \(U\+7DDA\)"):
+        deck_pdf(deck, PRINT)
+    assert "光線" in deck_html(deck)
+    assert deck_pptx(deck, SCREEN)
+
+
+def test_a_walk_of_many_rays_still_fits(made):
+    """Two mirrors face to face and 60 bounces: the table says how many rays it leaves out, the
+    sum goes on on a next slide."""
+    scene = HALL
+    lesson = '[[lesson]]\ntext = "To and fro."\nview = { resolution = 7, pixel = [3, 3], \
+tiles = "filled" }'
+    deck = made(lesson, scene).deck()
+    step = next(s for s in deck.slides if s.kind == "step")
+    table = next(i for i in flat(step.items) if isinstance(i, Table))
+    assert re.fullmatch(r"rays 1 to \d+ of 61; all are in the notes", table.rows[-1][0].text)
+    sums = [s for s in deck.slides if s.kind == "sum"]
+    assert len(sums) > 1 and all(s.is_continued for s in sums[1:])
+    page = Box(0, 0, deck.width, deck.height)
+    for slide in deck.slides:
+        assert all(page.holds(i.box) for i in flat(slide.items) if isinstance(i, Table))
+
+
+HALL = """
+version = 1
+title = "Hall of mirrors"
+teaches = "To and fro."
+[camera]
+eye = [0, 0, 1]
+target = [0, 0, 0]
+[render]
+size = 21
+resolutions = [7]
+depth = 60
+[[objects]]
+name = "front"
+type = "plane"
+point = [0, 0, -1]
+normal = [0, 0, 1]
+material = { reflect = 1 }
+[[objects]]
+name = "back"
+type = "plane"
+point = [0, 0, 2]
+normal = [0, 0, -1]
+material = { reflect = 1 }
+[[lights]]
+position = [0, 1, 0]
+"""
