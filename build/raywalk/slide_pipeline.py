@@ -127,6 +127,8 @@ def publish_slides(folder: Path, decks: list[Entry]) -> dict[str, list[str]]:
 
 def make_sights(store: Store, made: Plan) -> Entry:
     """What the tracer tells of a lesson's views."""
+    if found := store.find(key_of(made.sights)):
+        return found  # a change of words alone never pays for what traces
     from raywalk.sight_products import write_sights
 
     layout = LAYOUTS[made.sights["aspect"]]

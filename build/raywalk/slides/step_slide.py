@@ -60,7 +60,7 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
         _where(lesson, seen), say("slides.stepOf", step=stop.step + 1, of=len(scene.lesson)), layout
     )
     items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
-    notes = tuple(step_notes(scene, seen))
+    notes = tuple(step_notes(lesson.placed, seen))
     slides = [Slide(head, (*items, *under), notes, stop.kind, figure=figure)]
     while rest.lines:
         part, rest = rest.split(_wide(layout).height)

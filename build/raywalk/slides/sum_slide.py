@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, footer, title
 from raywalk.slides.figure import Cell, Run, Slide, Table
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph
+from raywalk.slides.notes import lit_hits
 from raywalk.slides.ray_table import SAMPLE, SWATCH, eight_bit
 from raywalk.slides.sights import Seen
 from raywalk.slides.step_figure import ray_order
@@ -48,7 +51,32 @@ def _slides(lesson: Lesson, seen: Seen) -> list[Slide]:
         items = (title(name, layout.title), *flow_texts(says, words), table, *under[:1])
         notes = (say("slides.sumSays"), *(" · ".join(_spoken(row)) for row in part))
         slides.append(Slide(name, items, notes, "sum", bool(len(slides))))
-    return slides
+    return _with_lights(lesson, seen, slides)
+
+
+def _with_lights(lesson: Lesson, seen: Seen, slides: list[Slide]) -> list[Slide]:
+    """The slides with what each light gives to each hit, under the table and on further ones."""
+    layout, order = lesson.layout, ray_order(seen)
+    sums = [
+        Paragraph((Run(say("slides.sumOfRay", count=order.index(ray) + 1), True), Run(f" {told}")))
+        for ray, told in lit_hits(lesson.placed, seen)
+    ]
+    rest = flow(sums, SMALLEST + 1, layout.title.width)
+    *done, last = slides
+    under = last.items[-1]
+    top = next(item.box.bottom for item in last.items if isinstance(item, Table)) + 14
+    while rest.lines:
+        space = layout.footer.top - 8 - top
+        if space >= rest.line_height:
+            part, rest = rest.split(space)
+            texts = flow_texts(part, Box(layout.title.left, top, layout.title.width, space))
+            last = replace(last, items=(*last.items, *texts))
+        if rest.lines:
+            done.append(last)
+            head = say("slides.continued", title=slides[0].title)
+            last = Slide(head, (title(head, layout.title), under), (), "sum", True)
+            top = layout.title.bottom + 12
+    return [*done, last]
 
 
 def _telling(seen: Seen) -> tuple[int, int]:
