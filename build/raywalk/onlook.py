@@ -166,6 +166,7 @@ def _as_camera_rays(tracer: Tracer, media: list[int], rays: Rays) -> Bounced:
         weight=np.ones(count),
         share=np.ones(count),
         media=stacks_holding(media, stack_width(scene), count),
+        faint=0,
     )
 
 
