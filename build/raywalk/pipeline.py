@@ -210,7 +210,7 @@ def write_edition(
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     spared = {scene.id: spared_lines(facts[scene.id], words) for scene in scenes}
     told_by = assets | write_words(out, words)
-    write_pages(out, site_source / "templates", scenes, figures, told_by, downloads, words, spared)
+    write_pages(out, site_source / "templates", scenes, figures, told_by, words, spared, downloads)
 
 
 def bundle(site_source: Path, folder: Path) -> None:

@@ -22,8 +22,8 @@ Assets = dict[str, str]
 
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
-    downloads: dict[str, list[str]], words: Words | None = None,
-    spared: dict[str, Figures] | None = None,
+    words: Words | None = None, spared: dict[str, Figures] | None = None,
+    downloads: dict[str, list[str]] | None = None,
 ) -> None:  # fmt: skip
     """index.html, model/, slides/ and scenes/<id>/index.html of one language: under `out` for
     the default one, under out/<code> for another. scenes: in that language; downloads: names of
@@ -48,12 +48,13 @@ def write_pages(
         glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
-    decks = {id: sorted_downloads(id, names) for id, names in downloads.items()}
-    write("slides/index.html", "slides.html", decks=decks)
+    decks = {id: sorted_downloads(id, names) for id, names in (downloads or {}).items()}
+    if decks:
+        write("slides/index.html", "slides.html", decks=decks)
     for scene in scenes:
         told = _scene(scene, figures[scene.id]) | {
             "spared": (spared or {}).get(scene.id),
-            "downloads": decks[scene.id],
+            "downloads": decks.get(scene.id),
         }
         write(f"scenes/{scene.id}/index.html", "scene.html", scene=told)
 
