@@ -53,7 +53,7 @@ def shaded_view(tracer: Tracer, look: Onlooker) -> np.ndarray:
     view = np.zeros((len(pixels), 4), np.uint8)
     for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
         first = _through_cut(tracer, _from(look, _directions(look, strip)), walls)
-        wave = tracer.follow(_as_camera_rays(tracer, media, first))[0]
+        wave = tracer.to_the_end(_as_camera_rays(tracer, media, first))[0]
         view[strip, :3] = eight_bit(wave.colour)
         view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
     return view.reshape(look.height, look.width, 4)
