@@ -8,7 +8,7 @@ NODE_READY := node_modules/.ready
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site test check serve bench stress clean distclean help
+.PHONY: all site slides test check serve bench stress clean distclean help
 .DEFAULT_GOAL := all
 
 all: site
@@ -17,6 +17,9 @@ all: site
 
 site: $(PYTHON_READY) $(NODE_READY) ## trace the scenes and build the site into dist/
 	@$(PYTHON) -m raywalk site
+
+slides: site ## slides, handouts and worksheets of all lessons: dist/slides/
+	@ls dist/slides
 
 test: site $(TEST_READY) ## check types and style, run all tests, in a real browser too
 	@sh build/setup/browser.sh
