@@ -172,6 +172,17 @@ def test_explain_says_why_each_thing_is_made_again(build, scenes, tmp_path):
     assert "its kept thumb.png is damaged" in build("--explain")[1]
 
 
+def test_stats_tells_of_each_scene_what_it_did_not_need(build, tmp_path):
+    """Also where nothing is made again; the page and the viewer tell the same."""
+    said = build("--stats")[1]
+    table = said[said.index("02-ball\n") :]
+    for words in ("Rays traced", "3 969 camera", "Stages not run", "refraction"):
+        assert words.replace(" ", "\u202f", words[0].isdigit()) in table
+    assert "0 traced, 2 unchanged" in said
+    page = (tmp_path / "dist/scenes/02-ball/index.html").read_text(encoding="utf-8")
+    assert "What this scene did not need" in page and "Shadow rays shot" in page
+
+
 def test_a_site_that_was_changed_by_hand_is_made_anew(build, tmp_path):
     """Though no input changed: what is there must be what was built."""
     before = contents(tmp_path / "dist")

@@ -1,7 +1,7 @@
 /** raywalk serve: what is saved shows by itself; mistakes show as text and go when they are mended. */
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
@@ -34,7 +34,7 @@ let browser, folder, file, serving, page, url;
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "raywalk-serve-"));
   file = join(folder, "scenes", "01-ball", "scene.toml");
-  await cp("scenes/01-shading", join(folder, "scenes", "01-ball"), { recursive: true });
+  await mkdir(join(folder, "scenes", "01-ball"), { recursive: true });
   await writeFile(file, SCENE);
   const places = ["--scenes", join(folder, "scenes"), "--out", join(folder, "dist"), "--work", join(folder, "work")];
   serving = spawn(".venv/bin/python", ["-m", "raywalk", "serve", "--port", "0", ...places], { stdio: ["ignore", "pipe", "inherit"] });
