@@ -20,10 +20,11 @@ from raywalk.progress import Begin, End, Event, Progress, Tell
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
+from raywalk.site import sizes
 from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words
 from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.mesh_data import DisplayMesh
-from raywalk.site.pages import write_pages
+from raywalk.site.pages import write_pages, write_sizes
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.spared import as_table, spared_lines, spared_of
 from raywalk.slide_pipeline import make_decks, plan, publish_slides, slide_remarks
@@ -87,6 +88,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
     decks = yield from make_decks(store, plans)
     notes += slide_remarks(decks)
     yield from slide_remarks(decks)
+    budgets = sizes.read_budgets(chosen.budgets)
     with staged(chosen.out) as out:
         script = (viewer.folder / "viewer.js").read_bytes()
         assets = write_assets(out, site_source, script)
@@ -98,6 +100,10 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
             write_edition(
                 out, site_source, [each.scene for each in told], facts, assets, downloads, code
             )
+        weights = sizes.measured(out, scenes, facts)
+        sizes.check(chosen.out, weights, budgets)
+        sizes.keep(out, weights)
+        write_sizes(out, site_source / "templates", weights, budgets, assets)
     used = [*entries.values(), *data.values(), *decks, viewer]
     store.prune(keep={entry.folder.name for entry in used})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())

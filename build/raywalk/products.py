@@ -39,13 +39,16 @@ def write_products(scene: Scene, folder: Path, threads: int, report: Tell = say_
     levels = sorted(scene.render.resolutions)
     for place, n in enumerate(levels):
         report(f"grid {n}", TRACING + (1 - TRACING) * place / len(levels))
-        write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
+        level = level_of(traced.tree, n)
+        write_level(folder, level, n, scene, traced.picture)
     write_display(folder / "display.npz", scene, tracer)
     sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
     write_script(folder / "sections.js", f"{scene.id}/sections", sections.encode())
     facts = counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,
+        "finest": {"n": n, "rays": rays_of(level)},
+        "triangles": sum(len(mesh.triangles.faces) for mesh in tracer.compiled.meshes),
         "dropped": dropped_triangles(tracer),
         "warnings": overlap_warnings(scene, tracer.compiled),
     }
@@ -60,14 +63,23 @@ def thumbnail(picture: np.ndarray) -> np.ndarray:
 
 def counts(tree: RayTree) -> dict[str, Any]:
     """What was kept: pixels, rays by kind, shadow rays, tests."""
-    shot = (tree.visibility == Visibility.BLOCKED) | (tree.visibility == Visibility.REACHED)
     return {
         "camera": tree.cameras,
         "secondary": len(tree.kind) - tree.cameras,
-        "shadow": int(shot.sum()),
+        "shadow": shadow_rays(tree),
         "deepest": int(tree.depth.max(initial=0)),
         "tests": int(tree.tests.sum()),
     }
+
+
+def shadow_rays(tree: RayTree) -> int:
+    """Shadow rays that were shot."""
+    return int(np.isin(tree.visibility, (Visibility.BLOCKED, Visibility.REACHED)).sum())
+
+
+def rays_of(tree: RayTree) -> int:
+    """Camera, reflected, refracted and total rays, and shadow rays shot."""
+    return len(tree.kind) + shadow_rays(tree)
 
 
 def dropped_triangles(tracer: Tracer) -> dict[str, dict[str, int]]:

@@ -343,3 +343,31 @@ def test_inspect_names_what_it_cannot_read(built, capsys, file, pixel, words):
     error = capsys.readouterr().err
     assert file in error and words in error
     assert "Traceback" not in error
+
+
+def test_a_file_over_its_budget_fails_the_build_and_leaves_the_site_alone(scenes, capsys):
+    folder = scenes.parent
+    budgets = folder / "budgets.toml"
+    budgets.write_text(
+        '[[budgets]]\nkey = "picture"\nwhat = "picture.png"\nlimit = 10\nunit = "bytes"\n'
+        'counted = "each"\nreason = "a line of two bytes a second"\n'
+    )
+    before = {path: path.read_bytes() for path in (folder / "dist").rglob("*") if path.is_file()}
+    assert site(folder, "--budgets", str(budgets)) == 1, "nothing else has changed"
+    scene = scenes / "01-ball" / "scene.toml"
+    scene.write_text(scene.read_text().replace("one", "another"))
+    capsys.readouterr()
+    assert site(folder, "--budgets", str(budgets)) == 1
+    said = capsys.readouterr().err
+    assert "01-ball/picture.png" in said and "the budget is 10.00 bytes" in said
+    assert "a line of two bytes a second" in said and "Traceback" not in said
+    after = {path: path.read_bytes() for path in (folder / "dist").rglob("*") if path.is_file()}
+    assert after == before
+
+
+def test_sizes_are_told_by_budget_beside_a_floor(built, capsys):
+    assert site(built, "--sizes") == 0
+    said = capsys.readouterr().out
+    assert "ray trees at the finest grid: at most 2.20 bytes a ray" in said
+    assert "of lossless WebP" in said and "of xz -9e" in said
+    assert (built / "dist" / "sizes" / "index.html").is_file()

@@ -12,6 +12,7 @@ from raywalk.progress import Event
 from raywalk.work.last_build import LastBuild, inputs_of
 
 SITE_SOURCE = Path("site_src")
+BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
 
 
 def add_to(commands: Any) -> None:
@@ -25,6 +26,8 @@ def add_options(parser: Any) -> None:
     """What every build can be told, also one by `serve`."""
     parser.add_argument("--out", type=Path, default=Path("dist"), help="where the site goes")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
+    parser.add_argument("--sizes", action="store_true", help="tell what files weigh, by budget")
+    parser.add_argument("--budgets", type=Path, default=BUDGETS, help="what files may weigh")
     parser.add_argument("--explain", action="store_true", help="say why each thing is made again")
     parser.add_argument(
         "--scheduler", metavar="tcp://HOST:PORT", help="trace on this Dask cluster, not here"
@@ -52,4 +55,16 @@ def run(chosen: Namespace) -> Iterator[str | Event]:
         # The hashes from before the build: what was edited meanwhile is built next time.
         last.keep(inputs, done.also_read, done.said)
         traced, size = done.traced, done.said["size"]
+    if chosen.sizes or chosen.budgets != BUDGETS:
+        yield from told_sizes(chosen)
     yield f"{traced}; {size / 1e6:.1f} MB in {chosen.out}/, {time.monotonic() - started:.1f} s"
+
+
+def told_sizes(chosen: Namespace) -> Iterator[str]:
+    """What the files weigh, if asked; raises OverBudget, also where nothing was built anew."""
+    from raywalk.site import sizes
+
+    weights, budgets = sizes.kept(chosen.out), sizes.read_budgets(chosen.budgets)
+    if chosen.sizes:
+        yield from sizes.table(chosen.out, weights, budgets)
+    sizes.check(chosen.out, weights, budgets)

@@ -3,6 +3,7 @@ page on the model behind the pictures."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from raywalk.scene.model import Scene
 from raywalk.site.downloads import sorted_downloads
 from raywalk.site.figures import Figures, has_glass
 from raywalk.site.saying import sayings
+from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
 
@@ -62,6 +64,31 @@ def write_pages(
 def home_of(code: str) -> str:
     """Where a language's pages are, relative to the site's root: "" or "de/"."""
     return "" if code == DEFAULT else f"{code}/"
+
+
+def write_sizes(
+    out: Path, templates: Path, weights: Sequence[Size], budgets: Sequence[Budget], assets: Assets
+) -> None:
+    """sizes/index.html: what files weigh, budget by budget."""
+    tables = []
+    for budget in budgets:
+        own = sorted((each for each in weights if each.key == budget.key), key=lambda e: -e.value)
+        rows = [
+            {"file": each.file, "size": f"{each.size:,}", "value": shown(each.value, budget)}
+            for each in own
+        ]
+        together = [shown(value, budget) for _, value in weighed(own, budget)]
+        all_counted = budget.counted == "all" and rows
+        tables.append(
+            {
+                "what": budget.what, "limit": shown(budget.limit, budget), "reason": budget.reason,
+                "rows": rows, "together": together[0] if all_counted else "",
+            }
+        )  # fmt: skip
+    page = out / "sizes" / "index.html"
+    page.parent.mkdir(parents=True, exist_ok=True)
+    template = page_environment(templates).get_template("sizes.html")
+    page.write_text(template.render(root="../", tables=tables, **assets), encoding="utf-8")
 
 
 def page_environment(templates: Path, words: Words | None = None) -> Environment:

@@ -84,7 +84,7 @@ def _files(folder: Path) -> Iterator[Path]:
 @cache
 def _code() -> dict[str, str]:
     """Hashed once a process: what runs is what was imported, however it is edited meanwhile."""
-    files = (path for path in _files(PACKAGE) if path.suffix in (".py", ".json", ".css"))
+    files = (path for path in _files(PACKAGE) if path.suffix in (".py", ".json", ".css", ".toml"))
     return digests(files, PACKAGE)
 
 

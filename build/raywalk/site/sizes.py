@@ -1,0 +1,172 @@
+"""What the site's files weigh, against budgets that a build must keep (budgets.toml)."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import lzma
+import tomllib
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+from raywalk.errors import Told, shown_path
+from raywalk.scene.model import Scene
+from raywalk.words.catalogue import DEFAULT
+
+BUDGETS = Path(__file__).with_name("budgets.toml")
+REPORT = "sizes.json"
+LEVEL = 9
+# Smaller files are mostly header: they count as if they held this many.
+FEW_RAYS, FEW_TRIANGLES = 5000, 2000
+
+
+@dataclass(frozen=True)
+class Budget:
+    """A limit, in `unit`, for every file ("each") or for all together ("all"), and why."""
+
+    key: str
+    what: str
+    limit: float
+    unit: str
+    counted: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Size:
+    """What one file weighs: bytes as sent, and by how many things they are divided."""
+
+    key: str  # of its budget
+    file: str  # below the site
+    size: int
+    over: int = 1  # rays, triangles
+
+    @property
+    def value(self) -> float:
+        """In the budget's unit."""
+        return self.size / self.over
+
+
+class OverBudget(Told):
+    """A file outgrew its budget; str() names file, size, budget and why it is there."""
+
+
+def read_budgets(path: Path = BUDGETS) -> list[Budget]:
+    """The budgets of a file in the manner of budgets.toml."""
+    return [Budget(**each) for each in tomllib.loads(path.read_text("utf-8"))["budgets"]]
+
+
+def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]]) -> list[Size]:
+    """The sizes of a site that is in `out`. facts: what the trace stage counted, by scene."""
+    assets = sorted((out / "assets").iterdir())
+    scripts = {path.name: sent(path) for path in assets if _is_loaded(path.name)}
+    styles = sum(sent(path) for path in assets if path.suffix == ".css")
+    sizes = [Size("viewer", f"assets/{name}", size) for name, size in scripts.items()]
+    for scene in scenes:
+        folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
+        finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
+        trace = folder / f"{finest['n']}.json.gz"
+        data = sent(folder / "scene.js")
+        first = sent(folder / "index.html") + data + sent(folder / f"{first_level(scene)}.json.gz")
+        sizes += [
+            Size("trace", f"{name}/{trace.name}", sent(trace), max(finest["rays"], FEW_RAYS)),
+            Size("picture", f"{name}/picture.png", sent(folder / "picture.png")),
+            Size("first", name, first + styles + sum(scripts.values())),
+        ]
+        if triangles:
+            sizes.append(Size("mesh", f"{name}/scene.js", data, max(triangles, FEW_TRIANGLES)))
+    return sizes
+
+
+def _is_loaded(name: str) -> bool:
+    """A page loads the words of one language; that of the default one stands for all."""
+    other = name.startswith("words-") and not name.startswith(f"words-{DEFAULT}-")
+    return name.endswith(".js") and not other
+
+
+def first_level(scene: Scene) -> int:
+    """The grid a scene's page opens with."""
+    view = scene.lesson[0].view if scene.lesson else {}
+    near = min(scene.render.resolutions, key=lambda n: abs(n - 15))
+    return int(view.get("resolution") or near)
+
+
+def sent(path: Path) -> int:
+    """Bytes as a host sends them: text gzipped, what is compressed already as it is."""
+    content = path.read_bytes()
+    if path.suffix in (".gz", ".png"):
+        return len(content)
+    return len(gzip.compress(content, LEVEL, mtime=0))
+
+
+def check(out: Path, sizes: Sequence[Size], budgets: Iterable[Budget]) -> None:
+    """Raises OverBudget with every budget that is passed."""
+    problems = [
+        f"{shown_path(out / name)}: {shown(value, budget)} of {budget.what}; the budget is "
+        f"{shown(budget.limit, budget)}\n  why: {budget.reason}\n  budgets stand in "
+        f"{shown_path(BUDGETS)}"
+        for budget in budgets
+        for name, value in weighed(sizes, budget)
+        if value > budget.limit
+    ]
+    if problems:
+        raise OverBudget("\n".join([*problems, "the site was not changed"]))
+
+
+def weighed(sizes: Sequence[Size], budget: Budget) -> Iterator[tuple[str, float]]:
+    """(file, value) of all that a budget counts; together, the largest file stands for all."""
+    own = [size for size in sizes if size.key == budget.key]
+    if budget.counted == "each":
+        yield from ((size.file, size.value) for size in own)
+    elif own:
+        over = sum(size.over for size in own) if any(size.over > 1 for size in own) else 1
+        yield max(own, key=lambda size: size.size).file, sum(size.size for size in own) / over
+
+
+def shown(value: float, budget: Budget) -> str:
+    """With its unit."""
+    return f"{value:,.2f} {budget.unit}" if value < 1000 else f"{value:,.0f} {budget.unit}"
+
+
+def keep(out: Path, sizes: Iterable[Size]) -> None:
+    """Writes sizes.json into the site."""
+    text = json.dumps([asdict(size) for size in sizes], indent=1)
+    (out / REPORT).write_text(text + "\n", encoding="utf-8")
+
+
+def kept(out: Path) -> list[Size]:
+    """What keep wrote."""
+    return [Size(**each) for each in json.loads((out / REPORT).read_text(encoding="utf-8"))]
+
+
+def table(out: Path, sizes: Sequence[Size], budgets: Iterable[Budget]) -> Iterator[str]:
+    """Lines: each budget, its files against it and against a floor."""
+    for budget in budgets:
+        own = [size for size in sizes if size.key == budget.key]
+        if not own:
+            continue
+        together = [value for _, value in weighed(own, budget)] if budget.counted == "all" else []
+        said = f", together {shown(together[0], budget)}" if together else ""
+        yield f"{budget.what}: at most {shown(budget.limit, budget)}{said} ({budget.reason})"
+        for size in sorted(own, key=lambda size: -size.value):
+            floor, way = floor_of(out / size.file)
+            beside = f", {size.size / floor:.2f} of {way}" if floor else ""
+            value = f", {shown(size.value, budget)}" if size.over > 1 else ""
+            yield f"  {size.file}: {size.size:,} bytes{value}{beside}"
+
+
+def floor_of(path: Path) -> tuple[int, str]:
+    """What the best encoder at hand makes of the same content, for comparison; 0 if none."""
+    if path.suffix == ".png":
+        from PIL import Image
+
+        webp = BytesIO()
+        Image.open(path).save(webp, "WEBP", lossless=True, method=4, quality=50)
+        return len(webp.getvalue()), "lossless WebP"
+    if not path.is_file():
+        return 0, ""
+    content = gzip.decompress(path.read_bytes()) if path.suffix == ".gz" else path.read_bytes()
+    return len(lzma.compress(content, preset=9 | lzma.PRESET_EXTREME)), "xz -9e"
