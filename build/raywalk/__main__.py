@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from importlib import import_module
 from pathlib import Path
 
 from raywalk.errors import Told
 from raywalk.terminal import Terminal
+
+# Every core has a scene or a strip of its own: numpy's linear algebra with threads besides took a
+# third longer to write the trace files, and sums in another order give other last bits.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # Word on the command line -> its module in commands/. Only the one that runs is imported: what
 # the others need takes longer than a build with nothing to do.

@@ -20,9 +20,9 @@ def pack(json_bytes: bytes) -> bytes:
     return min(tries, key=len)
 
 
-def script(name: str, json_bytes: bytes) -> bytes:
-    """A classic script, which also runs from file://, that hands over the packed JSON."""
-    text = base64.b64encode(pack(json_bytes)).decode("ascii")
+def script(name: str, packed: bytes) -> bytes:
+    """A classic script, which also runs from file://, that hands over what `pack` made."""
+    text = base64.b64encode(packed).decode("ascii")
     return f'raywalkReceive("{name}","{text}")\n'.encode()
 
 

@@ -62,23 +62,30 @@ def neighbours_in(group: np.ndarray, kind: np.ndarray, sides: np.ndarray) -> np.
 
 def predict(off: np.ndarray, near: np.ndarray, taps: tuple[int, ...]) -> np.ndarray:
     """Predicted distance from the affine part; off (m,) are the true ones, near (7, k)."""
+    has = near >= 0
+    out = np.empty(near.shape[1])
+    full = has[0] & has[1] & has[2]
+    rows = np.flatnonzero(full)
+    left, up, up_left = (off[near[k, rows]] for k in range(3))
+    if taps == FLAT:
+        out[rows] = left + up - up_left
+    else:
+        whole = left * taps[0] + up * taps[1]
+        for side in range(2, 6):
+            whole = whole + (off[near[side, rows]] if side > 2 else up_left) * taps[side]
+        all_six = has[3, rows] & has[4, rows] & has[5, rows]
+        out[rows] = np.where(all_six, whole / UNIT, left + up - up_left)
+    rows = np.flatnonzero(~full)
+    out[rows] = _predict_at_edges(off, near[:, rows], has[:, rows])
+    return out
+
+
+def _predict_at_edges(off: np.ndarray, near: np.ndarray, has: np.ndarray) -> np.ndarray:
+    """Where left, up or up-left is missing."""
     at = [follow(off, rows) for rows in near]
-    whole = at[0] * taps[0]
-    for side in range(1, 6):
-        whole = whole + at[side] * taps[side]
-    has = [rows >= 0 for rows in near]
     return np.asarray(np.select(
-        [
-            has[0] & has[1] & has[2] & has[3] & has[4] & has[5],
-            has[0] & has[1] & has[2],
-            has[0] & has[4],
-            has[1] & has[5],
-            has[0], has[1], has[2], has[3], has[6],
-        ],
-        [
-            whole / UNIT, at[0] + at[1] - at[2], 2 * at[0] - at[4], 2 * at[1] - at[5],
-            at[0], at[1], at[2], at[3], at[6],
-        ],
+        [has[0] & has[4], has[1] & has[5], has[0], has[1], has[2], has[3], has[6]],
+        [2 * at[0] - at[4], 2 * at[1] - at[5], at[0], at[1], at[2], at[3], at[6]],
         0.0,
     ))  # fmt: skip
 

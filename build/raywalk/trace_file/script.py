@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from raywalk.trace_file.container import script
+from raywalk.trace_file.container import pack, script
 
 
 def write_beside(path: Path, data: bytes) -> None:
@@ -20,4 +20,9 @@ def write_beside(path: Path, data: bytes) -> None:
 
 def write_script(path: Path, name: str, json_bytes: bytes) -> None:
     """raywalkReceive("<name>","<base64 of the gzip of the JSON>") as a classic script."""
-    write_beside(path, script(name, json_bytes))
+    write_packed(path, name, pack(json_bytes))
+
+
+def write_packed(path: Path, name: str, packed: bytes) -> None:
+    """The same of JSON that is packed already."""
+    write_beside(path, script(name, packed))

@@ -29,21 +29,35 @@ def unzigzag(number: int) -> int:
 
 def write_numbers(numbers: np.ndarray) -> str:
     """Non-negative integers below 2**52 as text."""
-    return "".join(_word(number) for number in numbers.tolist())
+    numbers = np.asarray(numbers, np.int64)
+    if not len(numbers):
+        return ""
+    if numbers.max() < ONE:
+        return LETTERS[numbers].tobytes().decode("ascii")
+    length = np.full(len(numbers), 1 + LONG[92])
+    for most, size in ((BASE ** LONG[91], 1 + LONG[91]), (TWO, 2), (ONE, 1)):
+        length[numbers < most] = size
+    start = np.cumsum(length) - length
+    text = np.empty(int(length.sum()), np.uint8)
+    for size in (1, 2, 1 + LONG[91], 1 + LONG[92]):
+        rows = np.flatnonzero(length == size)
+        text[start[rows, None] + np.arange(size)] = LETTERS[_digits(numbers[rows], size)]
+    return text.tobytes().decode("ascii")
 
 
-def _word(number: int) -> str:
-    if number < ONE:
-        return ALPHABET[number]
-    if number < TWO:
-        high, low = divmod(number - ONE, BASE)
-        return ALPHABET[ONE + high] + ALPHABET[low]
-    lead, digits = next(pair for pair in LONG.items() if number < BASE ** pair[1])
-    text = ""
-    for _ in range(digits):
-        number, digit = divmod(number, BASE)
-        text = ALPHABET[digit] + text
-    return ALPHABET[lead] + text
+LETTERS = np.frombuffer(ALPHABET.encode("ascii"), np.uint8)
+
+
+def _digits(numbers: np.ndarray, size: int) -> np.ndarray:
+    """(n, size) places in the alphabet of numbers that take `size` characters."""
+    if size == 1:
+        return numbers[:, None]
+    if size == 2:
+        high, low = np.divmod(numbers - ONE, BASE)
+        return np.stack([ONE + high, low], axis=1)
+    lead = next(first for first, digits in LONG.items() if digits == size - 1)
+    digits = numbers[:, None] // BASE ** np.arange(size - 2, -1, -1) % BASE
+    return np.concatenate([np.full((len(numbers), 1), lead), digits], axis=1)
 
 
 class Reader:
