@@ -17,7 +17,7 @@ import { createSlice } from "./stage/slice";
 import { createStage } from "./stage/stage";
 import { sectionOf } from "./state/section";
 import { snapshot } from "./stage/snapshot";
-import { pixelIndex, tileColour } from "./state/view-state";
+import { isAsking, pixelIndex, tileColour } from "./state/view-state";
 import { createViewSwitch } from "./panels/view-switch";
 import { say } from "./words";
 
@@ -88,7 +88,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       card.light(lit, event);
       controls.show(state, scene);
       lesson.show(state, scene, event);
-      player.show(state, view.timeline);
+      player.show(state, isAsking(state, scene) && !event ? null : view.timeline); // its colours would give the answer away
       code.show(event, trace, pixelIndex(state));
       page.show(scene, trace);
       spared.show(scene);

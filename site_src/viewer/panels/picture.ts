@@ -1,11 +1,12 @@
 /** The finished picture with the tile grid and the selected pixel on it. */
 import { contrastWith } from "../palette";
-import { tileColour, type ViewState } from "../state/view-state";
+import { isAsking, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { element } from "./element";
 
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
+const COVER = "#39434F";
 const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
 
 export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; failed: () => void }) {
@@ -15,18 +16,22 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   const whole = element("section", "picture", frame);
   whole.setAttribute("aria-label", say("picture.region"));
   const brush = marks.getContext("2d")!;
-  let now: { state: ViewState; trace: Trace | null } | null = null;
+  let now: { state: ViewState; trace: Trace | null; covered: boolean } | null = null;
   let shownScene = "";
 
   function draw() {
     if (!now) return;
-    const { state, trace } = now;
+    const { state, trace, covered } = now;
     const size = frame.clientWidth;
     const ratio = Math.min(2, window.devicePixelRatio);
     if (marks.width !== Math.round(size * ratio)) marks.width = marks.height = Math.round(size * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
     brush.clearRect(0, 0, size, size);
     const tile = size / state.n;
+    if (covered) {
+      brush.fillStyle = COVER;
+      brush.fillRect(0, 0, size, size);
+    }
     if (tile >= GRID_FROM) {
       brush.lineWidth = 1;
       brush.strokeStyle = "rgba(255,255,255,.11)";
@@ -42,7 +47,7 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
     }
     const wide = Math.max(tile, LEAST_MARK);
     const [x, y] = state.pixel.map((k) => (k + 0.5) * tile - wide / 2);
-    const inner = contrastWith(trace && tileColour(trace, state.pixel[1] * state.n + state.pixel[0]));
+    const inner = contrastWith(covered ? null : trace && tileColour(trace, state.pixel[1] * state.n + state.pixel[0]));
     brush.lineWidth = 4;
     brush.strokeStyle = inner === "#000000" ? "#FFFFFF" : "#000000";
     brush.strokeRect(x, y, wide, wide);
@@ -70,7 +75,8 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   return {
     element: whole,
     show(state: ViewState, scene: SceneData, trace: Trace | null) {
-      now = { state, trace };
+      // A question about colours: the picture would give the answer away.
+      now = { state, trace, covered: isAsking(state, scene) && state.tiles === "empty" };
       if (shownScene !== scene.id) {
         shownScene = scene.id;
         image.src = `${root}scenes/${scene.id}/${scene.picture}`;
