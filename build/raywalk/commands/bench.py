@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 SEED = 20_260
-PARTS = ("skips", "memory", "many")
+PARTS = ("skips", "memory", "many", "floor")
 
 
 def add_to(commands: Any) -> None:
@@ -63,8 +63,8 @@ def run(chosen: Namespace) -> Iterator[str]:
 
 
 def run_part(chosen: Namespace) -> Iterator[str]:
-    """One part: what skips bring, peak memory, or whether many scenes are dearer than few."""
-    from raywalk.bench import speed_many, speed_memory, speed_skips
+    """One part: what skips bring, times over the floor, peak memory, or many scenes beside few."""
+    from raywalk.bench import speed_floor, speed_many, speed_memory, speed_skips
     from raywalk.bench.cases import refuse_broken
     from raywalk.scene import read_scenes
 
@@ -74,6 +74,11 @@ def run_part(chosen: Namespace) -> Iterator[str]:
         yield "Time without the skip over time with it"
         yield from speed_skips.as_table(rows)
         cases = list(speed_skips.skip_cases(rows, chosen.seed))
+    elif chosen.only == "floor":
+        chosen_scenes = scenes[:1] if chosen.quick else scenes
+        rows = list(speed_floor.floors(chosen_scenes, 1 if chosen.quick else 3))
+        yield from speed_floor.as_table(rows)
+        cases = list(speed_floor.floor_cases(rows, chosen.seed))
     elif chosen.only == "memory":
         chosen_scenes = scenes[2:3] if chosen.quick else scenes
         peaks = [speed_memory.memory(scene.path) for scene in chosen_scenes]
