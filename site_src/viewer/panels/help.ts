@@ -13,6 +13,7 @@ const ROWS = [
   { name: "level", keys: ["+", "-"] },
   { name: "colours", keys: ["c"] },
   { name: "slice", keys: ["x"] },
+  { name: "stage", keys: ["t"] },
   null,
   { name: "play", keys: ["p"] },
   { name: "event", keys: [",", "."] },
