@@ -35,7 +35,7 @@ function start() {
     notify: notice.say,
     simpler: (why) => notice.say((simpler = why)),
   });
-  const modes = createModes(session, acts, { link: navigation.link, snapshot: parts.snapshot, recolour: parts.recolour, notify: notice.say });
+  const modes = createModes(session, acts, { link: navigation.link, snapshot: parts.snapshot, slide: parts.slide, recolour: parts.recolour, notify: notice.say });
   const beat = createBeat({
     draw() {
       modes.show();

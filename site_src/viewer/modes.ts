@@ -9,25 +9,31 @@ import { say } from "./words";
 export interface Taken {
   link: () => string;
   snapshot: () => HTMLCanvasElement | null;
+  slide: () => string | null;
   recolour: () => void;
   notify: (sentence: string) => void;
 }
 
-export function createModes(session: Session, acts: Actions, { link, snapshot, recolour, notify }: Taken) {
+export function createModes(session: Session, acts: Actions, { link, snapshot, slide, recolour, notify }: Taken) {
   const { body } = document;
   const isEmbedded = new URLSearchParams(location.search).has("embed");
   const sign = createKeySign();
 
-  function save() {
+  function keep(blob: Blob | null, ending: string) {
     const { state } = session;
-    snapshot()?.toBlob((blob) => {
-      if (!blob || !state) return;
-      const file = document.createElement("a");
-      file.href = URL.createObjectURL(blob);
-      file.download = `${state.scene}-${state.pixel.join("-")}.png`;
-      file.click();
-      setTimeout(() => URL.revokeObjectURL(file.href), 1000);
-    });
+    if (!blob || !state) return;
+    const file = document.createElement("a");
+    file.href = URL.createObjectURL(blob);
+    file.download = `${state.scene}-${state.pixel.join("-")}.${ending}`;
+    file.click();
+    setTimeout(() => URL.revokeObjectURL(file.href), 1000);
+  }
+  const save = () => snapshot()?.toBlob((blob) => keep(blob, "png"));
+
+  function saveSlide() {
+    const drawn = slide();
+    if (drawn === null) notify(say("tools.noSlide"));
+    else keep(new Blob([drawn], { type: "image/svg+xml" }), "svg");
   }
 
   function fullScreen() {
@@ -36,7 +42,7 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, r
   }
 
   const help = createHelp();
-  const tools = createTools({ link, save, fullScreen, projector: acts.projector, help });
+  const tools = createTools({ link, save, slide: saveSlide, fullScreen, projector: acts.projector, help });
   body.classList.toggle("embed", isEmbedded);
   if (isEmbedded) body.append(tools.whole);
   else body.insertBefore(tools.element, document.querySelector("nav.scenes"));

@@ -61,6 +61,16 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     element("div", "side", picture.element, card.head, card.element, spared.element),
   );
 
+  /** What a saved view shows, in words; null before there is anything. */
+  function caption(): string | null {
+    const { state, scene } = session;
+    const trace = session.trace();
+    if (!state || !scene) return null;
+    const [column, row] = state.pixel;
+    const colour = trace ? tileColour(trace, pixelIndex(state)).join(", ") : "";
+    return say("tools.saved", { scene: scene.title, column, row, n: state.n, colour });
+  }
+
   let renders = 0;
   let drawn = { scene: "", n: 0, tiles: 0, lines: 0 }; // by the last render
   return {
@@ -96,14 +106,16 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     },
     /** What the stage shows, as a picture with a line under it; null before there is anything. */
     snapshot(): HTMLCanvasElement | null {
-      const { state, scene } = session;
-      const trace = session.trace();
-      if (!state || !scene) return null;
-      const [column, row] = state.pixel;
-      const colour = trace ? tileColour(trace, pixelIndex(state)).join(", ") : "";
+      const told = caption();
+      if (told === null) return null;
       const flat = slice.element.hidden ? null : slice.element;
       const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
-      return snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), say("tools.saved", { scene: scene.title, column, row, n: state.n, colour }));
+      return snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), told);
+    },
+    /** The same as an SVG whose rays and words can be edited; null where the stage is not what shows. */
+    slide(): string | null {
+      const told = caption();
+      return told === null || stage.element.hidden ? null : stage.slide(told);
     },
     recolour: stage.recolour,
     linesDrawn: () => drawn.lines,

@@ -7,6 +7,7 @@ export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
   link: () => string;
   save: () => void;
+  slide: () => void;
   fullScreen: () => void;
   projector: () => void;
   help: () => void;
@@ -29,6 +30,7 @@ export function createTools(acts: ToolActs) {
     "tools",
     link,
     button(say("tools.save.word"), say("tools.save.help"), acts.save),
+    button(say("tools.slide.word"), say("tools.slide.help"), acts.slide),
     projector,
     screen,
     button("?", say("tools.keys"), acts.help, { className: "sign" }),

@@ -11,6 +11,7 @@ import type { LitLine } from "./line-set";
 import type { Line } from "../state/lines";
 import type { StageRenderer, StageView } from "./renderer";
 import { createTracedPicture } from "./traced-picture";
+import { slideSvg } from "./slide";
 import { createWebglRenderer } from "./webgl";
 
 export interface StageActs {
@@ -173,6 +174,14 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     redrawn() {
       draw();
       return renderer.canvas;
+    },
+    /** The view as an SVG with a line under it; null before there is anything. */
+    slide(caption: string): string | null {
+      if (!view || !observer || !projection) return null;
+      renderer.draw({ ...view, chosen: [], lit: null }, observer, projection);
+      const picture = renderer.canvas.toDataURL(); // at once: later the browser may have cleared it
+      draw();
+      return slideSvg(picture, view.chosen, labels.element, caption, projection, view.scene.bounds.radius / 300);
     },
     /** For tests: what is drawn where. */
     stats: () => ({
