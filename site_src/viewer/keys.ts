@@ -1,4 +1,5 @@
 /** Keys, as VIEWER.md's table has them. A key is left alone while something else wants it. */
+import { singleKeys } from "./panels/remember";
 import type { RayChoice } from "./state/view-state";
 
 export interface KeyActs {
@@ -61,6 +62,7 @@ export function listenToKeys(acts: KeyActs) {
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button
     if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (key.length === 1 && key !== " " && !singleKeys.on()) return;
     const act = /^\d$/.test(key) ? () => acts.sceneKey(key) : table[key];
     if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvpfj?\d]$/.test(key)))) return;
     event.preventDefault();

@@ -10,6 +10,7 @@ import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
+import { createSpoken } from "./panels/spoken";
 import { createSpared } from "./panels/spared";
 import { createViewPad } from "./panels/view-pad";
 import type { Session } from "./session";
@@ -48,6 +49,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const player = createPlayer(acts, code.toggle);
   const page = createPage(pageParts);
   const spared = createSpared();
+  const spoken = createSpoken();
 
   home.append(
     element(
@@ -59,6 +61,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       controls.element,
     ),
     element("div", "side", picture.element, card.head, card.element, spared.element),
+    spoken.element,
   );
 
   /** What a saved view shows, in words; null before there is anything. */
@@ -102,6 +105,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       code.show(event, trace, pixelIndex(state));
       page.show(scene, trace);
       spared.show(scene);
+      spoken.show(state, scene, trace, isAsking(state, scene));
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
     /** What the stage shows, as a picture with a line under it; null before there is anything. */

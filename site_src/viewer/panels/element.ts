@@ -1,5 +1,5 @@
 /** Small builders for the page's elements. No inline style attributes: the pages' policy forbids them. */
-import type { Phrase } from "../words";
+import { say, type Phrase } from "../words";
 
 type Child = Node | string;
 
@@ -10,13 +10,23 @@ export function element<K extends keyof HTMLElementTagNameMap>(tag: K, className
   return made;
 }
 
+/** What is read aloud: it holds the word on the button, so that it can be spoken to as well (WCAG 2.5.3). */
+function name(of: HTMLElement, word: string, help: string) {
+  const isSign = !/[\p{L}\p{N}]/u.test(word);
+  of.title = help;
+  of.setAttribute("aria-label", isSign || help.toLowerCase().startsWith(word.toLowerCase()) ? help : `${word}: ${help}`);
+}
+
 /** A button whose help is read aloud and shown on hover. `key`: the key that does the same, shown beside the word. */
 export function button(text: string, help: string, press: () => void, { key = "", className = "" } = {}): HTMLButtonElement {
   const made = element("button", className, element("span", "word", text));
   made.type = "button";
-  made.title = help;
-  made.setAttribute("aria-label", help);
-  if (key) made.append(element("kbd", "", key));
+  name(made, text, help);
+  if (key) {
+    const sign = element("kbd"); // drawn, not text: the button's name has it in words
+    sign.dataset.key = key === "Space" ? say("key.space") : key;
+    made.append(sign);
+  }
   made.addEventListener("click", press);
   return made;
 }
@@ -25,9 +35,12 @@ export function button(text: string, help: string, press: () => void, { key = ""
 export const marked = (phrases: readonly Phrase[]): Child[] =>
   phrases.map((phrase) => (typeof phrase === "string" ? phrase : element("b", phrase[1] && `kind ${phrase[1]}`, phrase[0])));
 
-export function setWord(of: HTMLElement, text: string) {
+/** Another word on a button, and another help where it has one. */
+export function setWord(of: HTMLElement, text: string, help = of.title) {
   const word = of.querySelector(".word") ?? of;
-  if (word.textContent !== text) word.textContent = text;
+  if (word.textContent === text && of.title === help) return;
+  word.textContent = text;
+  if (help) name(of, text, help);
 }
 
 export const pressed = (of: HTMLElement, on: boolean) => of.setAttribute("aria-pressed", String(on));

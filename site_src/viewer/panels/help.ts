@@ -1,7 +1,8 @@
 /** All keys on one sheet, and what a pressed key means for those who watch. */
 import { say } from "../words";
 import { createDialog } from "./dialog";
-import { element } from "./element";
+import { button, element, pressed } from "./element";
+import { singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */
 const ROWS = [
@@ -41,6 +42,16 @@ const signOf = (key: string) => {
   return SIGNS[key] ?? key.toUpperCase();
 };
 
+/** Turns keys of one character off and on again (WCAG 2.1.4). */
+function keySwitch() {
+  const made = button(say("help.single.word"), say("help.single.help"), () => {
+    singleKeys.turn(!singleKeys.on());
+    pressed(made, singleKeys.on());
+  });
+  pressed(made, singleKeys.on());
+  return element("p", "note", made);
+}
+
 /** A sheet that opens and closes by the same key. */
 export function createHelp() {
   let sheet: ReturnType<typeof createDialog> | null = null;
@@ -56,7 +67,7 @@ export function createHelp() {
       const term = element("dt", "", ...signs.map((sign) => (sign === "\u2026" ? sign : element("kbd", "", sign))), ...(row.name === "lamp" ? [` ${say("key.number")}`] : []));
       lists[lists.length - 1].append(element("div", "", term, element("dd", "", say(`key.${row.name}.does`))));
     }
-    sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")));
+    sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")), keySwitch());
     sheet.sheet.addEventListener("keydown", (event) => event.key === "?" && sheet?.close());
     sheet.open();
   };

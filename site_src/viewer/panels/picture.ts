@@ -11,6 +11,7 @@ const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
 
 export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; failed: () => void }) {
   const image = element("img");
+  image.alt = ""; // until there is a scene
   const marks = element("canvas", "marks");
   const frame = element("div", "picture-frame", image, marks);
   const whole = element("section", "picture", frame);

@@ -73,10 +73,7 @@ export function createPlayer(acts: PlayerActs, code: HTMLElement) {
       }
       if (shown.playing !== playing) {
         const what = playing ? "pause" : "play";
-        const help = say(`player.${what}.help`);
-        setWord(play, say(`player.${what}.word`));
-        play.title = help;
-        play.setAttribute("aria-label", help);
+        setWord(play, say(`player.${what}.word`), say(`player.${what}.help`));
         sign.replaceChildren(icon(what));
       }
       shown = { timeline, playing };

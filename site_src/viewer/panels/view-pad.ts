@@ -55,9 +55,7 @@ export function createViewPad(acts: ViewActs) {
   function name() {
     const does = shifting ? "shift" : "turn";
     const [word, help] = [say(`pad.${does}.word`), say(`pad.${does}.help`)];
-    setWord(mode, word);
-    mode.title = help;
-    mode.setAttribute("aria-label", `${word}: ${help}`);
+    setWord(mode, word, help);
     pressed(mode, shifting);
     for (const { made, way } of arrows) {
       const says = say(`pad.${does}.${way}`);
