@@ -17,6 +17,7 @@ from concurrent.futures import (
 from dataclasses import dataclass
 from queue import SimpleQueue
 from threading import Event as Flag
+from threading import Thread
 from typing import Any, Generic, TypeVar
 
 from raywalk.progress import Progress, Tell
@@ -121,6 +122,15 @@ def teller(told: Any, of: str, stopped: Flag | None = None) -> Tell:
 def _tell_to(told: Any) -> None:
     global _told
     _told = told
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """A build that is killed cannot tell its processes to end; they would wait for ever."""
+    parent = multiprocessing.parent_process()
+    if parent:
+        parent.join()
+        os._exit(1)
 
 
 def _in_process(work: Work[Task, Result], task: Task, of: str) -> Result:
