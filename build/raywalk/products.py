@@ -29,7 +29,8 @@ THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any den
 
 def write_products(scene: Scene, folder: Path, threads: int, report: Tell = say_nothing) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
-    facts.json, display.npz into a folder. report: told the stage, and the share that is done."""
+    boxes.js where there is a mesh, facts.json, display.npz into a folder. report: told the stage,
+    and the share that is done."""
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     traced = trace_picture(tracer, threads, lambda share: report("tracing", TRACING * share))
@@ -44,6 +45,11 @@ def write_products(scene: Scene, folder: Path, threads: int, report: Tell = say_
     write_display(folder / "display.npz", scene, tracer)
     sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
     write_script(folder / "sections.js", f"{scene.id}/sections", sections.encode())
+    if tracer.compiled.meshes:
+        from raywalk.trace.boxes import boxes_of  # a scene without a mesh runs none of it
+
+        boxes = json.dumps(boxes_of(tracer), separators=(",", ":"), allow_nan=False)
+        write_script(folder / "boxes.js", f"{scene.id}/boxes", boxes.encode())
     facts = counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,

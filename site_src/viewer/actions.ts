@@ -1,10 +1,13 @@
 /** What a person can do, whatever the hand does it with: each act makes the next state out of this one. */
 import type { CardLine } from "./panels/card";
 import type { Session } from "./session";
+import { TILE_VIEWS, type TileView } from "./state/costs";
 import type { RayEvent } from "./state/events";
 import { nextLook, withLook, withObserver, type Look } from "./state/look";
 import * as player from "./state/play";
-import type { Timeline } from "./state/timeline";
+import * as switches from "./state/switches";
+import type { Switches } from "./state/switches";
+import { eventLike, type Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
 import type { ViewState } from "./state/view-state";
 import type { SceneData } from "./trace/types";
@@ -24,6 +27,15 @@ export function createActions(session: Session, outside: Outside) {
   const telling = (act: (now: ViewState, told: Timeline) => ViewState) => {
     const told = session.timeline();
     if (session.state && told) session.set(act(session.state, told));
+  };
+  /** The player stays at what it tells, where that is still there. */
+  const switching = (make: (now: Switches, scene: SceneData) => Switches) => {
+    const told = session.told();
+    doing((now, of) => change.setSwitches(now, make(now.switches, of)));
+    const timeline = session.timeline();
+    if (!told || !timeline || !session.state) return;
+    const event = eventLike(timeline, told);
+    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NOT_TOLD } : { ...session.state, event });
   };
 
   return {
@@ -65,6 +77,20 @@ export function createActions(session: Session, outside: Outside) {
         return at < 0 ? now : player.goToEvent(now, of, at);
       }),
     endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
+
+    bounces: (by: 1 | -1) => switching((now, of) => switches.stepBounces(now, of, by)),
+    lamp: (lamp: number, factor: number) => switching((now, of) => switches.setLamp(now, of, lamp, factor)),
+    turnLamp: (lamp: number) => switching((now, of) => (switches.lampsOf(of)[lamp] ? switches.turnLamp(now, of, lamp) : now)),
+    shadows: () => switching((now, of) => (of.shadows ? switches.turnShadows(now, of) : now)),
+    part: (part: switches.Part) => switching((now, of) => switches.turnPart(now, of, part)),
+    asTraced: () => switching(() => switches.AS_TRACED),
+    colours: (view: TileView) => doing((now) => change.setColours(now, view)),
+    nextColours: () => doing((now) => change.setColours(now, TILE_VIEWS[(TILE_VIEWS.indexOf(now.colours) + 1) % TILE_VIEWS.length])),
+    point(tile: readonly [number, number] | null) {
+      if (tile?.join() === session.pointed?.join()) return;
+      session.pointed = tile;
+      if (session.state?.colours !== "picture") outside.draw();
+    },
 
     light(line: CardLine | null) {
       if (line?.ray === session.lit?.ray && line?.light === session.lit?.light) return;

@@ -20,6 +20,7 @@ const share = (part: number) => say("event.departure.share", { share: percent(pa
 
 function lightNumbers({ name, seen, diffuse, specular, colour }: LightShare, of: { diffuse: Vec3; specular: Vec3 }): string {
   if (seen === "blocked") return say("event.local.inShadow", { light: name });
+  if (seen === "off") return say("event.local.isOff", { light: name });
   if (seen === "away") return say("event.local.facesAway", { light: name });
   const part = (what: "diffuse" | "specular", factor: number, paint: Vec3) =>
     isBlack(paint) || number(factor) === number(0) ? [] : [say(`event.local.${what}`, { factor: number(factor), colour: tone(paint) })];
@@ -57,6 +58,7 @@ export function tell(event: RayEvent): Told {
       return { says: phrases("event.blocked.says", { light: event.name, name: event.by }), numbers: say("event.blocked.numbers", { at: number(event.at) }) };
     case "away":
     case "unasked":
+    case "off":
       return { says: phrases(`event.${what}.says`, { light: event.name }), numbers: "" };
     case "local": {
       const sum = [say("event.local.ambient", { colour: tone(event.ambient) }), ...event.lights.map((light) => lightNumbers(light, event))].join(" + ");

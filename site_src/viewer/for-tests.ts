@@ -22,6 +22,7 @@ const countsOf = (view: Shown | null) => ({
   growing: view?.growing ?? null,
   grown: view?.grown ?? 1,
   events: view?.timeline?.events ?? [],
+  boxes: view?.boxes?.boxes.length ?? 0,
 });
 
 export function exposeSession(session: Session, asked: Asked) {

@@ -21,7 +21,13 @@ export interface KeyActs {
   help: () => void;
   /** A key has done something. */
   pressed: (key: string) => void;
+  bounces: (by: 1 | -1) => void;
+  turnLamp: (lamp: number) => void;
+  shadows: () => void;
+  nextColours: () => void;
 }
+
+const LAMP_WAITS = 2500; // ms for the number after L
 
 const SLIDER = "input[type=range]";
 const TYPING = "input:not([type=range]), textarea, select, [contenteditable]:not([contenteditable=false])";
@@ -52,7 +58,19 @@ export function listenToKeys(acts: KeyActs) {
     j: acts.projector,
     "?": acts.help,
     Escape: acts.endEvents,
+    "[": () => acts.bounces(-1),
+    "]": () => acts.bounces(1),
+    s: acts.shadows,
+    c: acts.nextColours,
+    l: () => void (lampUntil = Date.now() + LAMP_WAITS),
   };
+  let lampUntil = 0; // L was pressed: until then a number is a lamp's
+  function pressNumber(key: string) {
+    const isLamp = Date.now() < lampUntil;
+    lampUntil = 0;
+    if (isLamp) acts.turnLamp((Number(key) + 9) % 10); // 1 is the first, 0 the tenth
+    else acts.sceneKey(key);
+  }
 
   function press(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
@@ -63,8 +81,8 @@ export function listenToKeys(acts: KeyActs) {
     if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (key.length === 1 && key !== " " && !singleKeys.on()) return;
-    const act = /^\d$/.test(key) ? () => acts.sceneKey(key) : table[key];
-    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvpfj?\d]$/.test(key)))) return;
+    const act = /^\d$/.test(key) ? () => pressNumber(key) : table[key];
+    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvpfjsc?\d]$/.test(key)))) return;
     event.preventDefault();
     act();
     acts.pressed(key);

@@ -2,6 +2,7 @@
  * Scenes and traces, by classic scripts put into the page: from file:// a browser refuses fetch and
  * modules, but runs these. Each calls raywalkReceive(name, base64 of gzip of JSON).
  */
+import { checkedBoxes } from "./trace/boxes";
 import { decode } from "./trace/decode";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
@@ -78,6 +79,7 @@ export function createLoader(root: string) {
   }
 
   const scenes = remembering(KEPT_SCENES, sceneFrom);
+  const boxes = remembering(KEPT_SCENES, (json, name) => checkedBoxes(json, name.split("/")[0]));
   const traces = remembering<Trace>(KEPT_TRACES, traceFrom);
   const sections = remembering(KEPT_SCENES, sectionsFrom);
   const words = remembering(KEPT_SCENES, wordsFrom);
@@ -89,6 +91,8 @@ export function createLoader(root: string) {
     scene: (id: string) => (languageCode() === OWN_LANGUAGE ? scenes(`${id}/scene`) : spoken(id)),
     sections: (id: string) => sections(`${id}/sections`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
+    /** Of a scene with a mesh. */
+    boxes: (id: string) => boxes(`${id}/boxes`),
   };
 }
 

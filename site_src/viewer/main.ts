@@ -51,6 +51,7 @@ function start() {
       void navigation.loadSections();
       beat.draw();
       navigation.writeSoon();
+      void navigation.wantBoxes();
     },
     otherLevel: () => void navigation.loadTrace(),
   });

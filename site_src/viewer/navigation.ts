@@ -34,6 +34,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
   const troublesOfTraces = new Set<string>();
   let asked = 0; // the newest request for a scene or a trace; older ones that arrive late are dropped
   let addressTimer = 0;
+  let wanted = ""; // the scene whose boxes have been asked for
 
   function writeAddress(how: "replace" | "push") {
     clearTimeout(addressTimer);
@@ -161,6 +162,18 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     ofKey(key: string) {
       const link = links.find((each) => each.dataset.key === key);
       if (link) void open(link.dataset.scene!);
+    },
+    /** What tests are made on, where the tiles show their number: few want it, so it comes when asked for. */
+    async wantBoxes() {
+      const { state, scene } = session;
+      if (state?.colours !== "tests" || !scene || !Object.keys(scene.meshes).length || wanted === scene.id) return;
+      wanted = scene.id;
+      try {
+        session.boxes = await loader.boxes(scene.id);
+        draw();
+      } catch {
+        notice.say(say("trouble.boxesMissing"));
+      }
     },
     /** Writes the state into the address when it rests. */
     writeSoon() {

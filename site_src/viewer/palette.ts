@@ -19,6 +19,8 @@ export const STAGE = {
   gridEmpty: "#AEB9C7",
   gridFilled: "#10141A",
   ring: "#FFFFFF", // round an empty tile
+  boxEntered: "#FFD9A0",
+  boxMissed: "#8FA3B8",
   casing: "", // round the selected rays
   wall: [0.4, 0.43, 0.48], // shares of its colour: walls step back behind the objects they carry
 };
@@ -26,7 +28,7 @@ export const STAGE = {
 /** On a light page: as on paper, with a white casing so that dark lines show on dark things. */
 const LIGHT = {
   lines: { camera: "#000000", reflected: "#0072B2", refracted: "#CC79A7", total: "#0072B2", reached: "#009E73", blocked: "#D55E00" },
-  stage: { lamp: "#E69F00", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", casing: "#FFFFFF", wall: [1, 1, 1] },
+  stage: { lamp: "#E69F00", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", wall: [1, 1, 1] },
 };
 const DARK_PAGE = { lines: Object.fromEntries(Object.entries(LINES).map(([kind, { colour }]) => [kind, colour])), stage: { ...STAGE } };
 let isLight = false;

@@ -12,7 +12,9 @@ import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
 import { createSpoken } from "./panels/spoken";
 import { createSpared } from "./panels/spared";
+import { createTileColours } from "./panels/tile-colours";
 import { createViewPad } from "./panels/view-pad";
+import { createWhatIf } from "./panels/what-if";
 import type { Session } from "./session";
 import { createSlice } from "./stage/slice";
 import { createStage } from "./stage/stage";
@@ -36,17 +38,19 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     document.body.dataset.renderer = "flat";
     simpler(say(`trouble.${why}`));
   };
-  const stage = createStage({ move: acts.observer, pick: acts.pick, light: acts.light, flat }, pageParts.root, withGl, () => [...document.querySelectorAll(".view-pad, .view-switch, .view-note")]);
+  const stage = createStage({ ...acts, move: acts.observer, flat }, pageParts.root, withGl, () => [...document.querySelectorAll(".view-pad, .view-switch, .view-note, .stage-tools > *")]);
   const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
   const slice = createSlice({ pick: acts.pickAlong });
   const viewSwitch = createViewSwitch({ look: acts.look, slice: acts.slice });
-  const picture = createPicture(pageParts.root, { pick: acts.pick, failed: () => notify(say("trouble.pictureMissing")) });
+  const picture = createPicture(pageParts.root, { ...acts, failed: () => notify(say("trouble.pictureMissing")) });
   const card = createCard(acts);
   const controls = createControls(acts);
   const legend = createLegend();
   const lesson = createLesson(acts);
   const code = createCode();
   const player = createPlayer(acts, code.toggle);
+  const whatIf = createWhatIf(acts);
+  const tileColours = createTileColours(acts);
   const page = createPage(pageParts);
   const spared = createSpared();
   const spoken = createSpoken();
@@ -55,7 +59,24 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
     element(
       "div",
       "work",
-      element("div", "stage-row", code.element, element("section", "stage", stage.element, slice.element, viewSwitch.element, viewSwitch.note, legend.element, pad.element)),
+      element(
+        "div",
+        "stage-row",
+        code.element,
+        element(
+          "section",
+          "stage",
+          stage.element,
+          slice.element,
+          viewSwitch.element,
+          viewSwitch.note,
+          element("div", "stage-tools", whatIf.undo, whatIf.toggle, tileColours.element),
+          legend.element,
+          pad.element,
+        ),
+      ),
+      tileColours.legend,
+      whatIf.element,
       lesson.element,
       player.element,
       controls.element,
@@ -79,31 +100,35 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   return {
     /** Shows the present. dark: the selected tile's ring blinks off. */
     render(dark: boolean) {
-      const { state, scene, lit, missing } = session;
+      const { state, lit, missing } = session;
+      const now = session.switched();
       const view = session.shown();
-      if (!state || !scene || !view) return;
+      if (!state || !session.scene || !now || !view) return;
       renders++;
-      const trace = session.trace();
+      const { scene, trace } = now; // as the switches make them
+      const traced = { scene: session.scene, trace: session.traced() };
       const event = session.told();
       const ring = dark ? null : contrastWith(view.ringOn);
       const section = trace && session.sections?.scene === scene.id ? sectionOf(session.sections, state, scene, trace, view.plane) : null;
-      if (section && trace) {
-        slice.show({ section, scene, trace, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, chosen: view.chosen });
+      if (section) {
+        slice.show({ section, scene, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen });
       } else {
         slice.show(null);
-        stage.show({ ...view, scene, trace, state, lit: lit ?? event, ring });
+        stage.show({ ...view, scene: traced.scene, trace, state, lit: lit ?? event, ring });
       }
       stage.element.hidden = pad.element.hidden = section !== null;
       viewSwitch.show(state);
       legend.show(view.kinds, view.left);
-      picture.show(state, scene, trace);
+      picture.show(state, scene, traced.trace);
       card.show(state, scene, trace, missing);
       card.light(lit, event);
       controls.show(state, scene);
       lesson.show(state, scene, event);
       player.show(state, isAsking(state, scene) && !event ? null : view.timeline); // its colours would give the answer away
       code.show(event, trace, pixelIndex(state));
-      page.show(scene, trace);
+      whatIf.show(state, traced.scene);
+      tileColours.show(state, view, trace, session.pointed);
+      page.show(traced.scene, traced.trace);
       spared.show(scene);
       spoken.show(state, scene, trace, isAsking(state, scene));
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };

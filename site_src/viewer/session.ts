@@ -5,6 +5,8 @@ import type { SectionsData } from "./state/section";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
 import type { ViewState } from "./state/view-state";
+import { createWhatIf } from "./state/what-if";
+import type { BoxesData } from "./trace/boxes";
 import type { SceneData, Trace } from "./trace/types";
 
 export interface Listeners {
@@ -16,6 +18,7 @@ export interface Listeners {
 
 export function createSession() {
   const shown = createShown();
+  const whatIf = createWhatIf();
   let listeners: Listeners | null = null;
   let loaded: Trace | null = null;
 
@@ -24,7 +27,9 @@ export function createSession() {
     scene: null as SceneData | null,
     sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
     missing: false, // the trace could not be loaded
+    boxes: null as BoxesData | null, // of the scene's meshes, once they were wanted
     lit: null as CardLine | null, // what the pointer is on
+    pointed: null as readonly [number, number] | null, // the tile it is on
 
     listen: (to: Listeners) => void (listeners = to),
     changed: () => listeners?.changed(),
@@ -44,10 +49,23 @@ export function createSession() {
       session.missing = false;
     },
 
-    /** The trace of what the state shows; null while another one is on its way. */
-    trace: (): Trace | null => (loaded && loaded.scene === session.state?.scene && loaded.n === session.state.n ? loaded : null),
+    /** The trace of what the state shows, as it was traced; null while another one is on its way. */
+    traced: (): Trace | null => (loaded && loaded.scene === session.state?.scene && loaded.n === session.state.n ? loaded : null),
 
-    shown: (): Shown | null => (session.state && session.scene ? shown.of(session.state, session.scene, session.trace()) : null),
+    /** The scene and its trace as the switches make them; the same objects where nothing is switched. */
+    switched(): { scene: SceneData; trace: Trace | null } | null {
+      const { state, scene } = session;
+      const trace = session.traced();
+      if (!state || !scene) return null;
+      return trace ? whatIf.of(trace, scene, state.switches) : { scene, trace };
+    },
+
+    trace: (): Trace | null => session.switched()?.trace ?? null,
+
+    shown(): Shown | null {
+      const now = session.switched();
+      return session.state && now && shown.of(session.state, now.scene, now.trace, session.boxes);
+    },
 
     /** Of the selected pixel; null until its rays are here. */
     timeline: (): Timeline | null => session.shown()?.timeline ?? null,

@@ -222,6 +222,7 @@ def light_columns(
     hit, point, normal = columns["object"] >= 0, columns["point"], columns["normal"]
     out = {
         "visibility": np.full((m, count), Visibility.BEHIND, np.uint8),
+        "passed": np.ones((m, count)),
         "blocker": np.full((m, count), -1, np.int16),
         "blocked_at": np.ones((m, count)),
         "diffuse": np.zeros((m, count)),

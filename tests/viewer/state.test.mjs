@@ -45,6 +45,13 @@ test("any state comes back from its address (500 states, seed 7)", () => {
       step: next() < 0.5 ? null : 0,
       event: next() < 0.5 ? null : Math.floor(next() * 30),
       speed: next() < 0.5 ? 1 : 4,
+      colours: ["picture", "tests", "normal"][Math.floor(3 * next())],
+      switches: {
+        bounces: next() < 0.5 ? null : Math.floor(8 * next()),
+        lamps: next() < 0.5 ? [] : [Math.floor(20 * next()) / 20],
+        shadows: next() < 0.5,
+        without: ["ambient", "diffuse", "specular", "reflected", "refracted"].filter(() => next() < 0.3),
+      },
     };
     const { fields } = readAddress(`#${writeAddress(state, scene, false)}`, "");
     const { state: again, damaged } = followAddress(fields, scene, kept);

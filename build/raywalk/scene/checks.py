@@ -20,8 +20,8 @@ from raywalk.scene.model import (
 )
 from raywalk.scene.placement import placement
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema import CameraTable, LightTable, ViewTable
-from raywalk.scene.wording import joined, plain, quoted
+from raywalk.scene.schema import CameraTable, LightTable
+from raywalk.scene.wording import plain, quoted
 
 # Sine of the angle below which two directions are one to the eye: up that runs along the
 # line of sight fixes no upright, an area light with such edges has no area.
@@ -114,31 +114,6 @@ def is_strictly_inside(point: Sequence[float], obj: SceneObject) -> bool:
             return bool(obj.shape.capped and x * x + y * y < 1 and abs(z) < 1)
         case _:
             return bool(x * x + y * y + z * z < 1)
-
-
-def check_view(
-    view: ViewTable, resolutions: Sequence[int], at: Location, problems: Problems
-) -> None:
-    """A view shows a frustum that exists and a ray that is in it."""
-    if view.resolution is not None and view.resolution not in resolutions:
-        problems.add(
-            (*at, "resolution"),
-            f"{view.resolution} is not one of the scene's resolutions",
-            allowed=f"known: {joined(map(str, resolutions))}",
-        )
-        return
-    if view.pixel is not None and view.resolution is None:
-        problems.add((*at, "pixel"), f"{plain(view.pixel)} needs a resolution to be counted in")
-    elif view.pixel is not None and view.resolution and max(view.pixel) >= view.resolution:
-        problems.add(
-            (*at, "pixel"),
-            f"{plain(view.pixel)} is outside the frustum",
-            allowed=f"allowed: columns and rows 0 to {view.resolution - 1}",
-        )
-    if not isinstance(view.observer, str | None) and view.observer.eye == view.observer.target:
-        problems.add(
-            (*at, "observer", "target"), f"{plain(view.observer.target)} is where the eye is"
-        )
 
 
 def _word(shape: Shape) -> str:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from raywalk.scene.check_view import check_view
 from raywalk.scene.checks import (
     check_camera,
     check_closed,
     check_eye_outside,
     check_light,
     check_names,
-    check_view,
 )
 from raywalk.scene.draft import Draft
 from raywalk.scene.lights import point_lights
@@ -47,7 +47,8 @@ def compile_scene(
     if camera is not None:
         parts.check_eye(camera)
     lights = _lights(draft, problems)
-    lesson = _lesson(draft, render, problems)
+    # With a light left out for its errors, its name would seem to be wrong.
+    lesson = _lesson(draft, render, None if whole is None else _light_names(draft), problems)
     if problems.errors or whole is None or camera is None or render is None:
         return None
     return Scene(
@@ -85,16 +86,23 @@ def _lights(draft: Draft, problems: Problems) -> list[Light]:
     tables = draft.lights
     for i, table in tables.items():
         check_light(table, ("lights", i), problems)
-    names = with_defaults((i, table.name, "light") for i, table in tables.items())
+    names = _light_names(draft)
     check_names(names.items(), "lights", problems)
     return [light for i, table in tables.items() for light in point_lights(table, names[i])]
 
 
-def _lesson(draft: Draft, render: Render | None, problems: Problems) -> list[LessonStep]:
+def _light_names(draft: Draft) -> dict[int, str]:
+    return with_defaults((i, table.name, "light") for i, table in draft.lights.items())
+
+
+def _lesson(
+    draft: Draft, render: Render | None, lights: dict[int, str] | None, problems: Problems
+) -> list[LessonStep]:
+    names = None if lights is None else list(lights.values())
     for i, step in draft.lesson.items():
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
-                check_view(view, render.resolutions, ("lesson", i, key), problems)
+                check_view(view, render, names, ("lesson", i, key), problems)
     return [_step(step) for step in draft.lesson.values()]
 
 

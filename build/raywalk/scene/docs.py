@@ -21,6 +21,7 @@ from raywalk.scene.schema import (
     RenderTable,
     SceneFile,
     StepTable,
+    SwitchesTable,
     ViewTable,
 )
 from raywalk.scene.schema_objects import (
@@ -85,6 +86,7 @@ SECTIONS: list[tuple[str, type[Table]]] = [
     ("[[lesson]]", StepTable),
     ("view = { ... }", ViewTable),
     ("observer = { ... }", ObserverTable),
+    ("switches = { ... }", SwitchesTable),
 ]
 
 
@@ -113,7 +115,8 @@ RULES = """\
 - The camera looks somewhere else than along `up`, and is not inside anything opaque.
 - What lets light through has an inside: a closed shape, or a plane as the border of a half-space.
 - Materials do not inherit from themselves. Model files exist.
-- A view's resolution is one of the scene's, and its pixel is inside."""
+- A view's resolution is one of the scene's, and its pixel is inside. Its switches name lights of
+  the scene, and no more bounces than it traces."""
 
 
 def readme() -> str:

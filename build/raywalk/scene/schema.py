@@ -145,6 +145,41 @@ Observer = Annotated[
 ]
 
 
+Part = Annotated[
+    Literal["ambient", "diffuse", "specular", "reflected", "refracted"],
+    one_of("ambient", "diffuse", "specular", "reflected", "refracted"),
+]
+Parts = Annotated[
+    tuple[Part, ...],
+    Allowed('a list of "ambient", "diffuse", "specular", "reflected", "refracted"'),
+]
+BRIGHTEST = 2.0  # in viewer/state/switches.ts too
+Dimming = Annotated[
+    float, Field(strict=True, ge=0, le=BRIGHTEST, allow_inf_nan=False),
+    Allowed(f"a number from 0 to {BRIGHTEST:g}"),
+]  # fmt: skip
+Dimmed = Annotated[
+    dict[str, Dimming], Allowed("a table of lights", hint='write lights = { "light 1" = 0 }')
+]
+Colours = Annotated[
+    Literal["picture", "rays", "depth", "tests", "distance", "normal"],
+    one_of("picture", "rays", "depth", "tests", "distance", "normal"),
+]
+
+
+class SwitchesTable(Table):
+    """What-if switches: how the tiles and rays would be with other settings."""
+
+    bounces: Maybe[Index] = Field(
+        default=None, description="bounces at most; as many as render.depth, or fewer"
+    )
+    lights: Maybe[Dimmed] = Field(
+        default=None, description="factor of each named light's brightness, 0 for off"
+    )
+    shadows: Maybe[Flag] = Field(default=None, description="false: every light counts as seen")
+    without: Maybe[Parts] = Field(default=None, description="parts of a colour to leave out")
+
+
 class ViewTable(Table):
     """What a step of the lesson shows; what is left out is as at the start."""
 
@@ -163,6 +198,10 @@ class ViewTable(Table):
         default=None, description="the selected row's or column's plane of rays, drawn flat"
     )
     observer: Maybe[Observer] = Field(default=None, description="where the onlooker stands")
+    switches: Maybe[SwitchesTable] = Field(default=None, description="what-if switches")
+    colours: Maybe[Colours] = Field(
+        default=None, description="what the tiles show: the picture, or what it cost"
+    )
 
 
 class StepTable(Table):

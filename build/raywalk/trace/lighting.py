@@ -31,6 +31,7 @@ def light_hits(
         visibility=np.full((count, many), Visibility.UNTESTED, np.uint8),
         blocker=np.full((count, many), NOWHERE, np.int16),
         blocked_at=np.ones((count, many)),
+        passed=np.ones((count, many)),
         diffuse=np.zeros((count, many)),
         specular=np.zeros((count, many)),
         local=np.zeros((count, 3)),
@@ -52,6 +53,7 @@ def light_hits(
         if plan.asked[k]:
             passed = _shadow(scene, compiled, materials, seen, to_light, distance, facing,
                              asked, k, out, plan)  # fmt: skip
+            out.passed[asked, k] = passed
             diffuse, specular = diffuse * passed, specular * passed
         out.diffuse[asked, k], out.specular[asked, k] = diffuse, specular
     lit = out.visibility[asked] != Visibility.BLOCKED

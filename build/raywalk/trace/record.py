@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 # A ray that leaves the scene is drawn a little beyond the sphere round everything finite.
 BEYOND = 1.25
 
-LIGHT_COLUMNS = ("visibility", "blocker", "blocked_at", "diffuse", "specular")
+LIGHT_COLUMNS = ("visibility", "blocker", "blocked_at", "passed", "diffuse", "specular")
 
 
 class Recorded(NamedTuple):

@@ -42,8 +42,8 @@ class RayTree:
     """Columns over m rays and L lights. World units; colours linear, unclamped.
 
     Lighting factors hold no material colour and no visibility:
-    diffuse  = I a max(0, n.l),  specular = I a max(0, n.h)^s  with attenuation a,
-    to be multiplied by kd * light colour and ks * light colour.
+    diffuse  = I a p max(0, n.l),  specular = I a p max(0, n.h)^s  with attenuation a and
+    `passed` p, to be multiplied by kd * light colour and ks * light colour.
     """
 
     size: int  # the pictures's width and height these pixels belong to
@@ -64,6 +64,7 @@ class RayTree:
     visibility: np.ndarray  # (m, L) uint8: Visibility
     blocker: np.ndarray  # (m, L) int16: object that stopped the shadow ray, else -1
     blocked_at: np.ndarray  # (m, L) float64: share of the way to the light, 1 if it arrives
+    passed: np.ndarray  # (m, L) float64: share of the light that glass on the way lets pass
     diffuse: np.ndarray  # (m, L) float64
     specular: np.ndarray  # (m, L) float64
     tests: np.ndarray  # (m,) int32: intersection tests made for this ray itself

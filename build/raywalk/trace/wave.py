@@ -17,6 +17,7 @@ class Lighting:
     visibility: np.ndarray  # (n, L) uint8
     blocker: np.ndarray  # (n, L) int16
     blocked_at: np.ndarray  # (n, L)
+    passed: np.ndarray  # (n, L)
     diffuse: np.ndarray  # (n, L)
     specular: np.ndarray  # (n, L)
     local: np.ndarray  # (n, 3)

@@ -39,6 +39,7 @@ class DecodedTrace:
     visibility: np.ndarray
     blocker: np.ndarray
     blockedAt: np.ndarray
+    passed: np.ndarray
     diffuse: np.ndarray
     specular: np.ndarray
     tiles: np.ndarray  # (3 * n * n,) 8-bit

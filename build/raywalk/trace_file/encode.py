@@ -86,7 +86,7 @@ def begin_header(
         "tables": {
             "signature": [list(row) for row in signature],
             "surface": [list(row) for row in surface],
-            "visibility": [list(row) for row in seen],
+            "visibility": [list(row if row[2] != 1 else row[:2]) for row in seen],
         },
         "steps": {
             "normal": normal_step(), "split": SPLIT,

@@ -9,6 +9,7 @@ import numpy as np
 from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.precision import COLOUR
+from raywalk.trace_file.tables import SAME_SHARE
 from raywalk.trace_file.walk import Ray
 
 EXACT = ("kind", "parent", "depth", "object", "material", "inside", "visibility", "blocker")
@@ -36,6 +37,8 @@ def measured_errors(
         "hits": _most(ray["hitsT"] - tree.hits_t),
         "colour": _most((ray["colour"] - tree.colour).reshape(-1)),
     }
+    if _most((ray["passed"] - tree.passed)[hit].reshape(-1)) > SAME_SHARE:
+        raise TraceFileError("unfit", "column passed does not come back")
     if found["colour"] > COLOUR:
         raise TraceFileError("unfit", f"colours do not add up: off by {found['colour']:.2g}")
     if (ray["tiles"] != tile.reshape(-1)).any():

@@ -48,9 +48,15 @@ def surfaces(tree: RayTree, patches: list[Patch], patch_of: np.ndarray) -> tuple
 
 
 def seen(tree: RayTree) -> tuple[list, np.ndarray]:
-    """(visibility, blocker) of each hit and light: (m, lights) places."""
+    """(visibility, blocker, what glass lets pass) of each hit and light: (m, lights) places.
+
+    Few values: what passes is a product of the materials' `transmit`.
+    """
     hit = np.repeat(tree.object >= 0, tree.visibility.shape[1])
-    pairs = list(zip(tree.visibility.ravel().tolist(), tree.blocker.ravel().tolist(), strict=True))
+    passed = [float(format(share, ".12g")) for share in tree.passed.ravel().tolist()]
+    pairs = list(
+        zip(tree.visibility.ravel().tolist(), tree.blocker.ravel().tolist(), passed, strict=True)
+    )
     place = np.zeros(len(pairs), np.int64)
     table, place[hit] = by_frequency(
         [pair for pair, is_hit in zip(pairs, hit, strict=True) if is_hit]

@@ -98,10 +98,10 @@ class TrueNumbers:
         return (1 - self.tree.blocked_at[:, k]) * way / self.header["steps"]["blocked"]
 
     def _diffuse(self, k: int, ray: Ray) -> np.ndarray:
-        return self.tree.diffuse[:, k] / self._light_steps()
+        return self.tree.diffuse[:, k] / self.tree.passed[:, k] / self._light_steps()
 
     def _specular(self, k: int, ray: Ray) -> np.ndarray:
-        return self.tree.specular[:, k] / self._light_steps()
+        return self.tree.specular[:, k] / self.tree.passed[:, k] / self._light_steps()
 
     def _light_steps(self) -> np.ndarray:
         return np.array([*(m["step"] for m in self.header["materials"]), 1.0])[self.tree.material]

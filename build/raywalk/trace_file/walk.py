@@ -202,14 +202,16 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
     """What each light gives at each hit, and who stands between."""
     m, count = tree.count, len(header["lights"])
     hit = ray["object"] >= 0
-    table = np.array(header["tables"]["visibility"], np.int64).reshape(-1, 2)
+    rows_seen = header["tables"]["visibility"]
+    table = np.array([row[:2] for row in rows_seen], np.int64).reshape(-1, 2)
+    pass_share = np.array([*(row[2] if len(row) > 2 else 1.0 for row in rows_seen), 1.0])
     surfaces, below = len(header["tables"]["surface"]), tree.level > 0
     point = [ray["point"][:, c].copy() for c in range(3)]
     features = [*(ray["normal"][:, c].copy() for c in range(3)), *point]
     step = np.array([*(mat["step"] for mat in header["materials"]), 0.0])[ray["material"]]
     for name in ("visibility", "blocker"):
         ray[name] = np.zeros((m, count), np.int64)
-    for name in ("blockedAt", "diffuse", "specular"):
+    for name in ("blockedAt", "passed", "diffuse", "specular"):
         ray[name] = np.zeros((m, count))
     for l, light in enumerate(header["lights"]):
         seen = np.zeros(m, np.int64)
@@ -221,6 +223,7 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
         visibility = np.where(hit, table[seen, 0] if len(table) else 0, Visibility.BEHIND)
         ray["visibility"][:, l] = visibility
         ray["blocker"][:, l] = np.where(hit, table[seen, 1] if len(table) else -1, -1)
+        passed = ray["passed"][:, l] = pass_share[np.where(hit, seen, -1)]
 
         blocked = hit & (visibility == Visibility.BLOCKED)
         group = np.where(blocked, ray["way"] * len(table) + seen, ABSENT)
@@ -236,7 +239,7 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
             group = np.where(lit, ray["way"] * surfaces + ray["surface"], ABSENT)
             kind = np.where(lit, 2 * ray["surface"] + below, ABSENT)
             number = coder.numbers(f"{name}{l}", ray, group, kind, tree.sides, features)
-            ray[name][:, l] = np.where(lit, number * step, 0.0)
+            ray[name][:, l] = np.where(lit, number * step * passed, 0.0)
 
 
 def tiles(header: dict[str, Any], coder: Coder, ray: Ray, sides: np.ndarray) -> None:

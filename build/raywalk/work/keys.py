@@ -24,9 +24,12 @@ STAGES = ("scene/placement.py", "optics", "geometry", "trace", "trace_file", "pr
 PACKAGES = ("numpy", "numba", "pillow")
 # A scene without a mesh runs none of this (tested), so it is not traced again when it changes.
 MESH_STAGES = frozenset(
-    f"geometry/{name}.py"
-    for name in ("bvh", "display", "float32_copy", "mesh_file", "mesh_spared", "mesh_target")
-)
+    f"{name}.py"
+    for name in (
+        "geometry/bvh", "geometry/display", "geometry/float32_copy", "geometry/mesh_file",
+        "geometry/mesh_spared", "geometry/mesh_target", "geometry/shallow_boxes", "trace/boxes",
+    )
+)  # fmt: skip
 MESH_PACKAGES = ("embreex", "trimesh")
 # What a scene's data for the viewer is made by, from its trace and its words.
 PAGE_STAGES = ("scene", "site", "trace_file", "lesson_text.py")

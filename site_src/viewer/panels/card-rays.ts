@@ -24,7 +24,7 @@ const figures = (className: string, ...parts: (Node | string)[]) => element("spa
 /** What a row says first. */
 export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind as "camera"}`, { object: row.object }) : phrases(`card.leaves.${row.kind as "camera"}`));
 export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
-  seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : "card.unasked", { light: name });
+  seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
 export const isGiving = ({ seen }: LightRow) => seen === "reached" || seen === "unasked";
 
 export function createRays(acts: LineActs) {

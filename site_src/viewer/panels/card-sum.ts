@@ -15,6 +15,7 @@ const isWhite = (v: Vec3) => v.every((each) => each === 1);
 
 function lightTerm({ name, seen, by, diffuse, specular, colour }: LightRow, of: MaterialData, show: Colours) {
   if (seen === "blocked") return piece(operator("+"), under(math("mn", "0"), say("sum.blocked", { light: name, by })));
+  if (seen === "off") return piece(operator("+"), under(math("mn", "0"), say("sum.isOff", { light: name })));
   if (seen === "away") return piece(operator("+"), under(math("mn", "0"), say("sum.away", { light: name })));
   const paints = ([[diffuse, of.diffuse], [specular, of.specular]] as const).filter(([factor, paint]) => factor !== 0 && !isBlack(paint));
   const parts = paints.flatMap(([factor, paint], k) => [...(k ? [operator("+")] : []), figure(factor), times(), show(paint)]);

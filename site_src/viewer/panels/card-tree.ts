@@ -62,7 +62,7 @@ const dashOf = (kind: RayRow["kind"]) => (LINES[kind].dash[0] === 1 ? "none" : L
 /** A dot: the light arrives; a cross: it is blocked; a stroke: the surface faces away. */
 function mark({ seen }: LightRow, x: number) {
   if (seen === "blocked") return svg("path", { class: "mark blocked", d: `M${x - 4} -4l8 8m0 -8l-8 8` });
-  return seen === "away" ? svg("path", { class: "mark away", d: `M${x - 4} 0h8` }) : svg("circle", { class: "mark reached", cx: x, cy: 0, r: 4 });
+  return seen === "away" || seen === "off" ? svg("path", { class: "mark away", d: `M${x - 4} 0h8` }) : svg("circle", { class: "mark reached", cx: x, cy: 0, r: 4 });
 }
 
 function marks(lights: readonly LightRow[]) {

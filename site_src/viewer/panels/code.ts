@@ -16,7 +16,7 @@ const LINES: readonly Line[] = [
   [1, "miss", "background"],
   [1, "ambient"],
   [1, "lights"],
-  [2, "shadow", "reached", "blocked", "away", "unasked"],
+  [2, "shadow", "reached", "blocked", "away", "unasked", "off"],
   [3, "add"],
   [1, "share", "local"],
   [1, "left", "stops"],

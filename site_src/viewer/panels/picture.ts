@@ -1,5 +1,6 @@
 /** The finished picture with the tile grid and the selected pixel on it. */
 import { contrastWith } from "../palette";
+import { isSwitched } from "../state/switches";
 import { isAsking, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
@@ -9,11 +10,12 @@ const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the pictu
 const COVER = "#39434F";
 const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
 
-export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; failed: () => void }) {
+export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; point: (tile: readonly [number, number] | null) => void; failed: () => void }) {
   const image = element("img");
   image.alt = ""; // until there is a scene
   const marks = element("canvas", "marks");
-  const frame = element("div", "picture-frame", image, marks);
+  const badge = element("span", "as-traced", say("whatIf.badge"));
+  const frame = element("div", "picture-frame", image, marks, badge);
   const whole = element("section", "picture", frame);
   whole.setAttribute("aria-label", say("picture.region"));
   const brush = marks.getContext("2d")!;
@@ -58,11 +60,14 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   }
 
   function pick(event: PointerEvent) {
-    if (!now || !event.buttons) return;
+    if (!now) return;
     const box = marks.getBoundingClientRect();
     const at = (share: number) => Math.max(0, Math.min(now!.state.n - 1, Math.floor(share * now!.state.n)));
-    acts.pick(at((event.clientX - box.left) / box.width), at((event.clientY - box.top) / box.height));
+    const tile = [at((event.clientX - box.left) / box.width), at((event.clientY - box.top) / box.height)] as const;
+    acts.point(tile);
+    if (event.buttons) acts.pick(...tile);
   }
+  marks.addEventListener("pointerleave", () => acts.point(null));
   marks.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     marks.setPointerCapture(event.pointerId);
@@ -78,6 +83,7 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
     show(state: ViewState, scene: SceneData, trace: Trace | null) {
       // A question about colours: the picture would give the answer away.
       now = { state, trace, covered: isAsking(state, scene) && state.tiles === "empty" };
+      badge.hidden = !isSwitched(state.switches); // the picture cannot follow, only tiles can
       if (shownScene !== scene.id) {
         shownScene = scene.id;
         image.src = `${root}scenes/${scene.id}/${scene.picture}`;

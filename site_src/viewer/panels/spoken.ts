@@ -7,7 +7,7 @@ import { element } from "./element";
 
 const RESTS = 500; // ms: while arrows are held down nothing is said
 
-const SAID = { [VISIBILITY.reached]: "arrives", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked" } as const;
+const SAID = { [VISIBILITY.reached]: "arrives", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
 
 function lightsOf(trace: Trace, scene: SceneData, ray: number): string {
   if (trace.localWeight[ray] === 0) return ""; // a mirror asks no light

@@ -1,11 +1,11 @@
 /** The same stage drawn with Canvas2D, for browsers that give no WebGL: far things first, rays on top. */
 import { LINES, STAGE } from "../palette";
+import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
 import type { Observer } from "../state/observer";
 import { clipToFront, type Projection } from "../state/projection";
-import { dot, length, sub, type Vec3 } from "../state/vectors";
-import { tileColour } from "../state/view-state";
+import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
 import type { SceneData } from "../trace/types";
 import { shapesOf, type Piece } from "./flat-shapes";
 import type { StageRenderer, StageView } from "./renderer";
@@ -50,13 +50,13 @@ function drawBall(brush: Brush, projection: Projection, { center, axes, colour, 
   brush.restore();
 }
 
-function drawTiles(brush: Brush, projection: Projection, { plane, state, trace, tiles, ring }: StageView) {
+function drawTiles(brush: Brush, projection: Projection, { plane, state, costs, tiles, ring }: StageView) {
   const { n } = state;
   const corners = (column: number, row: number) =>
     [[0, 0], [1, 0], [1, 1], [0, 1]].map(([c, r]) => onPlane(plane, column + c, row + r, n));
-  for (let k = 0; trace && k < tiles; k++) {
+  for (let k = 0; costs && k < tiles; k++) {
     if (!path(brush, projection, corners(k % n, Math.floor(k / n)))) continue;
-    brush.fillStyle = brush.strokeStyle = `rgb(${tileColour(trace, k).join()})`;
+    brush.fillStyle = brush.strokeStyle = `rgb(${triple(costs.colours, k).join()})`;
     brush.fill();
     brush.stroke(); // closes the hairline gaps between neighbours
   }
@@ -111,6 +111,21 @@ function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick
   brush.lineTo(x - ux - 0.8 * uy, y - uy + 0.8 * ux);
   brush.lineTo(x - ux + 0.8 * uy, y - uy - 0.8 * ux);
   brush.fill();
+}
+
+/** A bounding volume's edges. */
+function drawEdges(brush: Brush, projection: Projection, edges: BoxLines["entered"], colour: string, near: number) {
+  brush.strokeStyle = colour;
+  brush.lineWidth = 0.8;
+  brush.beginPath();
+  for (const [from, to] of edges) {
+    const kept = clipToFront(projection.project(from), projection.project(to), from, to, near);
+    if (!kept) continue;
+    const [a, b] = kept.map(projection.project);
+    brush.moveTo(a.x, a.y);
+    brush.lineTo(b.x, b.y);
+  }
+  brush.stroke();
 }
 
 function drawDot(brush: Brush, projection: Projection, at: Vec3, radius: number, colour: string) {
@@ -168,6 +183,7 @@ export function createFlatRenderer(): StageRenderer {
         const lit = view.lit?.ray === line.ray && view.lit.light === line.light;
         drawLine(brush, projection, line, lit ? 5 : 3, near);
       }
+      for (const name of ["missed", "entered"] as const) drawEdges(brush, projection, view.boxLines[name], name === "entered" ? STAGE.boxEntered : STAGE.boxMissed, near);
       const chosen = new Set(view.chosen);
       for (const line of [...view.thin, ...view.chosen])
         if (line.light < 0 && !line.leaves && !line.growing) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);

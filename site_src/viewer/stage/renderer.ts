@@ -1,4 +1,6 @@
 /** What a stage shows, and what each of its two renderers (WebGL, Canvas2D) can do. */
+import type { BoxLines } from "../state/box-lines";
+import type { Costs } from "../state/costs";
 import type { PicturePlane } from "../state/frustum";
 import type { Line } from "../state/lines";
 import type { Observer } from "../state/observer";
@@ -13,6 +15,8 @@ export interface StageView {
   trace: Trace | null; // null while it loads or if it is missing
   state: ViewState;
   tiles: number; // filled, in scan order
+  costs: Costs | null; // their colours
+  boxLines: BoxLines;
   chosen: readonly Line[]; // of the selected pixel, or of the one being rendered
   thin: readonly Line[]; // of a row, a column or all
   lit: LitLine | null;

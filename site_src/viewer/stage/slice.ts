@@ -3,8 +3,9 @@ import { hexOf, say } from "../words";
 import { LINES, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { CURVE, frameOf, type Curve, type Flat, type Section } from "../state/section";
-import { tileColour } from "../state/view-state";
-import type { SceneData, Trace, Vec3 } from "../trace/types";
+import type { Costs } from "../state/costs";
+import { triple } from "../state/vectors";
+import type { SceneData, Vec3 } from "../trace/types";
 import { createLabels, type Label } from "./labels";
 
 const EDGE = 34; // CSS pixels round the drawing, for labels
@@ -18,9 +19,9 @@ const PALEST = 0.42; // mirrors and glass have no colour of their own: their out
 export interface SliceView {
   section: Section;
   scene: SceneData;
-  trace: Trace;
   tile: number; // the selected one along the section
   tiles: number; // filled, in scan order
+  costs: Costs | null; // their colours
   chosen: readonly Line[];
 }
 
@@ -43,7 +44,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const { section, scene, trace, chosen, tiles, tile } = now;
+    const { section, scene, chosen, tiles, costs, tile } = now;
     const aside = width < NARROW ? 0 : ASIDE;
     const [left, top, right, bottom] = frameOf(section, scene);
     const zoom = Math.min((width - aside - 2 * EDGE) / Math.max(right - left, 1e-9), (height - 2 * EDGE) / Math.max(bottom - top, 1e-9));
@@ -57,7 +58,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     brush.globalAlpha = FAINT;
     for (const ray of section.rays) stroke([at(section.eye), at(ray.end)], LINES.camera.colour, []);
     brush.globalAlpha = 1;
-    for (const [k, ray] of section.rays.entries()) drawTile(ray.tile.map(at), k === tile, ray.ray < tiles ? tileColour(trace, ray.ray) : null);
+    for (const [k, ray] of section.rays.entries()) drawTile(ray.tile.map(at), k === tile, costs && ray.ray < tiles ? triple(costs.colours, ray.ray) : null);
     const drawnLines = chosen.map((line) => ({ line, from: on(line.from), to: on(line.to) }));
     for (const { line, from, to } of drawnLines) drawRay(line, from, to);
     for (const light of scene.lights) dot(on(light.position), 7, STAGE.lamp);

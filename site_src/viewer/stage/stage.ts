@@ -18,6 +18,8 @@ export interface StageActs {
   move: (observer: ObserverChoice) => void;
   pick: (column: number, row: number) => void;
   light: (line: LitLine | null) => void;
+  /** The tile under the pointer. */
+  point: (tile: readonly [number, number] | null) => void;
   /** WebGL is refused or was lost; the flat renderer has taken over. */
   flat: (why: "refused" | "lost") => void;
 }
@@ -39,7 +41,6 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
   let observer: Observer | null = null;
   let projection: Projection | null = null;
   let size = { width: 1, height: 1 };
-  let taken: Box[] = [];
   let frames = 0;
 
   let renderer: StageRenderer = (withGl && createWebglRenderer(fallBack)) || createFlatRenderer();
@@ -56,11 +57,14 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     acts.flat("lost");
   }
 
-  function measure() {
+  /** What stands on the stage at this moment: panels open and close. */
+  function taken(): Box[] {
     const stage = element.getBoundingClientRect();
-    taken = over()
-      .map((each) => each.getBoundingClientRect())
-      .map((box) => ({ left: box.left - stage.left, right: box.right - stage.left, top: box.top - stage.top, bottom: box.bottom - stage.top }));
+    const boxes = [...over()].map((each) => each.getBoundingClientRect());
+    return boxes.map(({ left, right, top, bottom }) => ({ left: left - stage.left, right: right - stage.left, top: top - stage.top, bottom: bottom - stage.top }));
+  }
+
+  function measure() {
     size = { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
     renderer.resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
     draw();
@@ -102,7 +106,7 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     projection = createProjection(observer, size.width, size.height);
     renderer.draw(view, observer, projection);
     traced.show(view.state.look === "traced" && view.state.observer === "camera" ? view.scene : null, view.plane, projection);
-    labels.show(labelsOf(view), size.width, size.height, taken, strokesOf(view.chosen));
+    labels.show(labelsOf(view), size.width, size.height, taken(), strokesOf(view.chosen));
     frames++;
   }
 
@@ -146,11 +150,16 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
       if (tile) acts.pick(within(tile[0]), within(tile[1]));
     },
     hover(x, y) {
-      const onTile = isTile(tileAt(x, y));
+      const tile = tileAt(x, y);
+      const onTile = isTile(tile);
+      acts.point(onTile ? tile : null);
       element.classList.toggle("on-tiles", onTile);
       acts.light(onTile ? null : lineAt(x, y));
     },
-    leave: () => acts.light(null),
+    leave() {
+      acts.light(null);
+      acts.point(null);
+    },
     orbit: (dx, dy) => turn(-dx * ORBIT_DEGREES, dy * ORBIT_DEGREES),
     pan: (dx, dy) => shift(-dx / shorter(), dy / shorter()),
     zoom: come,

@@ -1,9 +1,8 @@
 /** The picture plane's n x n tiles as one quad. An empty tile is see-through, a filled one has exactly
- *  the picture's colour; the selected one has a ring. */
+ *  its colour; the selected one has a ring. */
 import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, Group, Mesh, NearestFilter, ShaderMaterial, Vector2 } from "three";
 import { STAGE } from "../palette";
 import { planeCorners, type PicturePlane } from "../state/frustum";
-import type { Trace } from "../trace/types";
 
 const VERTEX = `
 varying vec2 at;
@@ -71,10 +70,10 @@ export function createTiles(plane: PicturePlane) {
   const [solid, empty] = [true, false].map((filled) => new Mesh(geometry, material(filled)));
   empty.renderOrder = 5;
   object.add(solid, empty);
-  let shown = { trace: null as Trace | null, n: 0, count: -1 };
+  let shown = { colours: null as Uint8Array | null, n: 0, count: -1 };
 
-  function paint(trace: Trace | null, n: number, count: number) {
-    if (shown.trace === trace && shown.n === n && shown.count === count) return;
+  function paint(colours: Uint8Array | null, n: number, count: number) {
+    if (shown.colours === colours && shown.n === n && shown.count === count) return;
     if (shown.n !== n) {
       uniforms.colours.value?.dispose();
       const texture = new DataTexture(new Uint8Array(4 * n * n), n, n);
@@ -85,22 +84,22 @@ export function createTiles(plane: PicturePlane) {
     const texture = uniforms.colours.value!;
     const data = texture.image.data as Uint8Array;
     data.fill(0);
-    if (trace)
+    if (colours)
       for (let k = 0; k < count; k++) {
-        data[4 * k] = trace.tiles[3 * k];
-        data[4 * k + 1] = trace.tiles[3 * k + 1];
-        data[4 * k + 2] = trace.tiles[3 * k + 2];
+        data[4 * k] = colours[3 * k];
+        data[4 * k + 1] = colours[3 * k + 1];
+        data[4 * k + 2] = colours[3 * k + 2];
         data[4 * k + 3] = 255;
       }
     texture.needsUpdate = true;
-    shown = { trace, n, count };
+    shown = { colours, n, count };
   }
 
   return {
     object,
-    /** count: tiles filled, in scan order. ring: colour of the selected tile's outline, null while it blinks off. */
-    show(trace: Trace | null, n: number, count: number, selected: readonly [number, number], ring: string | null) {
-      paint(trace, n, count);
+    /** colours: (3 * n * n) 8-bit. count: tiles filled, in scan order. ring: colour of the selected tile's outline, null while it blinks off. */
+    show(colours: Uint8Array | null, n: number, count: number, selected: readonly [number, number], ring: string | null) {
+      paint(colours, n, count);
       uniforms.selected.value.set(...selected);
       uniforms.ringShown.value = ring ? 1 : 0;
       if (ring) uniforms.ring.value.set(ring);

@@ -3,6 +3,7 @@ import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, PerspectiveCamera,
 import { LINES, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { dot, length, sub } from "../state/vectors";
+import { createBoxSet } from "./box-set";
 import { createCameraSign } from "./camera-sign";
 import { createDots, type Dot } from "./dots";
 import { createLineSet } from "./line-set";
@@ -30,23 +31,25 @@ function createSet(view: StageView) {
   const thin = createLineSet(false);
   const hits = createDots(9);
   const thinHits = createDots(6);
-  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits];
+  const boxes = createBoxSet();
+  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits, boxes];
   world.add(...parts.map((part) => part.object));
-  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown } = {};
+  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown; boxes?: unknown } = {};
   return {
     world,
     show(now: StageView, fromEye: boolean) {
-      tiles.show(now.trace, now.state.n, now.tiles, now.state.pixel, now.ring);
+      tiles.show(now.costs?.colours ?? null, now.state.n, now.tiles, now.state.pixel, now.ring);
       sign.show(!fromEye);
       if (shown.chosen !== now.chosen || shown.lit !== now.lit) {
         chosen.show(now.chosen, now.lit);
         hits.show(hitDots(now.chosen));
       }
+      if (shown.boxes !== now.boxLines) boxes.show(now.boxLines);
       if (shown.thin !== now.thin) {
         thin.show(now.thin, null);
         thinHits.show(now.thin.length > DOTS_UP_TO ? [] : hitDots(now.thin));
       }
-      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit });
+      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit, boxes: now.boxLines });
     },
     resize(width: number, height: number, ratio: number) {
       for (const lines of [chosen, thin]) lines.resize(width, height);

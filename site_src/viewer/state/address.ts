@@ -2,11 +2,13 @@
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type Kept, type RayChoice, type ViewState } from "./view-state";
+import { TILE_VIEWS } from "./costs";
 import { LOOKS } from "./look";
 import { SLICES } from "./section";
+import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "step", "answer", "e", "speed", "projector", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "speed", "projector", "still", "gl"];
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const placeOf = (observer: ViewState["observer"]) =>
@@ -26,6 +28,8 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   if (placeOf(state.observer) !== placeOf(start.observer)) put("cam", placeOf(state.observer));
   if (state.look !== start.look) put("look", state.look);
   if (state.slice !== start.slice) put("slice", state.slice);
+  if (writeSwitches(state.switches) !== writeSwitches(start.switches)) put("if", writeSwitches(state.switches) || "none");
+  if (state.colours !== start.colours) put("colours", state.colours);
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
@@ -86,7 +90,7 @@ export function followAddress(
     pixel: read("p", (text) => {
       const p = text.split(",").map(whole);
       return p.length === 2 && p.every((k) => k < n) ? ([p[0], p[1]] as const) : null;
-    }) ?? (n === told.resolution ? told.pixel : undefined),
+    }) ?? (n === (told.resolution ?? scene.start.resolution) ? told.pixel : undefined),
     rays: read("rays", (text) => {
       const asked = text === "none" ? [] : text.split(",");
       return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
@@ -95,11 +99,14 @@ export function followAddress(
     observer: read("cam", readObserver) ?? told.observer,
     look: read("look", (text) => LOOKS.find((each) => each === text) ?? null) ?? told.look,
     slice: read("slice", (text) => SLICES.find((each) => each === text) ?? null) ?? told.slice,
+    switches: told.switches,
+    colours: read("colours", (text) => TILE_VIEWS.find((each) => each === text) ?? null) ?? told.colours,
   };
   // How many events there are is known with the trace.
   const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;
   const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;
   const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
   const state = applyView(scene, startState(scene, { ...kept, speed, projector }), view);
-  return { state: { ...state, step, revealed, event }, damaged };
+  const switches = read("if", (text) => (text === "none" ? AS_TRACED : readSwitches(text, scene))) ?? state.switches;
+  return { state: { ...state, step, revealed, event, switches }, damaged };
 }

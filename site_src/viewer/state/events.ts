@@ -9,7 +9,7 @@ import { add, dot, length, scale, sub, triple, unit } from "./vectors";
 
 export interface LightShare {
   name: string;
-  seen: "reached" | "blocked" | "away" | "unasked";
+  seen: "reached" | "blocked" | "away" | "unasked" | "off";
   diffuse: number; // to be multiplied by the material's colour and the light's
   specular: number;
   colour: Vec3; // the light's
@@ -31,7 +31,7 @@ export type Happening =
   | { what: "total"; name: string; share: number; from: number; to: number; angle: Degrees }
   | { what: "meets"; name: string; t: number; point: Vec3; hits: readonly { name: string; t: number }[] }
   | { what: "background"; colour: Vec3 }
-  | { what: "reached" | "away" | "unasked"; name: string }
+  | { what: "reached" | "away" | "unasked" | "off"; name: string }
   | { what: "blocked"; name: string; by: string; at: number } // world units from the hit
   | { what: "local"; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
   | { what: "stops"; name: string; limit: number; atLimit: boolean }
@@ -45,7 +45,7 @@ export type RayEvent = Happening & {
   long: number; // world units of line that grow; 0: nothing does
 };
 
-const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked" } as const;
+const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
 
 const MEASURABLE = 1 / 30; // of the scene's radius: the file rounds points, shorter ways would be off by over 0.1 degrees
 const TURN = 180 / Math.PI;

@@ -29,20 +29,20 @@ interface PixelIndex {
   order: Int32Array;
 }
 
-const indices = new WeakMap<Trace, PixelIndex>();
+const indices = new WeakMap<Int32Array, PixelIndex>(); // by Trace.pixel, which some switches leave as it is
 
-/** Counting sort by pixel: keeps the trace's order, so a parent comes before its children. */
+/** Counting sort by pixel, without what a switch leaves out: keeps the trace's order, so a parent comes before its children. */
 function indexOf(trace: Trace): PixelIndex {
-  const known = indices.get(trace);
+  const known = indices.get(trace.pixel);
   if (known) return known;
   const start = new Int32Array(trace.n * trace.n + 1);
-  for (let k = 0; k < trace.count; k++) start[trace.pixel[k] + 1]++;
+  for (let k = 0; k < trace.count; k++) if (trace.pixel[k] >= 0) start[trace.pixel[k] + 1]++;
   for (let p = 0; p < trace.n * trace.n; p++) start[p + 1] += start[p];
   const next = start.slice();
-  const order = new Int32Array(trace.count);
-  for (let k = 0; k < trace.count; k++) order[next[trace.pixel[k]]++] = k;
+  const order = new Int32Array(start[trace.n * trace.n]);
+  for (let k = 0; k < trace.count; k++) if (trace.pixel[k] >= 0) order[next[trace.pixel[k]]++] = k;
   const index = { start, order };
-  indices.set(trace, index);
+  indices.set(trace.pixel, index);
   return index;
 }
 
@@ -97,9 +97,14 @@ export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
 /** Every kind of line that any pixel has. */
 export function kindsIn(trace: Trace): Set<LineKind> {
   const kinds = new Set<LineKind>();
-  for (const kind of new Set(trace.kind)) kinds.add(KIND_NAMES[kind]);
-  if (trace.visibility.includes(VISIBILITY.reached)) kinds.add("reached");
-  if (trace.visibility.includes(VISIBILITY.blocked)) kinds.add("blocked");
+  for (let ray = 0; ray < trace.count; ray++) {
+    if (trace.pixel[ray] < 0) continue;
+    kinds.add(KIND_NAMES[trace.kind[ray]]);
+    for (let at = ray * trace.lights; at < (ray + 1) * trace.lights; at++) {
+      if (trace.visibility[at] === VISIBILITY.reached) kinds.add("reached");
+      else if (trace.visibility[at] === VISIBILITY.blocked) kinds.add("blocked");
+    }
+  }
   return kinds;
 }
 

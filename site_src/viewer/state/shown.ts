@@ -1,10 +1,15 @@
 /** What a state shows of its trace: lines, tiles, kinds. Remembered until what it depends on changes. */
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
+import { boxesOf, type BoxesData, type RayBoxes } from "../trace/boxes";
+import { boxLines, NO_BOXES, type BoxLines } from "./box-lines";
+import { costsOf, type Costs } from "./costs";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
+import { lastly } from "./lastly";
 import { kindsIn, linesOf, thinPixels, type Line, type LineKind } from "./lines";
 import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
-import { pixelIndex, tileColour, tilesShown, type ViewState } from "./view-state";
+import { triple } from "./vectors";
+import { pixelIndex, tilesShown, type ViewState } from "./view-state";
 
 export interface Shown {
   plane: PicturePlane;
@@ -17,6 +22,9 @@ export interface Shown {
   growing: Growing | null; // the tile being rendered
   timeline: Timeline | null; // the selected pixel's events; null without a trace
   grown: number; // share of the told event's line
+  costs: Costs | null; // what the tiles show; null without a trace
+  boxes: RayBoxes | null; // that the selected camera ray tested, while the tiles show tests
+  boxLines: BoxLines;
 }
 
 export const CROWD = 20000; // lines: more take seconds without a graphics card, and hide one another
@@ -32,18 +40,8 @@ export function withoutCrowd(all: readonly Line[]): Lines {
   return { lines, left: all.length - lines.length };
 }
 
-/** Remembers the last value; makes it anew when one of the things it was made from is another. */
-function lastly<T>() {
-  let from: readonly unknown[] = [];
-  let value: T;
-  return (needs: readonly unknown[], make: () => T): T => {
-    if (needs.length !== from.length || needs.some((need, k) => need !== from[k])) {
-      value = make();
-      from = needs;
-    }
-    return value;
-  };
-}
+/** What lines are made from: switches that only dim or recolour leave them as they are. */
+const linesFrom = (trace: Trace | null): unknown[] => (trace ? [trace.point, trace.pixel, trace.visibility] : [null]);
 
 const range = (from: number, to: number) => Array.from({ length: to - from }, (_, k) => from + k);
 
@@ -53,16 +51,19 @@ export function createShown() {
   const thin = lastly<Lines>();
   const kinds = lastly<ReadonlySet<LineKind>>();
   const timeline = lastly<Timeline | null>();
+  const costs = lastly<Costs | null>();
+  const tested = lastly<RayBoxes | null>();
+  const boxes = lastly<BoxLines>();
 
   function thinLines(state: ViewState, scene: SceneData, trace: Trace | null): Lines {
     const of = (pixels: readonly number[]) => (trace ? withoutCrowd(pixels.flatMap((pixel) => linesOf(trace, scene, pixel))) : withoutCrowd([]));
     if (state.tiles === "filling") {
       const [first, end] = glowing(state);
-      return thin([scene, trace, "glow", first, end], () => of(range(first, end)));
+      return thin([...linesFrom(trace), "glow", first, end], () => of(range(first, end)));
     }
     const across = state.rays.includes("row") ? state.pixel[1] : -1;
     const downwards = state.rays.includes("column") ? state.pixel[0] : -1;
-    const needs = state.rays.includes("all") ? [scene, trace, "all"] : [scene, trace, across, downwards];
+    const needs = state.rays.includes("all") ? [...linesFrom(trace), "all"] : [...linesFrom(trace), across, downwards];
     return thin(needs, () => of(thinPixels(state)));
   }
 
@@ -70,27 +71,30 @@ export function createShown() {
     const index = pixelIndex(state);
     const growing = growingOf(state);
     if (!trace) return chosen([trace], () => []);
-    if (growing) return chosen([scene, trace, state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
+    if (growing) return chosen([...linesFrom(trace), state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
     const { event, share } = state;
     if (told && event !== null && event < told.events.length) return chosen([told, event, grownShare(told, event, share)], () => linesUpTo(told, trace, scene, index, event, share));
     const pixel = state.rays.includes("pixel") ? index : -1;
-    return chosen([scene, trace, pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
+    return chosen([...linesFrom(trace), pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
   }
 
   function kindsOf(state: ViewState, scene: SceneData, trace: Trace | null, thick: readonly Line[], thin: readonly Line[]): ReadonlySet<LineKind> {
-    if (trace && state.tiles === "filling") return kinds([trace], () => kindsIn(trace));
+    if (trace && state.tiles === "filling") return kinds(linesFrom(trace), () => kindsIn(trace));
     const isTold = trace && state.event !== null;
     const index = pixelIndex(state);
-    const needs = isTold ? [trace, index, thin] : [thick, thin];
+    const needs = isTold ? [...linesFrom(trace), index, thin] : [thick, thin];
     return kinds(needs, () => new Set([...(isTold ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
   }
 
   return {
-    of(state: ViewState, scene: SceneData, trace: Trace | null): Shown {
+    of(state: ViewState, scene: SceneData, trace: Trace | null, boxesOfScene: BoxesData | null = null): Shown {
       const index = pixelIndex(state);
       const tiles = tilesShown(state);
       const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
       const thick = chosenLines(state, scene, trace, told);
+      const colours = costs([trace, state.colours], () => trace && costsOf(trace, state.colours));
+      const data = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
+      const rayBoxes = tested([data, state.n, index], () => data && boxesOf(data, state.n, index));
       const { lines, left } = thinLines(state, scene, trace);
       return {
         plane: plane([scene], () => picturePlane(scene)),
@@ -99,10 +103,13 @@ export function createShown() {
         thin: lines,
         left,
         kinds: kindsOf(state, scene, trace, thick, lines),
-        ringOn: trace && index < tiles ? tileColour(trace, index) : null,
+        ringOn: colours && index < tiles ? triple(colours.colours, index) : null,
         growing: growingOf(state),
         timeline: told,
         grown: told && state.event !== null && state.event < told.events.length ? grownShare(told, state.event, state.share) : 1,
+        costs: colours,
+        boxes: rayBoxes,
+        boxLines: boxes([rayBoxes], () => (rayBoxes ? boxLines(rayBoxes) : NO_BOXES)),
       };
     },
   };

@@ -21,6 +21,14 @@ export function timelineOf(trace: Trace, scene: SceneData, pixel: number): Timel
   return { events, starts, grows };
 }
 
+/** Where the same thing is told after a switch: the same ray's, or the same light's; null where it is gone. */
+export function eventLike({ events }: Timeline, told: RayEvent): number | null {
+  const same = (alike: (event: RayEvent) => boolean) => events.findIndex((event) => event.ray === told.ray && event.light === told.light && alike(event));
+  const exact = same((event) => event.what === told.what);
+  const found = exact >= 0 || told.light < 0 ? exact : same(() => true);
+  return found < 0 ? null : found;
+}
+
 const keyOf = ({ ray, light }: { ray: number; light: number }) => `${ray} ${light}`;
 
 /** How much of its line an event has grown when `share` of its time has passed. */

@@ -2,6 +2,8 @@
 import type { SceneData, Trace, View } from "../trace/types";
 import type { ObserverChoice } from "./observer";
 import { NOT_TOLD } from "./play";
+import type { TileView } from "./costs";
+import { AS_TRACED, switchesFrom, type Switches } from "./switches";
 import type { Look } from "./look";
 import { SLICES, type Slice } from "./section";
 
@@ -31,6 +33,8 @@ export interface ViewState {
   share: number; // of that event's time that has passed, 0..1
   playing: boolean;
   gl: boolean; // false: draw without WebGL
+  switches: Switches;
+  colours: TileView; // what the tiles show
 }
 
 const FILL_SECONDS = 10; // a whole picture at speed 1, whatever the resolution
@@ -59,6 +63,8 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     step: null,
     revealed: false,
     ...NOT_TOLD,
+    switches: AS_TRACED,
+    colours: "picture",
     speed: kept.speed,
     projector: kept.projector ?? false,
     still: kept.still,
@@ -131,6 +137,8 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     observer: view.look === "traced" ? "camera" : (view.observer ?? start.observer), // the picture's only place
     look: view.look ?? start.look,
     slice: view.slice ?? start.slice,
+    switches: switchesFrom(view.switches, scene),
+    colours: view.colours ?? start.colours,
     step: state.step,
     revealed: state.revealed,
   };
@@ -156,6 +164,15 @@ export function turnStep(scene: SceneData, state: ViewState, by: 1 | -1): ViewSt
 export const isAsking = ({ step, revealed }: ViewState, scene: SceneData): boolean => step !== null && !revealed && !!scene.lesson[step]?.answer;
 
 export const pixelIndex = ({ pixel, n }: Pick<ViewState, "pixel" | "n">): number => pixel[1] * n + pixel[0];
+
+/** What switches and other colours do is seen on the tiles: empty ones are filled. */
+const seen = (state: ViewState): ViewState => (state.tiles === "empty" ? { ...state, tiles: "filled" } : state);
+
+export const setSwitches = (state: ViewState, switches: Switches): ViewState =>
+  switches === state.switches ? state : seen({ ...state, switches });
+
+export const setColours = (state: ViewState, colours: TileView): ViewState =>
+  colours === state.colours ? state : seen({ ...state, colours });
 
 /** 8-bit colour of a tile as the picture has it. */
 export const tileColour = (trace: Trace, pixel: number): readonly [number, number, number] => [

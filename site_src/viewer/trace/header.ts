@@ -38,7 +38,7 @@ export interface Header {
   tables: {
     signature: readonly (readonly number[])[];
     surface: readonly (readonly [number, number, number, number])[]; // patch, material, inside, sign
-    visibility: readonly (readonly [number, number])[]; // visibility, blocker
+    visibility: readonly (readonly [number, number, number?])[]; // visibility, blocker, passed
   };
   steps: { normal: number; split: number; blocked: number };
   predictors: Readonly<Record<string, Readonly<Record<string, Predictor>>>>;

@@ -9,6 +9,7 @@ export interface Lit {
   visibility: Uint8Array;
   blocker: Int16Array;
   blockedAt: Float64Array;
+  passed: Float64Array;
   diffuse: Float64Array;
   specular: Float64Array;
 }
@@ -27,6 +28,7 @@ export function readLights(header: Header, columns: Columns, tree: Structure, kn
     visibility: new Uint8Array(count).fill(VISIBILITY.behind),
     blocker: new Int16Array(count).fill(-1),
     blockedAt: new Float64Array(count).fill(1),
+    passed: new Float64Array(count).fill(1),
     diffuse: new Float64Array(count),
     specular: new Float64Array(count),
   };
@@ -49,8 +51,8 @@ export function readLights(header: Header, columns: Columns, tree: Structure, kn
       const { rows } = stored;
       const out = lit[name];
       for (let k = 0; k < rows.length; k++) {
-        const row = rows[k];
-        out[row * lights.length + l] = number[row] * step[row];
+        const row = rows[k], at = row * lights.length + l;
+        out[at] = number[row] * step[row] * lit.passed[at];
       }
     }
   }
@@ -100,11 +102,13 @@ function readShadows(
   const group = blocked.group.fill(ABSENT), kind = blocked.kind.fill(ABSENT);
   const visibilities = Uint8Array.from(table, (each) => each[0]);
   const blockers = Int16Array.from(table, (each) => each[1]);
+  const shares = Float64Array.from(table, (each) => each[2] ?? 1);
   for (let k = 0; k < hits.rows.length; k++) {
     const row = hits.rows[k], of = seen[row];
     const at = row * lights.length + l;
     lit.visibility[at] = visibilities[of];
     lit.blocker[at] = blockers[of];
+    lit.passed[at] = shares[of];
     if (visibilities[of] !== VISIBILITY.blocked) continue;
     group[row] = tree.way[row] * table.length + of;
     kind[row] = 2 * of + (tree.level[row] > 0 ? 1 : 0);

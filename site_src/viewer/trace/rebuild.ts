@@ -3,8 +3,8 @@
  * in this order, so that both give the same bits. Patches are a codec device: rules fitted to
  * the stored points and normals, which know nothing of rays.
  */
-import type { Header, Patch } from "./header";
-import { KIND, VISIBILITY } from "./types";
+import type { Patch } from "./header";
+import { KIND, VISIBILITY, type Vec3 } from "./types";
 
 /** Writes a unit vector at out[at..at + 2] from coordinates on the unfolded octahedron. */
 export function onOctahedron(u: number, v: number, out: Float64Array, at: number) {
@@ -69,9 +69,16 @@ export interface Terms {
   specular: Float64Array;
 }
 
+/** The colours that terms are multiplied by. */
+export interface Paints {
+  materials: readonly { ambient: Vec3; diffuse: Vec3; specular: Vec3 }[];
+  lights: readonly { colour: Vec3 }[];
+  background: Vec3;
+}
+
 /** Colours of all rays: a hit's own share, then, from the last row to the first, each ray's
  *  weight x colour added to its parent. */
-export function recombine(header: Header, ray: Terms): Float64Array {
+export function recombine(header: Paints, ray: Terms): Float64Array {
   const { background } = header;
   const { parent, weight, localWeight, visibility, diffuse, specular } = ray;
   const colour = new Float64Array(3 * ray.count);

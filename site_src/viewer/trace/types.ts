@@ -7,7 +7,7 @@
 export type Vec3 = readonly [number, number, number];
 
 export const KIND = { camera: 0, reflected: 1, refracted: 2, total: 3 } as const;
-export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3 } as const;
+export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const; // off: only by a switch, in no file
 
 /** One scene at one frustum resolution: n x n camera rays and everything they led to.
  *  Rays are path-major: ray k < n * n is the camera ray of pixel k = row * n + column. */
@@ -36,6 +36,7 @@ export interface Trace {
   visibility: Uint8Array; // VISIBILITY
   blocker: Int16Array; // object that stopped the shadow ray, else -1
   blockedAt: Float64Array; // share of the way to the light where it was stopped, else 1
+  passed: Float64Array; // share of the light that glass on the way lets pass; counted in below
   diffuse: Float64Array; // to be multiplied by MaterialData.diffuse x light colour
   specular: Float64Array; // to be multiplied by MaterialData.specular x light colour
   /** (3 * n * n) exact 8-bit tile colours, equal to the picture's pixels */
@@ -92,6 +93,14 @@ export interface LightData {
   intensity: number;
 }
 
+/** What-if switches as a lesson step names them; what is absent is as traced. */
+export interface SwitchesView {
+  bounces?: number;
+  lights?: Readonly<Record<string, number>>; // factor on a lamp's brightness, by its name
+  shadows?: boolean;
+  without?: readonly ("ambient" | "diffuse" | "specular" | "reflected" | "refracted")[];
+}
+
 /** A view as a lesson step or an address gives it; what is absent keeps its start value. */
 export interface View {
   resolution?: number; // n
@@ -101,6 +110,8 @@ export interface View {
   look?: "plain" | "approximate" | "traced"; // of the stage
   slice?: "none" | "row" | "column"; // drawn flat instead of the stage
   observer?: "start" | "camera" | { eye: Vec3; target: Vec3 };
+  switches?: SwitchesView;
+  colours?: "picture" | "rays" | "depth" | "tests" | "distance" | "normal"; // of the tiles
 }
 
 interface LessonStop {

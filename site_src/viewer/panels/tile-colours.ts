@@ -1,0 +1,74 @@
+/** What the tiles show: a menu, and for counts a scale with the numbers of the selected and the pointed tile. */
+import { onScale, TILE_VIEWS, type Costs, type TileView } from "../state/costs";
+import { triple } from "../state/vectors";
+import type { Shown } from "../state/shown";
+import { pixelIndex, type ViewState } from "../state/view-state";
+import type { RayBoxes } from "../trace/boxes";
+import type { Trace } from "../trace/types";
+import { grouped, list, number, percent, say, vector } from "../words";
+import { element } from "./element";
+
+const STOPS = 10;
+
+function ramp(): string {
+  const stops = Array.from({ length: STOPS }, (_, k) => `rgb(${onScale(k / (STOPS - 1)).join()})`);
+  return `linear-gradient(90deg, ${stops.join(", ")})`;
+}
+
+function valueOf(costs: Costs, trace: Trace, tile: readonly [number, number]): string {
+  const index = tile[1] * trace.n + tile[0];
+  if (trace.object[index] < 0 && (costs.view === "normal" || costs.view === "distance")) return say("tileView.leaves");
+  if (costs.view === "normal") return vector(triple(trace.normal, index));
+  const value = costs.values?.[index] ?? 0;
+  if (costs.view === "distance") return number(value);
+  return costs.view === "picture" ? "" : say(`tileView.count.${costs.view}`, { count: value });
+}
+
+/** What the bounding volumes saved the selected camera ray. */
+function boxWords({ boxes, spheres, without }: RayBoxes, made: number): string[] {
+  const entered = boxes.filter((box) => box.entered).length;
+  const saved = percent(Math.max(0, 1 - made / without));
+  const shown = spheres.some((each) => each.entered) ? say("tileView.boxes.tested", { count: boxes.length, entered }) : say("tileView.boxes.passesBy");
+  return [say("tileView.boxes.saved", { made: grouped(made), without: grouped(without), saved }), shown];
+}
+
+export function createTileColours(acts: { colours: (view: TileView) => void }) {
+  const menu = element("select", "tile-menu");
+  for (const view of TILE_VIEWS) menu.append(new Option(say(`tileView.view.${view}`), view));
+  let byPointer = false;
+  menu.addEventListener("pointerdown", () => (byPointer = true));
+  menu.addEventListener("keydown", () => (byPointer = false));
+  menu.addEventListener("change", () => {
+    acts.colours(menu.value as TileView);
+    if (byPointer) menu.blur(); // the keys go on to the tiles
+  });
+  const label = element("label", "tile-choice", element("span", "group-name", say("tileView.name")), menu);
+  label.title = say("tileView.help");
+  const [least, most] = [element("span"), element("span")];
+  const bar = element("span", "ramp");
+  bar.style.backgroundImage = ramp();
+  const scale = element("div", "scale numbers", least, bar, most);
+  const means = element("p", "means");
+  const values = element("p", "tile-values numbers");
+  const legend = element("div", "tile-legend", means, scale, values);
+
+  return {
+    element: label,
+    legend,
+    show({ colours, pixel }: ViewState, { costs, boxes }: Pick<Shown, "costs" | "boxes">, trace: Trace | null, pointed: readonly [number, number] | null) {
+      if (menu.value !== colours) menu.value = colours;
+      legend.hidden = colours === "picture" || !costs || !trace;
+      if (legend.hidden || !costs || !trace || costs.view === "picture") return;
+      scale.hidden = !costs.values;
+      means.textContent = say(`tileView.means.${costs.view}`);
+      const end = (value: number) => (costs.view === "distance" ? number(value) : String(value));
+      [least.textContent, most.textContent] = [end(costs.least), end(costs.most)];
+      const tell = (tile: readonly [number, number]) => ({ pixel: list(tile.map(String)), value: valueOf(costs, trace, tile) });
+      const lines = [say("tileView.selected", tell(pixel))];
+      if (boxes) lines.push(...boxWords(boxes, trace.tests[pixelIndex({ pixel, n: trace.n })]));
+      lines.push(pointed ? say("tileView.pointed", tell(pointed)) : ""); // last: it comes and goes
+      values.replaceChildren(...lines.map((line) => element("span", "", line)));
+    },
+    dispose: () => (label.remove(), legend.remove()),
+  };
+}

@@ -1,0 +1,33 @@
+/** The bounding volumes that the selected ray tested, as line segments to draw. */
+import type { BoxTested, RayBoxes } from "../trace/boxes";
+import type { Vec3 } from "../trace/types";
+
+export interface BoxLines {
+  entered: readonly (readonly [Vec3, Vec3])[];
+  missed: readonly (readonly [Vec3, Vec3])[];
+}
+
+export const NO_BOXES: BoxLines = { entered: [], missed: [] };
+const ROUND = 48; // segments of a circle
+
+function edges({ low, high }: BoxTested): [Vec3, Vec3][] {
+  const corner = (k: number): Vec3 => [k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]];
+  return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1, 2, 4].filter((bit) => !(k & bit)).map((bit): [Vec3, Vec3] => [corner(k), corner(k | bit)]));
+}
+
+/** Three great circles. */
+function circles({ centre, radius }: { centre: Vec3; radius: number }): [Vec3, Vec3][] {
+  const on = (axis: number, k: number): Vec3 => {
+    const turn = (2 * Math.PI * k) / ROUND;
+    const at: [number, number, number] = [...centre];
+    at[(axis + 1) % 3] += radius * Math.cos(turn);
+    at[(axis + 2) % 3] += radius * Math.sin(turn);
+    return at;
+  };
+  return [0, 1, 2].flatMap((axis) => Array.from({ length: ROUND }, (_, k): [Vec3, Vec3] => [on(axis, k), on(axis, k + 1)]));
+}
+
+export function boxLines({ spheres, boxes }: RayBoxes): BoxLines {
+  const of = (entered: boolean) => [...spheres.filter((each) => each.entered === entered).flatMap(circles), ...boxes.filter((each) => each.entered === entered).flatMap(edges)];
+  return { entered: of(true), missed: of(false) };
+}

@@ -1,0 +1,77 @@
+/** What a tile can show besides its colour: how much work its rays were, and what its camera ray met. */
+import { KIND, VISIBILITY, type Trace } from "../trace/types";
+import { HIDDEN } from "./what-if";
+
+export type TileView = "picture" | "rays" | "depth" | "tests" | "distance" | "normal";
+export const TILE_VIEWS: readonly TileView[] = ["picture", "rays", "depth", "tests", "distance", "normal"];
+export type Counted = Exclude<TileView, "picture" | "normal">;
+
+export interface Costs {
+  view: TileView;
+  colours: Uint8Array; // (3 * n * n)
+  values: Float64Array | null; // (n * n), NaN where a tile has none; null where colours say all
+  least: number;
+  most: number;
+}
+
+/** Anchors of the cividis map: the same order of lightness for every kind of colour vision
+ *  (Nunez, Anderton, Renslow 2018). */
+const CIVIDIS = [0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55, 0xfee838];
+const NOTHING = [17, 20, 25] as const; // a tile whose ray leaves the scene
+
+/** 8-bit colour of a share of the scale. */
+export function onScale(share: number): readonly [number, number, number] {
+  const at = Math.min(1, Math.max(0, share)) * (CIVIDIS.length - 1);
+  const k = Math.min(CIVIDIS.length - 2, Math.floor(at));
+  const part = (shift: number) => {
+    const [a, b] = [CIVIDIS[k], CIVIDIS[k + 1]].map((hex) => (hex >> shift) & 255);
+    return Math.round(a + (at - k) * (b - a));
+  };
+  return [part(16), part(8), part(0)];
+}
+
+function sums(trace: Trace, of: (ray: number) => number, join: (a: number, b: number) => number): Float64Array {
+  const values = new Float64Array(trace.n * trace.n);
+  for (let ray = 0; ray < trace.count; ray++) {
+    const pixel = trace.pixel[ray];
+    if (pixel !== HIDDEN) values[pixel] = join(values[pixel], of(ray));
+  }
+  return values;
+}
+
+const add = (a: number, b: number) => a + b;
+
+/** A ray and the shadow rays shot from where it ends. */
+function raysAt(trace: Trace, ray: number): number {
+  let count = 1;
+  for (let at = ray * trace.lights; at < (ray + 1) * trace.lights; at++) {
+    const seen = trace.visibility[at];
+    if (seen === VISIBILITY.reached || seen === VISIBILITY.blocked) count++;
+  }
+  return count;
+}
+
+const VALUES: Readonly<Record<Counted, (trace: Trace) => Float64Array>> = {
+  rays: (trace) => sums(trace, (ray) => raysAt(trace, ray), add),
+  depth: (trace) => sums(trace, (ray) => trace.depth[ray], Math.max),
+  tests: (trace) => sums(trace, (ray) => trace.tests[ray], add),
+  distance: (trace) => sums(trace, (ray) => (trace.kind[ray] === KIND.camera ? (Number.isFinite(trace.t[ray]) ? trace.t[ray] : NaN) : 0), add),
+};
+
+function normals(trace: Trace): Uint8Array {
+  const colours = new Uint8Array(3 * trace.n * trace.n);
+  for (let k = 0; k < trace.n * trace.n; k++)
+    for (let c = 0; c < 3; c++) colours[3 * k + c] = trace.object[k] < 0 ? NOTHING[c] : Math.round((255 * (trace.normal[3 * k + c] + 1)) / 2);
+  return colours;
+}
+
+export function costsOf(trace: Trace, view: TileView): Costs {
+  if (view === "picture") return { view, colours: trace.tiles, values: null, least: 0, most: 0 };
+  if (view === "normal") return { view, colours: normals(trace), values: null, least: 0, most: 0 };
+  const values = VALUES[view](trace);
+  const known = values.filter((value) => !Number.isNaN(value));
+  const [least, most] = [known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity)];
+  const colours = new Uint8Array(3 * values.length);
+  for (let k = 0; k < values.length; k++) colours.set(Number.isNaN(values[k]) ? NOTHING : onScale(most > least ? (values[k] - least) / (most - least) : 0), 3 * k);
+  return { view, colours, values, least: known.length ? least : 0, most: known.length ? most : 0 };
+}

@@ -1,0 +1,105 @@
+/** What-if switches: what a person has switched, and how that changes. Nothing is traced anew; see what-if.ts. */
+import type { SceneData, SwitchesView } from "../trace/types";
+
+export type Part = "ambient" | "diffuse" | "specular" | "reflected" | "refracted";
+export const PARTS: readonly Part[] = ["ambient", "diffuse", "specular", "reflected", "refracted"];
+export const BRIGHTEST = 2;
+
+export interface Switches {
+  bounces: number | null; // rays with more bounces are left out; null: as many as were traced
+  lamps: readonly number[]; // factor on each lamp's brightness, 0: off; []: all 1
+  shadows: boolean; // false: every light counts as seen
+  without: readonly Part[];
+}
+
+export const AS_TRACED: Switches = { bounces: null, lamps: [], shadows: true, without: [] };
+
+export const isSwitched = (of: Switches): boolean => of.bounces !== null || of.lamps.length > 0 || !of.shadows || of.without.length > 0;
+
+/** A light as a person names it: a point light, or all the point lights that an area light is made of. */
+export interface Lamp {
+  name: string;
+  lights: readonly number[]; // indices into SceneData.lights
+}
+
+/** The pipeline names an area light's points "name 1/16", "name 2/16" ... */
+export function lampsOf(scene: SceneData): Lamp[] {
+  const lamps = new Map<string, number[]>();
+  for (const [light, { name }] of scene.lights.entries()) {
+    const whole = name.replace(/ \d+\/\d+$/, "");
+    lamps.set(whole, [...(lamps.get(whole) ?? []), light]);
+  }
+  return [...lamps].map(([name, lights]) => ({ name, lights }));
+}
+
+export const brightness = (of: Switches, lamp: number): number => of.lamps[lamp] ?? 1;
+
+/** What stays of what was asked for: nothing that is as traced anyway. */
+function tidy(of: Switches, scene: SceneData): Switches {
+  const bounces = of.bounces !== null && of.bounces < scene.depth ? Math.max(0, of.bounces) : null;
+  const lamps = of.lamps.every((factor) => factor === 1) ? [] : of.lamps;
+  return { bounces, lamps, shadows: of.shadows || !scene.shadows, without: PARTS.filter((part) => of.without.includes(part)) };
+}
+
+export const bouncesOf = (of: Switches, scene: SceneData): number => of.bounces ?? scene.depth;
+
+/** The same switches where the limit is at its end: what was not traced cannot be shown. */
+export function stepBounces(of: Switches, scene: SceneData, by: 1 | -1): Switches {
+  const bounces = bouncesOf(of, scene) + by;
+  return bounces < 0 || bounces > scene.depth ? of : tidy({ ...of, bounces }, scene);
+}
+
+export function setLamp(of: Switches, scene: SceneData, lamp: number, factor: number): Switches {
+  const lamps = lampsOf(scene).map((_, k) => (k === lamp ? Math.min(BRIGHTEST, Math.max(0, factor)) : brightness(of, k)));
+  return tidy({ ...of, lamps }, scene);
+}
+
+export const turnLamp = (of: Switches, scene: SceneData, lamp: number): Switches => setLamp(of, scene, lamp, brightness(of, lamp) > 0 ? 0 : 1);
+
+export const turnShadows = (of: Switches, scene: SceneData): Switches => tidy({ ...of, shadows: !of.shadows }, scene);
+
+export function turnPart(of: Switches, scene: SceneData, part: Part): Switches {
+  const without = of.without.includes(part) ? of.without.filter((each) => each !== part) : [...of.without, part];
+  return tidy({ ...of, without }, scene);
+}
+
+/** Parts that some material of the scene has: switching the others would change nothing. */
+export function partsOf(scene: SceneData): Part[] {
+  const has = (part: Part) =>
+    scene.materials.some((material) => (part === "reflected" ? material.reflect > 0 || material.fresnel : part === "refracted" ? material.transmit > 0 : material[part].some((v) => v > 0)));
+  return PARTS.filter(has);
+}
+
+/** As a lesson step names them. */
+export function switchesFrom(view: SwitchesView | undefined, scene: SceneData): Switches {
+  if (!view) return AS_TRACED;
+  const lamps = lampsOf(scene).map(({ name }) => view.lights?.[name] ?? 1);
+  return tidy({ bounces: view.bounces ?? null, lamps, shadows: view.shadows ?? true, without: view.without ?? [] }, scene);
+}
+
+/** As the address has them: "b2,l1x0,l2x1.5,-shadows,-ambient". */
+export function writeSwitches(of: Switches): string {
+  return [
+    ...(of.bounces === null ? [] : [`b${of.bounces}`]),
+    ...of.lamps.flatMap((factor, lamp) => (factor === 1 ? [] : [`l${lamp + 1}x${Number(factor.toFixed(2))}`])),
+    ...(of.shadows ? [] : ["-shadows"]),
+    ...of.without.map((part) => `-${part}`),
+  ].join(",");
+}
+
+/** null where this scene has no such switch. */
+export function readSwitches(text: string, scene: SceneData): Switches | null {
+  const lamps = lampsOf(scene).map(() => 1);
+  const without: Part[] = [];
+  let bounces: number | null = null;
+  let shadows = true;
+  for (const word of text.split(",")) {
+    const [, limit, lamp, factor, off] = /^(?:b(\d{1,3})|l(\d{1,3})x(\d(?:\.\d{1,2})?)|-([a-z]+))$/.exec(word) ?? [];
+    if (limit !== undefined && Number(limit) <= scene.depth) bounces = Number(limit);
+    else if (lamp !== undefined && Number(lamp) > 0 && Number(lamp) <= lamps.length && Number(factor) <= BRIGHTEST) lamps[Number(lamp) - 1] = Number(factor);
+    else if (off === "shadows") shadows = false;
+    else if (PARTS.includes(off as Part)) without.push(off as Part);
+    else return null;
+  }
+  return tidy({ bounces, lamps, shadows, without }, scene);
+}

@@ -1,0 +1,141 @@
+/** What-if switches, tile views and boxes as laws of the state, with no browser. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { readTrace } from "./scene-files.mjs";
+import { load } from "./typescript.mjs";
+
+const { createWhatIf, AS_TRACED, isSwitched, lampsOf, readSwitches, setLamp, stepBounces, switchesFrom, turnLamp, turnPart, turnShadows, writeSwitches, partsOf } = await load("state/what-if.ts", "state/switches.ts");
+const { costsOf, onScale, linesOf, treeOf, eventsOf, TILE_VIEWS, boxesOf } = await load("state/costs.ts", "state/lines.ts", "state/events.ts", "trace/boxes.ts");
+
+const mirrors = readTrace("05-many-bounces", 15);
+const glass = readTrace("08-glass", 15);
+const switched = ({ scene, trace }, ...turns) => {
+  const switches = turns.reduce((now, turn) => turn(now, scene), AS_TRACED);
+  return { switches, ...createWhatIf().of(trace, scene, switches) };
+};
+
+test("with nothing switched the trace itself is shown", () => {
+  const now = switched(mirrors);
+  assert.equal(now.trace, mirrors.trace);
+  assert.equal(now.scene, mirrors.scene);
+});
+
+test("a switch turned on and off again leaves all as traced", () => {
+  const { scene } = mirrors;
+  for (const turn of [turnShadows, (now, of) => turnLamp(now, of, 0), (now, of) => turnPart(now, of, "specular"), (now, of) => stepBounces(now, of, now.bounces === null ? -1 : 1)])
+    assert.equal(isSwitched(turn(turn(AS_TRACED, scene), scene)), false);
+});
+
+test("the bounce limit hides rays beyond it, and goes no higher than was traced", () => {
+  const { scene } = mirrors;
+  let switches = AS_TRACED;
+  assert.equal(stepBounces(switches, scene, 1), switches);
+  for (let k = 0; k < scene.depth; k++) switches = stepBounces(switches, scene, -1);
+  assert.equal(switches.bounces, 0);
+  assert.equal(stepBounces(switches, scene, -1), switches);
+  const now = createWhatIf().of(mirrors.trace, scene, switches);
+  for (let pixel = 0; pixel < 225; pixel++) assert.deepEqual(treeOf(now.trace, pixel), [pixel]);
+  assert.ok(eventsOf(now.trace, now.scene, 7 * 15 + 9).some(({ what, atLimit, limit }) => what === "stops" && atLimit && limit === 0));
+});
+
+test("with a lamp off its shadow rays go and its event says so; with shadows off all of them go", () => {
+  const pixel = 12 * 15 + 7;
+  const lightsOf = ({ trace, scene }) => linesOf(trace, scene, pixel).filter(({ light }) => light >= 0).map(({ light }) => light);
+  assert.ok(lightsOf(mirrors).includes(0));
+  const off = switched(mirrors, (now, of) => turnLamp(now, of, 0));
+  assert.ok(lightsOf(off).length > 0 && !lightsOf(off).includes(0));
+  assert.ok(eventsOf(off.trace, off.scene, pixel).some(({ what, name }) => what === "off" && name === "light 1"));
+  const bare = switched(mirrors, turnShadows);
+  assert.deepEqual(lightsOf(bare), []);
+  assert.ok(eventsOf(bare.trace, bare.scene, pixel).some(({ what }) => what === "unasked"));
+});
+
+test("without reflected and refracted light no ray is sent on", () => {
+  const now = switched(glass, (s, of) => turnPart(s, of, "reflected"), (s, of) => turnPart(s, of, "refracted"));
+  for (let pixel = 0; pixel < 225; pixel++) assert.equal(treeOf(now.trace, pixel).length, 1);
+});
+
+for (const [name, { scene, trace }] of Object.entries({ mirrors, glass }))
+  test(`${name}: every ray's colour is its terms' sum, whatever is switched`, () => {
+    for (const text of ["b1", "l1x0", "l2x1.5,-shadows", "-ambient,-specular", "-reflected", "-refracted,b3"]) {
+      const now = createWhatIf().of(trace, scene, readSwitches(text, scene));
+      for (let pixel = 0; pixel < trace.n * trace.n; pixel += 7) {
+        const end = eventsOf(now.trace, now.scene, pixel).at(-1);
+        for (let c = 0; c < 3; c++) {
+          const sum = end.terms.reduce((total, { share, colour }) => total + share * colour[c], 0);
+          // Sums in another order: some roundings of float64.
+          assert.ok(Math.abs(sum - end.colour[c]) < 1e-12, `${text}, pixel ${pixel}`);
+          assert.equal(end.bytes[c], Math.floor(255 * Math.min(1, Math.max(0, end.colour[c])) + 0.5));
+        }
+      }
+    }
+  });
+
+test("dimming leaves the lines what they are: the same columns, not new ones", () => {
+  const whatIf = createWhatIf();
+  const dim = (factor) => whatIf.of(glass.trace, glass.scene, setLamp(AS_TRACED, glass.scene, 0, factor)).trace;
+  const [a, b] = [dim(0.5), dim(0.6)];
+  assert.equal(a.pixel, b.pixel);
+  assert.equal(a.visibility, b.visibility);
+  assert.notDeepEqual(a.tiles, b.tiles);
+});
+
+test("an address names switches shortly, and what a scene does not have is refused", () => {
+  const { scene } = mirrors;
+  const all = switched(mirrors, (s, of) => stepBounces(s, of, -1), (s, of) => setLamp(s, of, 1, 1.5), (s, of) => turnLamp(s, of, 0), turnShadows, (s, of) => turnPart(s, of, "diffuse")).switches;
+  assert.equal(writeSwitches(all), "b9,l1x0,l2x1.5,-shadows,-diffuse");
+  assert.deepEqual(readSwitches(writeSwitches(all), scene), all);
+  for (const text of ["", "b11", "b-1", "l3x0", "l0x1", "l1x3", "l1x", "-light", "shadows", "b1,,b2", "constructor"]) assert.equal(readSwitches(text, scene), null, text);
+});
+
+test("a lesson names lamps by name, and a whole area light by its own", () => {
+  const lights = [1, 2, 3].map((k) => ({ ...mirrors.scene.lights[0], name: k < 3 ? `panel ${k}/2` : "spot" }));
+  const scene = { ...mirrors.scene, lights };
+  assert.deepEqual(lampsOf(scene), [{ name: "panel", lights: [0, 1] }, { name: "spot", lights: [2] }]);
+  assert.deepEqual(switchesFrom({ bounces: 1, lights: { panel: 0 }, shadows: false, without: ["specular"] }, scene), { bounces: 1, lamps: [0, 1], shadows: false, without: ["specular"] });
+});
+
+test("only parts that a scene has are offered", () => {
+  assert.deepEqual(partsOf(mirrors.scene), ["ambient", "diffuse", "specular", "reflected"]);
+  assert.ok(partsOf(glass.scene).includes("refracted"));
+});
+
+test("tiles show the picture, or numbers that are the tree's", () => {
+  const { trace } = glass;
+  assert.equal(costsOf(trace, "picture").colours, trace.tiles);
+  const { values } = costsOf(trace, "rays");
+  const { values: deep } = costsOf(trace, "depth");
+  const { values: tests } = costsOf(trace, "tests");
+  for (let pixel = 0; pixel < 225; pixel += 4) {
+    const tree = treeOf(trace, pixel);
+    assert.equal(values[pixel], linesOf(trace, glass.scene, pixel).length);
+    assert.equal(deep[pixel], Math.max(...tree.map((ray) => trace.depth[ray])));
+    assert.equal(tests[pixel], tree.reduce((sum, ray) => sum + trace.tests[ray], 0));
+  }
+  const far = costsOf(trace, "distance");
+  assert.ok(far.values.every((value, pixel) => Number.isNaN(value) ? trace.object[pixel] < 0 : value === trace.t[pixel]));
+  assert.equal(TILE_VIEWS.length, 6);
+});
+
+test("the scale of colours grows lighter from end to end, for every kind of colour vision", () => {
+  const light = (share) => onScale(share).reduce((sum, v, c) => sum + v * [0.2126, 0.7152, 0.0722][c], 0);
+  for (let k = 0; k < 100; k++) assert.ok(light((k + 1) / 100) > light(k / 100), `${k} %`);
+});
+
+test("a normal's tile is (n + 1) / 2, of a ray that leaves a dark one", () => {
+  const { colours } = costsOf(glass.trace, "normal");
+  for (let pixel = 0; pixel < 225; pixel++)
+    if (glass.trace.object[pixel] >= 0) for (let c = 0; c < 3; c++) assert.equal(colours[3 * pixel + c], Math.round((255 * (glass.trace.normal[3 * pixel + c] + 1)) / 2));
+    else assert.ok(colours[3 * pixel] < 30);
+});
+
+test("boxes come back from their runs; a box is tested where its parent is entered", () => {
+  const box = (k) => [k, 0, 0, k + 1, 1, 1];
+  const mesh = { object: 0, triangles: 1000, sphere: [0, 0, 0, 2], boxes: [box(0), box(1), box(2)], parents: [-1, 0, 0], levels: { 2: [[1, 2, 1], [1, 2, 1], [2, 1, 1], []] } };
+  const data = { format: 1, scene: "x", primitives: 3, meshes: [mesh] };
+  assert.deepEqual(boxesOf(data, 2, 0).boxes, []);
+  assert.deepEqual(boxesOf(data, 2, 1).boxes.map(({ entered }) => entered), [true, false, false]);
+  assert.deepEqual(boxesOf(data, 2, 2).boxes.map(({ entered }) => entered), [true, true, false]);
+  assert.equal(boxesOf(data, 2, 3).spheres[0].entered, false);
+  assert.equal(boxesOf(data, 2, 1).without, 1003);
+});
