@@ -50,6 +50,17 @@ def test_the_slides_of_a_step_say_what_the_lesson_says(balls, aspect):
 
 
 @pytest.mark.parametrize("aspect", ["16:9", "4:3"])
+def test_the_longest_first_sentence_that_is_a_title_is_not_cut(made, aspect):
+    """74 wide letters take two lines; one letter more and the scene's name is the title."""
+    sentence = "Wide words, which measure much more than most: mammoth, WWW, MMM, warm mm."
+    assert len(sentence) == 74
+    text = f"{sentence} And the rest."
+    deck = made(f'[[lesson]]\ntext = "{text}"\nview = {{ resolution = 7 }}').deck(aspect)
+    [step] = [s for s in deck.slides if s.kind == "step"]
+    assert told([step]) == text and step.title == sentence
+
+
+@pytest.mark.parametrize("aspect", ["16:9", "4:3"])
 def test_nothing_is_small_cut_or_over_something_else(balls, aspect):
     """Text of at least 14 points within the slide; words never on words."""
     deck = balls.deck(aspect)

@@ -18,7 +18,7 @@ from raywalk.slides.words import kind_word, number, place, say, sum_columns, ton
 from raywalk.trace_file import Kind
 
 ROW = 22.0
-MOST_RAYS = 12  # a longer sum is no longer looked at
+MOST_RAYS = 5  # a longer sum takes more than one slide
 
 
 def sum_slides(lesson: Lesson) -> list[Slide]:
