@@ -20,7 +20,7 @@ import numpy as np
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene
 from raywalk.trace import wavefront
-from raywalk.trace.bounce import Bounced, bounce
+from raywalk.trace.bounce import bounce
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import Kind
@@ -84,9 +84,10 @@ def sending(without: list[str]) -> Any:
         kept = share[out.parent] * weight > least
         kept &= mirrors | (out.kind != Kind.REFLECTED)
         kept &= refracts | (out.kind != Kind.REFRACTED)
-        return Bounced(
-            out.rays.take(kept), out.parent[kept], out.branch[kept], out.kind[kept],
-            weight[kept], share[out.parent[kept]] * weight[kept], out.media[kept],
+        return out._replace(
+            rays=out.rays.take(kept), parent=out.parent[kept], branch=out.branch[kept],
+            kind=out.kind[kept], weight=weight[kept],
+            share=share[out.parent[kept]] * weight[kept], media=out.media[kept],
         )  # fmt: skip
 
     return sent

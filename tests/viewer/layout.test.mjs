@@ -101,10 +101,10 @@ test("printed, the page is picture, lesson and figures", async () => {
   await open(page, ON_DISK, rich.path, "still=1");
   await page.emulateMedia({ media: "print" });
   const seen = await page.evaluate(() =>
-    Object.fromEntries([".plain-picture", ".plain-lesson", ".figures", "#viewer", "nav.scenes"].map((part) => [part, document.querySelector(part).checkVisibility()])),
+    Object.fromEntries([".plain-picture", ".plain-lesson", "#page .figures", "#viewer", "nav.scenes"].map((part) => [part, document.querySelector(part).checkVisibility()])),
   );
   await page.emulateMedia({ media: null });
-  assert.deepEqual(seen, { ".plain-picture": true, ".plain-lesson": true, ".figures": true, "#viewer": false, "nav.scenes": false });
+  assert.deepEqual(seen, { ".plain-picture": true, ".plain-lesson": true, "#page .figures": true, "#viewer": false, "nav.scenes": false });
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
