@@ -110,12 +110,18 @@ def test_the_nearest_of_two_is_the_nearer_one(one, other, seed: int) -> None:
 @ALWAYS_THE_SAME
 @given(solids(), st.integers(0, 2**32 - 1), st.floats(0.1, 8.0))
 def test_a_limit_only_cuts(shape, seed: int, limit: float) -> None:
-    """Before t_max the answer is the same, beyond it there is none."""
+    """Before t_max the same is met, beyond it there is nothing.
+
+    1e-12: a ray with a limit asks whether something is in its way (shadow rays do), so its
+    distance is not found again from its own hit point; grazing ones keep that many digits here.
+    """
     rays = rays_from(*rays_of(seed))
     compiled = CompiledScene(scene_of([shape]))
     free = compiled.nearest(rays)[0]
     cut = compiled.nearest(rays, np.full(COUNT, limit))[0]
-    assert (cut == np.where(free < limit, free, np.inf)).all()
+    met = free < limit
+    assert (np.isfinite(cut) == met).all()
+    assert np.abs(cut[met] - free[met]).max(initial=0.0) < 1e-12
 
 
 @ALWAYS_THE_SAME
