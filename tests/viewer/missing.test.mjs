@@ -53,7 +53,7 @@ test("a missing trace: the scene in space, the picture and the lesson stay, and 
     await open(page, server.url, rich.path, "still=1");
     assert.match(await notice(page), /could not be loaded; the picture, the lesson and the scene in space still work/);
     assert.ok(await pictureShows(page, ".picture img"));
-    assert.match(await page.locator(".rays").innerText(), /not here/);
+    assert.match(await page.locator(".card").innerText(), /not here/);
     await press(page, "+");
     await until(page, (s, t) => t.tiles.length === 3 * s.n * s.n);
     assert.ok(!(await page.locator("#notice").isVisible()));
