@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 import numpy as np
 
@@ -74,14 +75,31 @@ def _placed(scene: Scene, obj: SceneObject, vertices: np.ndarray, faces: np.ndar
     closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
     if closed and _volume(placed[faces]) < 0:  # the file has it inside out
         faces = faces[:, ::-1]
+    centre, rest = _centre(linear, middle, offset)
     return Triangles(
-        centre=linear @ middle + offset,
-        vertices=placed,
+        centre=centre,
+        vertices=placed + rest,
         faces=faces,
         normals=_vertex_normals(placed, faces) if obj.shape.smooth else None,
         closed=closed,
         dropped=dropped,
     )
+
+
+def _centre(
+    linear: np.ndarray, middle: np.ndarray, offset: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """linear @ middle + offset, each (3,), and what its rounding leaves over (1e-9 at 1e7)."""
+    exact = [
+        sum(
+            (Fraction(a) * Fraction(m) for a, m in zip(row, middle.tolist(), strict=True)),
+            Fraction(b),
+        )
+        for row, b in zip(linear.tolist(), offset.tolist(), strict=True)
+    ]
+    centre = [float(each) for each in exact]
+    rest = [float(each - Fraction(c)) for each, c in zip(exact, centre, strict=True)]
+    return np.array(centre), np.array(rest)
 
 
 def _volume(corners: np.ndarray) -> float:
