@@ -151,8 +151,8 @@ def test_letters_that_the_font_lacks_are_refused_in_pdf(made):
 
 
 def test_a_walk_of_many_rays_still_fits(made):
-    """Two mirrors face to face and 60 bounces: the table says how many rays it leaves out, the
-    sum goes on on a next slide."""
+    """Two mirrors face to face and 60 bounces: the table beside the figure says how many rays it
+    leaves out, next slides hold every ray once, in order; so do those of the sum."""
     scene = HALL
     lesson = '[[lesson]]\ntext = "To and fro."\nview = { resolution = 7, pixel = [3, 3], \
 tiles = "filled" }'
@@ -160,6 +160,10 @@ tiles = "filled" }'
     step = next(s for s in deck.slides if s.kind == "step")
     table = next(i for i in flat(step.items) if isinstance(i, Table))
     assert re.fullmatch(r"rays 1 to \d+ of 61; all are in the notes", table.rows[-1][0].text)
+    going_on = [s for s in deck.slides if s.kind == "step" and s.is_continued]
+    whole = [i for s in going_on for i in flat(s.items) if isinstance(i, Table)]
+    numbers = [row[0].text for table in whole for row in table.rows[1:]]
+    assert numbers == [str(k) for k in range(1, 62)]
     sums = [s for s in deck.slides if s.kind == "sum"]
     assert len(sums) > 1 and all(s.is_continued for s in sums[1:])
     page = Box(0, 0, deck.width, deck.height)

@@ -39,11 +39,38 @@ def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | Non
     if len(shown) < len(rays):
         left = Cell(say("slides.moreRays", shown=len(shown), of=len(rays)))
         body.append((left, *[Cell()] * (len(heading) - 1)))
-    rows = (heading, *body)
+    return _table(seen, (heading, *body), widths, box)
+
+
+def is_whole(table: Table, scene: Scene, seen: Seen) -> bool:
+    """Does a table hold every ray, with its object's name unshortened?"""
+    rays = ray_order(seen)
+    names = [_met(scene, seen, ray) for ray in rays]
+    return [row[1].text for row in table.rows[1:]] == names
+
+
+def ray_tables(scene: Scene, seen: Seen, box: Box) -> list[Table]:
+    """All rays with whole names and all decimals, one table for each slide they take."""
+    body = [
+        _row(scene, seen, k, ray, MOST_DECIMALS) for k, ray in enumerate(ray_order(seen), start=1)
+    ]
+    heading = tuple(Cell(word, bold=True) for word in columns())
+    widths = _widths(body, box.width)
+    fits = int(box.height / ROW) - 1
+    parts = [body[k : k + fits] for k in range(0, len(body), fits)]
+    return [_table(seen, (heading, *part), widths, box) for part in parts]
+
+
+def _table(seen: Seen, rows: tuple[tuple[Cell, ...], ...], widths: list[float], box: Box) -> Table:
     frame = Box(box.left, box.top, sum(widths), ROW * len(rows))
     alt = say("slides.tableAlt", **place(seen))
     align = ("left", "left", "right", "right", "right", "right", "right")
     return Table(frame, tuple(widths), align, rows, ROW, SMALLEST, say("slides.table"), alt)
+
+
+def _met(scene: Scene, seen: Seen, ray: int) -> str:
+    met = int(seen.trace.object[ray])
+    return scene.objects[met].name if met >= 0 else say("slides.nothing")
 
 
 def _row(scene: Scene, seen: Seen, number_: int, ray: int, decimals: int) -> tuple[Cell, ...]:
@@ -55,7 +82,7 @@ def _row(scene: Scene, seen: Seen, number_: int, ray: int, decimals: int) -> tup
     if met < 0:
         return (
             first,
-            Cell(say("slides.nothing")),
+            Cell(_met(scene, seen, ray)),
             Cell(),
             Cell(),
             Cell(),
@@ -63,7 +90,7 @@ def _row(scene: Scene, seen: Seen, number_: int, ray: int, decimals: int) -> tup
             Cell(swatch=swatch),
         )
     at = [Cell(_fitting(v, decimals)) for v in [*trace.point[ray].tolist(), float(trace.t[ray])]]
-    return (first, Cell(scene.objects[met].name), *at, Cell(swatch=swatch))
+    return (first, Cell(_met(scene, seen, ray)), *at, Cell(swatch=swatch))
 
 
 def _fitting(value: float, decimals: int) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
-from raywalk.slides.figure import Group, Item, Line, Picture, Polygon, Slide
+from raywalk.slides.figure import Group, Item, Line, Picture, Polygon, Slide, Table
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
 from raywalk.slides.lines import KINDS
@@ -14,7 +14,7 @@ from raywalk.slides.notes import step_notes
 from raywalk.slides.palette import KIND_DASH
 from raywalk.slides.pictures import PICTURE_SIDE, traced_picture
 from raywalk.slides.placing import Placed
-from raywalk.slides.ray_table import ROW, ray_table
+from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
 from raywalk.slides.sights import Seen, Sight
 from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
 from raywalk.slides.typeface import width
@@ -45,7 +45,7 @@ class Lesson:
 
 
 def step_slides(lesson: Lesson, index: int) -> list[Slide]:
-    """One slide, and further ones for words that do not fit."""
+    """One slide, and further ones for words and rays that do not fit."""
     layout, seen = lesson.layout, lesson.seen[index]
     scene, stop = lesson.placed.scene, seen.stop
     head, body = title_and_body(paragraphs_of(stop.text))
@@ -70,7 +70,31 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
         slides.append(
             Slide(again, (title(again, layout.title), *texts, *under), (), stop.kind, True)
         )
+    is_cut = any(isinstance(item, Table) and not is_whole(item, scene, seen) for item in numbers)
+    if is_cut and not _same_pixel_follows(lesson, index):
+        again = say("slides.continued", title=head)
+        for table in ray_tables(scene, seen, _below_title(layout)):
+            slides.append(
+                Slide(again, (title(again, layout.title), table, *under), (), stop.kind, True)
+            )
     return slides
+
+
+def _same_pixel_follows(lesson: Lesson, index: int) -> bool:
+    """Steps that stay on a pixel have one whole table between them, after the last of them."""
+    here, *following = lesson.seen[index : index + 2]
+    return any(
+        next_one.stop.kind != "question"
+        and (next_one.view.n, next_one.view.pixel) == (here.view.n, here.view.pixel)
+        and bool(next_one.chosen)
+        for next_one in following
+    )
+
+
+def _below_title(layout: Layout) -> Box:
+    """The whole slide between its title and its footer."""
+    top = layout.title.bottom + 12
+    return Box(layout.title.left, top, layout.title.width, layout.footer.top - 12 - top)
 
 
 def _wide(layout: Layout) -> Box:

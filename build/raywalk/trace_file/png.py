@@ -1,8 +1,8 @@
 """PNG files of the pictures: lossless, small, the same bytes from the same picture.
 
 One filter for all rows, Up or Sub: which is smaller is told by a quick look (zlib 4). Measured
-over the ten pictures of the course: Up alone at zlib 6 2.10 MB, the better of both at 8 8 % less, at 9
-9 % for twice the time; a filter chosen row by row, by least sum or by fewest pairs, saves less.
+over the ten pictures of the course: Up alone at zlib 6 2.10 MB, the better of both at
+8 8 % less, at 9 9 % for twice the time; a filter chosen row by row saves less.
 Up to 256 colours go into a palette where that is smaller still.
 """
 
