@@ -88,7 +88,7 @@ export function tell(event: RayEvent): Told {
     case "pixel":
       return {
         says: phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }),
-        numbers: beside(sumNumbers(event.terms, event.colour), `\u00d7 255: ${bytes(event.colour)}`),
+        numbers: beside(sumNumbers(event.terms, event.colour), `\u00d7 255, ${say("sum.clamped")}: ${bytes(event.colour)}`),
       };
   }
 }

@@ -45,12 +45,12 @@ test("X goes round: space, row, column, space; the buttons do the same; the addr
     await press(page, "x");
     assert.equal((await state(page)).slice, slice);
   }
-  await page.getByRole("button", { name: /^Slice down this column/ }).click();
+  await page.getByRole("button", { name: /Slice down this column/ }).click();
   await canvas().waitFor({ state: "visible" });
   assert.match(await canvas().getAttribute("aria-label"), /column's camera rays.*row 8/);
   await follow(page, "still=1&n=15&p=5,8&slice=row");
   assert.equal((await state(page)).slice, "row");
-  await page.getByRole("button", { name: /^Slice along this row/ }).click();
+  await page.getByRole("button", { name: /Slice along this row/ }).click();
   await settled(page);
   assert.equal((await state(page)).slice, "none");
   assert.equal(await canvas().isVisible(), false);

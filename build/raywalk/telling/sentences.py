@@ -143,7 +143,8 @@ def _pixel(event: RayEvent, facts: Facts, words: Words) -> tuple[list[Phrase], s
     tile = ", ".join(map(str, facts["bytes"]))
     of_255 = ", ".join(str(_eight_bit(value)) for value in facts["colour"])
     says = words.phrases("event.pixel.says", x=x, y=y, bytes=tile)
-    return says, _beside(_sum(facts, words), f"× 255: {of_255}")
+    in_bytes = f"× 255, {words.say('sum.clamped')}: {of_255}"
+    return says, _beside(_sum(facts, words), in_bytes)
 
 
 TELLERS: dict[str, Teller] = {
