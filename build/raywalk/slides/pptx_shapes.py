@@ -1,0 +1,197 @@
+"""Items of the display list as PPTX shapes: native, grouped, named, with alternative texts.
+
+The XML is written here, because one call of python-pptx's API a shape takes a hundred times as
+long.
+"""
+
+from __future__ import annotations
+
+import io
+from html import escape
+from typing import Any
+
+from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Polygon, Table, Text
+from raywalk.slides.layout import Box
+from raywalk.slides.palette import SCREEN, Palette
+from raywalk.slides.pptx_table import table_xml
+from raywalk.slides.pptx_text import text_body, wider
+from raywalk.slides.pptx_xml import NAMESPACES, emu, place, preset, solid
+from raywalk.slides.svg import HEAD_LONG
+from raywalk.slides.table_parts import cell_parts
+
+PRESET_DASH = {
+    "solid": "solid", "dash": "dash", "long": "lgDash", "short": "sysDash", "dots": "sysDot",
+    "dashdot": "dashDot", "hidden": "sysDash",
+}  # fmt: skip
+
+
+class ShapeWriter:
+    """XML of one slide's shapes; numbers them."""
+
+    def __init__(self, slide: Any, palette: Palette, language: str):
+        self.slide, self.palette, self.language = slide, palette, language
+        self.last = 100
+        self.has_title = False
+
+    def shapes(self, item: Item) -> list[str]:
+        """One shape, or those of which the item is made."""
+        match item:
+            case Line():
+                return [self._line(item)]
+            case Polygon():
+                return [self._polygon(item)]
+            case Dot():
+                return [self._dot(item)]
+            case Picture():
+                return [self._picture(item)]
+            case Text():
+                return [self._title(item) if item.is_title else self._text(item)]
+            case Table():
+                return self._table(item)
+            case Group():
+                return self._group(item)
+
+    def _about(self, name: str, alt: str = "", kind: str = "Sp") -> str:
+        self.last += 1
+        told = f' descr="{escape(alt)}"' if alt else ""
+        extra = {"Sp": "<p:cNvSpPr/>", "CxnSp": "<p:cNvCxnSpPr/>", "GrpSp": "<p:cNvGrpSpPr/>",
+                 "Pic": '<p:cNvPicPr><a:picLocks noChangeAspect="0"/></p:cNvPicPr>',
+                 "Box": '<p:cNvSpPr txBox="1"/>',
+                 "GraphicFrame": "<p:cNvGraphicFramePr/>"}[kind]  # fmt: skip
+        tag = "Sp" if kind == "Box" else kind
+        return (
+            f'<p:nv{tag}Pr><p:cNvPr id="{self.last}" name="{escape(name)}"{told}/>{extra}'
+            f"<p:nvPr/></p:nv{tag}Pr>"
+        )
+
+    def _line(self, line: Line) -> str:
+        (x1, y1), (x2, y2) = line.start, line.end
+        flips = (' flipH="1"' if x2 < x1 else "") + (' flipV="1"' if y2 < y1 else "")
+        box = Box(min(x1, x2), min(y1, y2), abs(x2 - x1), abs(y2 - y1))
+        head = '<a:tailEnd type="triangle" w="med" len="med"/>'
+        long_enough = abs(x2 - x1) + abs(y2 - y1) > HEAD_LONG * line.width
+        return (
+            f"<p:cxnSp {NAMESPACES}>{self._about(line.name, kind='CxnSp')}<p:spPr>"
+            f"{place(box, flips)}{preset('line')}"
+            f'<a:ln w="{emu(line.width)}">{solid(self._hex(line.colour))}'
+            f'<a:prstDash val="{PRESET_DASH[line.dash]}"/>'
+            f"{head if line.arrow and long_enough else ''}</a:ln></p:spPr></p:cxnSp>"
+        )
+
+    def _polygon(self, area: Polygon) -> str:
+        xs, ys = [p[0] for p in area.points], [p[1] for p in area.points]
+        box = Box(min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
+        steps = [f'<a:pt x="{emu(x - box.left)}" y="{emu(y - box.top)}"/>' for x, y in area.points]
+        path = f"<a:moveTo>{steps[0]}</a:moveTo>" + "".join(
+            f"<a:lnTo>{step}</a:lnTo>" for step in steps[1:]
+        )
+        return (
+            f"<p:sp {NAMESPACES}>{self._about(area.name)}<p:spPr>{place(box)}"
+            f'<a:custGeom><a:avLst/><a:pathLst><a:path w="{emu(box.width)}" '
+            f'h="{emu(box.height)}">{path}<a:close/></a:path></a:pathLst></a:custGeom>'
+            f"{self._fill(area.fill, area.opacity)}{self._edge(area.edge, area.edge_width)}"
+            "</p:spPr></p:sp>"
+        )
+
+    def _dot(self, dot: Dot) -> str:
+        r = dot.radius
+        box = Box(dot.centre[0] - r, dot.centre[1] - r, 2 * r, 2 * r)
+        return (
+            f"<p:sp {NAMESPACES}>{self._about(dot.name)}<p:spPr>{place(box)}{preset('ellipse')}"
+            f"{self._fill(dot.fill)}{self._edge(dot.edge, 1.0)}</p:spPr></p:sp>"
+        )
+
+    def _picture(self, picture: Picture) -> str:
+        data = picture.on_screen if self.palette is SCREEN else picture.on_paper
+        _, rid = self.slide.part.get_or_add_image_part(io.BytesIO(data))
+        return (
+            f"<p:pic {NAMESPACES}>{self._about(picture.name, picture.alt, 'Pic')}"
+            f'<p:blipFill><a:blip r:embed="{rid}"/><a:stretch><a:fillRect/></a:stretch>'
+            f"</p:blipFill><p:spPr>{place(picture.box)}{preset('rect')}</p:spPr></p:pic>"
+        )
+
+    def _title(self, text: Text) -> str:
+        """Into the layout's own place for it: outlines and screen readers look there."""
+        self.has_title = True
+        made = self.slide.shapes.title._element
+        made.getparent().remove(made)
+        self.last += 1
+        return (
+            f'<p:sp {NAMESPACES}><p:nvSpPr><p:cNvPr id="{self.last}" name="Title"/><p:cNvSpPr>'
+            '<a:spLocks noGrp="1"/></p:cNvSpPr><p:nvPr><p:ph type="title"/></p:nvPr></p:nvSpPr>'
+            f"<p:spPr>{place(wider(text))}</p:spPr>{self._body(text)}</p:sp>"
+        )
+
+    def _text(self, text: Text) -> str:
+        return (
+            f"<p:sp {NAMESPACES}>{self._about(text.name, kind='Box')}<p:spPr>{place(wider(text))}"
+            f"{preset('rect')}<a:noFill/></p:spPr>{self._body(text)}</p:sp>"
+        )
+
+    def _body(self, text: Text) -> str:
+        return text_body(text, self.palette, self.language)
+
+    def _table(self, table: Table) -> list[str]:
+        """A native table; samples of lines and swatches lie on it."""
+        frame = (
+            f"<p:graphicFrame {NAMESPACES}>{self._about(table.name, table.alt, 'GraphicFrame')}"
+            f"{place(table.box, tag='p:xfrm')}"
+            f"{table_xml(table, self.palette, self.language)}</p:graphicFrame>"
+        )
+        signs: list[Item] = []
+        for k, row in enumerate(table.rows):
+            left, top = table.box.left, table.box.top + k * table.row_height
+            for cell, width in zip(row, table.widths, strict=True):
+                sign = Cell(sample=cell.sample, swatch=cell.swatch)
+                signs += cell_parts(
+                    sign, Box(left, top, width, table.row_height), "left", table.size
+                )
+                left += width
+        return [frame, *(xml for sign in signs for xml in self.shapes(sign))]
+
+    def _group(self, group: Group) -> list[str]:
+        inner = [xml for item in group.items for xml in self.shapes(item)]
+        if not inner:
+            return []
+        box = bounds(group)
+        bare = "".join(xml.replace(f" {NAMESPACES}", "", 1) for xml in inner)
+        about = self._about(group.name, group.alt if group.is_figure else "", "GrpSp")
+        return [
+            f"<p:grpSp {NAMESPACES}>{about}<p:grpSpPr>{place(box, children=True)}</p:grpSpPr>"
+            f"{bare}</p:grpSp>"
+        ]
+
+    def _hex(self, colour: str) -> str:
+        return self.palette[colour][1:]
+
+    def _fill(self, colour: str | None, opacity: float = 1.0) -> str:
+        return solid(self._hex(colour), opacity) if colour else "<a:noFill/>"
+
+    def _edge(self, colour: str | None, width: float) -> str:
+        if not colour:
+            return "<a:ln><a:noFill/></a:ln>"
+        return f'<a:ln w="{emu(width)}">{solid(self._hex(colour))}</a:ln>'
+
+
+def bounds(group: Group) -> Box:
+    """The box round everything in a group."""
+    corners = [corner for item in group.items for corner in _corners(item)]
+    left, top = min(x for x, _ in corners), min(y for _, y in corners)
+    return Box(left, top, max(x for x, _ in corners) - left, max(y for _, y in corners) - top)
+
+
+def _corners(item: Item) -> list[tuple[float, float]]:
+    match item:
+        case Line():
+            return [item.start, item.end]
+        case Polygon():
+            return list(item.points)
+        case Dot():
+            (x, y), r = item.centre, item.radius
+            return [(x - r, y - r), (x + r, y + r)]
+        case Group():
+            return [corner for part in item.items for corner in _corners(part)]
+        case Text():
+            box = wider(item)
+            return [(box.left, box.top), (box.right, box.bottom)]
+    return [(item.box.left, item.box.top), (item.box.right, item.box.bottom)]
