@@ -17,7 +17,13 @@ export function createAddressBar(page: { home: string; onDisk: boolean; links: r
   return {
     write(how: "replace" | "push", now: ViewState, of: SceneData) {
       const address = addressOf(now, of);
-      if (address !== location.href) history[how === "push" ? "pushState" : "replaceState"](null, "", address);
+      if (address === location.href) return;
+      try {
+        history[how === "push" ? "pushState" : "replaceState"](null, "", address);
+      } catch {
+        // Refused: too many in a short time, or a page in a frame. The next one may be written.
+      }
     },
+    addressOf,
   };
 }

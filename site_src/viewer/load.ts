@@ -4,13 +4,14 @@
  */
 import { checkedBoxes } from "./trace/boxes";
 import { decode } from "./trace/decode";
+import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { SectionsData } from "./state/section";
 import type { SceneData, Trace } from "./trace/types";
 import { languageCode } from "./words";
 
-export type Loss = "missing" | "damaged" | "old browser";
+export type Loss = "missing" | "damaged" | "other version" | "old browser";
 
 /** What could not be loaded, and why. */
 export class LoadError extends Error {
@@ -29,18 +30,21 @@ declare global {
 }
 
 const OWN_LANGUAGE = "en"; // of scene.js
+const SCENE_FORMAT = 1;
 const KEPT_TRACES = 8; // a few megabytes each at most
 const KEPT_SCENES = 4;
 
 /** root: relative path from the page to the site's root, "" or ending in "/". */
 export function createLoader(root: string) {
   const arrived = new Map<string, string>();
+  const failed = new Map<string, number>(); // times that this was asked for in vain
   window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
 
   function script(name: string): Promise<string> {
     return new Promise((resolve, reject) => {
       const element = document.createElement("script");
-      element.src = `${root}scenes/${name}.js`;
+      const times = failed.get(name) ?? 0;
+      element.src = `${root}scenes/${name}.js${times ? `?again=${times}` : ""}`; // else a damaged copy would come back
       element.onload = () => {
         const text = arrived.get(name);
         arrived.delete(name);
@@ -56,12 +60,14 @@ export function createLoader(root: string) {
   }
 
   async function load<T>(name: string, read: (json: unknown, name: string) => T): Promise<T> {
-    const text = await script(name);
-    if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
     try {
+      const text = await script(name);
+      if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
       return read(await unpack(text), name);
-    } catch {
-      throw new LoadError(name, "damaged");
+    } catch (error) {
+      failed.set(name, (failed.get(name) ?? 0) + 1);
+      if (error instanceof LoadError) throw error;
+      throw new LoadError(name, error instanceof TraceError && error.code === "version" ? "other version" : "damaged");
     }
   }
 
@@ -103,7 +109,8 @@ function traceFrom(json: unknown, name: string): Trace {
 
 function sceneFrom(json: unknown): SceneData {
   const scene = json as SceneData;
-  if (scene?.format !== 1 || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
+  if (typeof scene?.format === "number" && scene.format !== SCENE_FORMAT) throw new TraceError("version", `written as ${scene.format}, this reads ${SCENE_FORMAT}`);
+  if (!scene?.format || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
   return scene;
 }
 

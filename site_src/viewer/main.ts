@@ -6,34 +6,39 @@ import { listenToKeys } from "./keys";
 import { giveKeysBack, listenToLinks } from "./links";
 import { createNavigation } from "./navigation";
 import { createNotice } from "./panels/notice";
+import { whenRefused } from "./panels/remember";
 import { createParts } from "./parts";
 import { createSession } from "./session";
 import { createModes } from "./modes";
 import { readAddress } from "./state/address";
 import { passTime } from "./time";
+import { listenToErrors } from "./trouble";
+import { say } from "./words";
 
 const BLINK_UP_TO = 5000; // lines: more would be drawn anew twice a second for one blinking tile
 
-function start() {
+/** own: the address of this script. */
+function start(own: string) {
   const { body } = document;
   const find = (selector: string) => document.querySelector<HTMLElement>(selector)!;
   const root = body.dataset.root ?? "";
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.scenes a[data-scene]")];
   const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
   const withGl = readAddress(location.hash, location.search).gl;
-  let simpler = ""; // why the stage is drawn without WebGL, once it is
   let held = false; // by a test: time moves only when it says so
 
   const session = createSession();
-  const notice = { ...createNotice(find("#notice")), lasting: () => simpler };
+  const notice = createNotice(find("#notice"));
+  listenToErrors(own, notice);
+  whenRefused(() => notice.say(say("trouble.storage")));
   const navigation = createNavigation(session, { root, home: body.dataset.scene ?? "", links, withGl }, notice, () => beat.draw());
   const acts = createActions(session, { draw: () => beat.draw(), turnScene: navigation.turn, sceneOfKey: navigation.ofKey });
   const parts = createParts(session, acts, {
     home: find("#viewer"),
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
-    notify: notice.say,
-    simpler: (why) => notice.say((simpler = why)),
+    pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
+    simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
   const modes = createModes(session, acts, { link: navigation.link, snapshot: parts.snapshot, slide: parts.slide, recolour: parts.recolour, notify: notice.say });
   const beat = createBeat({
@@ -73,4 +78,5 @@ function start() {
   });
 }
 
-start();
+// Without its words the page stays as it was written; language.js says so.
+if ("raywalkWords" in globalThis) start((document.currentScript as HTMLScriptElement).src);

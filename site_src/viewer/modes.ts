@@ -21,19 +21,27 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, s
 
   function keep(blob: Blob | null, ending: string) {
     const { state } = session;
-    if (!blob || !state) return;
+    if (!blob || !state) return notify(say("tools.notSaved"));
     const file = document.createElement("a");
     file.href = URL.createObjectURL(blob);
     file.download = `${state.scene}-${state.pixel.join("-")}.${ending}`;
     file.click();
     setTimeout(() => URL.revokeObjectURL(file.href), 1000);
   }
-  const save = () => snapshot()?.toBlob((blob) => keep(blob, "png"));
+  /** Browsers refuse for reasons of their own: no memory, a page in a frame without leave to. */
+  function trying(act: () => void) {
+    try {
+      act();
+    } catch {
+      notify(say("tools.notSaved"));
+    }
+  }
+  const save = () => trying(() => snapshot()?.toBlob((blob) => trying(() => keep(blob, "png"))));
 
   function saveSlide() {
     const drawn = slide();
     if (drawn === null) notify(say("tools.noSlide"));
-    else keep(new Blob([drawn], { type: "image/svg+xml" }), "svg");
+    else trying(() => keep(new Blob([drawn], { type: "image/svg+xml" }), "svg"));
   }
 
   function fullScreen() {

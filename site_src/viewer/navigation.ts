@@ -1,15 +1,20 @@
 /** From scene to scene and from grid to grid: what the address asks for is loaded, what is shown is written into it. */
 import { createAddressBar } from "./address-bar";
 import { createLoader } from "./load";
+import type { Notice } from "./panels/notice";
 import type { Session } from "./session";
 import { followAddress, readAddress } from "./state/address";
 import * as player from "./state/play";
 import type { Kept } from "./state/view-state";
-import { troubleOfScene, troubleOfTrace } from "./trouble";
+import type { SceneData } from "./trace/types";
+import { troubleOfNextScene, troubleOfScene, troubleOfTrace, type Trouble } from "./trouble";
 import { list, say } from "./words";
 
 const ADDRESS_AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
 const PATIENCE = 150; // ms before a missing trace shows
+const SLOW = 8000; // ms after which it is said that something is still on its way
+const TOLD_KEYS = 6; // of an address; more, and longer ones, would only be noise
+const TOLD_LETTERS = 16;
 
 export interface Place {
   root: string; // relative path to the site's root
@@ -18,21 +23,15 @@ export interface Place {
   withGl: boolean;
 }
 
-export interface Notice {
-  say: (sentence: string) => void;
-  hide: () => void;
-  text: () => string;
-  lasting: () => string; // what stays true in another scene, or ""
-}
-
 export function createNavigation(session: Session, { root, home, links, withGl }: Place, notice: Notice, draw: () => void) {
   const { body } = document;
   const onDisk = location.protocol === "file:";
   const ids = links.map((link) => link.dataset.scene!);
   const addressBar = createAddressBar({ home, onDisk, links });
   const loader = createLoader(root);
-  const troublesOfTraces = new Set<string>();
-  let asked = 0; // the newest request for a scene or a trace; older ones that arrive late are dropped
+  let sceneAsked = 0; // the newest request; older ones that arrive late, or never, are dropped
+  let traceAsked = 0;
+  let heading = home; // the scene that is shown, or on its way
   let addressTimer = 0;
   let wanted = ""; // the scene whose boxes have been asked for
 
@@ -41,23 +40,33 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     if (session.state && session.scene) addressBar.write(how, session.state, session.scene);
   }
 
+  const tell = ({ sentence, more }: Trouble) => notice.say(sentence, more);
+
+  /** Says so if it takes long. */
+  async function awaited<T>(what: Promise<T>, about: "scene" | "trace"): Promise<T> {
+    const wait = window.setTimeout(() => notice.say(say("trouble.slow"), { about }), SLOW);
+    try {
+      return await what;
+    } finally {
+      clearTimeout(wait);
+    }
+  }
+
   async function loadTrace() {
     if (!session.state) return;
-    const mine = ++asked;
+    const mine = ++traceAsked;
     const { scene: id, n } = session.state;
     const wait = window.setTimeout(draw, PATIENCE); // slow: say so, with an empty frustum
     try {
-      const arrived = await loader.trace(id, n);
-      if (mine !== asked) return;
+      const arrived = await awaited(loader.trace(id, n), "trace");
+      if (mine !== traceAsked) return;
       session.receive(arrived);
-      if (troublesOfTraces.has(notice.text())) notice.hide();
+      notice.hide("trace");
     } catch (error) {
-      if (mine !== asked) return;
+      if (mine !== traceAsked) return;
       session.receive(null);
       session.missing = true;
-      const sentence = troubleOfTrace(error, n);
-      troublesOfTraces.add(sentence);
-      notice.say(sentence);
+      tell(troubleOfTrace(error, n, () => void loadTrace()));
     } finally {
       clearTimeout(wait);
     }
@@ -77,44 +86,73 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     } catch {
       if (session.state?.scene !== state.scene) return;
       session.set({ ...session.state, slice: "none" });
-      notice.say(say("trouble.sliceMissing"));
+      const { slice } = state;
+      notice.say(say("trouble.sliceMissing"), { again: () => session.state && session.set({ ...session.state, slice }) });
     }
   }
 
-  /** The scene its address asks for, in this page. */
-  async function show(id: string, fields: ReadonlyMap<string, string>, kept: Kept) {
-    const mine = ++asked;
-    const arrived = await loader.scene(id);
-    if (mine !== asked) return;
+  /** What tests are made on, where the tiles show their number: few want it, so it comes when asked for. */
+  async function wantBoxes() {
+    const { state, scene } = session;
+    if (state?.colours !== "tests" || !scene || !Object.keys(scene.meshes).length || wanted === scene.id) return;
+    wanted = scene.id;
+    try {
+      const arrived = await loader.boxes(scene.id);
+      if (session.scene !== scene) return;
+      session.boxes = arrived;
+      draw();
+    } catch {
+      if (session.scene === scene) notice.say(say("trouble.boxesMissing"), { again: () => ((wanted = ""), void wantBoxes()) });
+    }
+  }
+
+  /** The scene its address asks for, in this page; false if another one was asked for meanwhile. */
+  async function show(id: string, fields: ReadonlyMap<string, string>, kept: Kept): Promise<boolean> {
+    const mine = ++sceneAsked;
+    heading = id;
+    let arrived: SceneData;
+    try {
+      arrived = await awaited(loader.scene(id), "scene");
+    } catch (error) {
+      if (mine !== sceneAsked) return false;
+      heading = session.state?.scene ?? home;
+      throw error;
+    }
+    if (mine !== sceneAsked) return false;
     const followed = followAddress(fields, arrived, kept);
     session.scene = arrived;
     session.state = followed.state;
     session.receive(null);
     session.lit = null;
-    notice.hide();
-    if (notice.lasting()) notice.say(notice.lasting());
+    notice.leaveScene();
     body.classList.add("live");
     await loadTrace();
+    if (mine !== sceneAsked) return false;
     const told = session.timeline();
     if (told && session.state?.event && session.state.event >= told.events.length) {
       followed.damaged.push("e");
-      session.set({ ...session.state, ...player.NOT_TOLD });
+      session.set(player.goToEvent(session.state, told, told.events.length - 1));
     }
-    if (followed.damaged.length) notice.say(say("trouble.address", { keys: list(followed.damaged) }));
+    if (followed.damaged.length) notice.say(say("trouble.address", { keys: list(shortened(followed.damaged)) }), { about: "address" });
+    return true;
   }
 
   /** lesson: at its first step. */
   async function open(id: string, lesson = false) {
-    const kept = session.state;
-    if (!kept || id === kept.scene) return;
+    if (id === heading && session.state) return;
+    const kept = session.state ?? { speed: 1, still: false, gl: withGl, tiles: "empty" };
+    if (id === session.state?.scene) {
+      sceneAsked++; // back to where one still is: what is on its way may come, but is not wanted
+      heading = id;
+      return;
+    }
     writeAddress("replace"); // what is left behind, before a new entry is made
     const fields = new Map(lesson ? [["step", "1"]] : kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
     try {
-      await show(id, fields, kept);
-      writeAddress("push");
+      if (await show(id, fields, kept)) writeAddress("push");
     } catch {
-      // Its own page says everything that is known without its data.
-      location.assign(links[ids.indexOf(id)].href);
+      const { title, href } = links[ids.indexOf(id)];
+      tell(troubleOfNextScene(title, href, () => void open(id, lesson)));
     }
   }
 
@@ -128,16 +166,17 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     const id = named && ids.includes(named) ? named : onDisk ? home : sceneOfPath();
     try {
       await show(id, fields, { speed: 1, still, gl: gl && withGl });
-      if (named && !ids.includes(named)) notice.say(say("trouble.unknownScene", { id: named }));
+      if (named && !ids.includes(named)) notice.say(say("trouble.unknownScene", { id: shortened([named])[0] }), { about: "scene" });
     } catch (error) {
       body.classList.remove("live");
-      notice.say(troubleOfScene(error));
+      tell(troubleOfScene(error, followPage));
     }
   }
 
   let ready = Promise.resolve();
   const followPage = () => void (ready = follow());
   window.addEventListener("popstate", followPage);
+  window.addEventListener("online", notice.tryAgain);
   window.addEventListener("pagehide", () => writeAddress("replace"));
 
   return {
@@ -149,32 +188,21 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     /** The view's whole address; embedded, that of the page it belongs to. */
     link() {
       writeAddress("replace");
-      const whole = new URL(location.href);
+      const whole = new URL(session.state && session.scene ? addressBar.addressOf(session.state, session.scene) : location.href);
       whole.searchParams.delete("embed");
       return whole.href;
     },
     open,
     /** The next or the previous scene, round and round. */
     turn(by: 1 | -1, intoLesson = false) {
-      const at = ids.indexOf(session.state?.scene ?? home);
+      const at = ids.indexOf(heading);
       void open(ids[(at + by + ids.length) % ids.length], intoLesson);
     },
     ofKey(key: string) {
       const link = links.find((each) => each.dataset.key === key);
       if (link) void open(link.dataset.scene!);
     },
-    /** What tests are made on, where the tiles show their number: few want it, so it comes when asked for. */
-    async wantBoxes() {
-      const { state, scene } = session;
-      if (state?.colours !== "tests" || !scene || !Object.keys(scene.meshes).length || wanted === scene.id) return;
-      wanted = scene.id;
-      try {
-        session.boxes = await loader.boxes(scene.id);
-        draw();
-      } catch {
-        notice.say(say("trouble.boxesMissing"));
-      }
-    },
+    wantBoxes,
     /** Writes the state into the address when it rests. */
     writeSoon() {
       clearTimeout(addressTimer);
@@ -182,3 +210,9 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     },
   };
 }
+
+/** What an address asks for may be anything: so much of it is said again. */
+const shortened = (keys: readonly string[]): string[] => {
+  const short = keys.slice(0, TOLD_KEYS).map((key) => (key.length > TOLD_LETTERS ? `${key.slice(0, TOLD_LETTERS)}\u2026` : key));
+  return keys.length > TOLD_KEYS ? [...short, "\u2026"] : short;
+};

@@ -28,21 +28,22 @@ export interface Surroundings {
   home: HTMLElement; // what the parts go into
   page: PageParts;
   withGl: boolean;
-  notify: (sentence: string) => void;
-  /** The stage is drawn in a simpler way from now on. */
+  pictureFailed: (again: () => void) => void;
+  /** Why the stage is drawn in a simpler way from now on; "": it no longer is. */
   simpler: (why: string) => void;
 }
 
-export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, notify, simpler }: Surroundings) {
-  const flat = (why: "refused" | "lost") => {
-    document.body.dataset.renderer = "flat";
-    simpler(say(`trouble.${why}`));
+export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, pictureFailed, simpler }: Surroundings) {
+  const flat = (why: "refused" | "lost" | null) => {
+    if (why) document.body.dataset.renderer = "flat";
+    else delete document.body.dataset.renderer;
+    simpler(why ? say(`trouble.${why}`) : "");
   };
   const stage = createStage({ ...acts, move: acts.observer, flat }, pageParts.root, withGl, () => [...document.querySelectorAll(".view-pad, .view-switch, .view-note, .stage-tools > *")]);
   const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
   const slice = createSlice({ pick: acts.pickAlong });
   const viewSwitch = createViewSwitch({ look: acts.look, slice: acts.slice });
-  const picture = createPicture(pageParts.root, { ...acts, failed: () => notify(say("trouble.pictureMissing")) });
+  const picture = createPicture(pageParts.root, { ...acts, failed: pictureFailed });
   const card = createCard(acts);
   const controls = createControls(acts);
   const legend = createLegend();

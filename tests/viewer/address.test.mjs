@@ -1,7 +1,7 @@
 /** The whole view is in the address. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
@@ -31,22 +31,6 @@ test("a moved observer comes back where it was", async () => {
   await page.evaluate(() => window.raywalk.ready);
   await until(page, (s, t) => t.eye !== null);
   for (const [k, value] of (await stats(page)).eye.entries()) assert.ok(Math.abs(value - eye[k]) < 1e-3);
-});
-
-for (const damaged of ["n=16", "p=99,2", "rays=diagonal", "cam=1,2", "tiles=half", "step=999", "e=0", "e=999", "colour=red", "n=&p=%%%"])
-  test(`a damaged link (#${damaged}) shows the scene's start and says so`, async () => {
-    await follow(page, damaged);
-    await until(page, (s, t) => t.tiles.length > 0);
-    assert.match(await page.locator("#notice").innerText(), /The address asks for something/);
-    const now = await state(page);
-    assert.equal(now.observer, "start");
-    assert.equal(now.tiles, "empty");
-  });
-
-test("an unknown scene in the address shows the page's own and says so", async () => {
-  await open(page, ON_DISK, rich.path, "scene=no-such");
-  assert.equal((await state(page)).scene, rich.id);
-  assert.match(await page.locator("#notice").innerText(), /no scene called/);
 });
 
 test("from a disk another scene is named in the address and survives a reload", async () => {

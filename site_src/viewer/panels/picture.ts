@@ -10,7 +10,7 @@ const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the pictu
 const COVER = "#39434F";
 const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
 
-export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; point: (tile: readonly [number, number] | null) => void; failed: () => void }) {
+export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; point: (tile: readonly [number, number] | null) => void; failed: (again: () => void) => void }) {
   const image = element("img");
   image.alt = ""; // until there is a scene
   const marks = element("canvas", "marks");
@@ -74,7 +74,11 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
     pick(event);
   });
   marks.addEventListener("pointermove", pick);
-  image.addEventListener("error", () => acts.failed());
+  let times = 0; // that a picture was asked for in vain
+  image.addEventListener("error", () => {
+    const missing = image.src.replace(/\?.*/, "");
+    acts.failed(() => void (image.src = `${missing}?again=${++times}`));
+  });
   const watcher = new ResizeObserver(draw);
   watcher.observe(frame);
 

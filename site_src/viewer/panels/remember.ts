@@ -19,10 +19,14 @@ export const singleKeys = {
   },
 };
 
+let tellRefused = () => {};
+/** act: storage is full or refused, so what was chosen holds until the page is closed. */
+export const whenRefused = (act: () => void) => void (tellRefused = act);
+
 export function remember(name: string, value: string) {
   try {
     localStorage.setItem(`raywalk ${name}`, value);
   } catch {
-    // then it is chosen anew next time
+    tellRefused();
   }
 }

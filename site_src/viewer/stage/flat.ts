@@ -196,6 +196,7 @@ export function createFlatRenderer(): StageRenderer {
       canvas.height = Math.round(height * ratio);
     },
     forget: () => {}, // it keeps none
+    held: () => ({}),
     dispose: () => canvas.remove(),
   };
 }

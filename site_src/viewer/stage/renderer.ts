@@ -31,4 +31,6 @@ export interface StageRenderer {
   /** CSS pixels, and device pixels in each. */
   resize: (width: number, height: number, ratio: number) => void;
   dispose: () => void;
+  /** For tests: how many things the graphics card keeps for it. */
+  held: () => Readonly<Record<string, number>>;
 }

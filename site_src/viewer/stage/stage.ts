@@ -20,11 +20,13 @@ export interface StageActs {
   light: (line: LitLine | null) => void;
   /** The tile under the pointer. */
   point: (tile: readonly [number, number] | null) => void;
-  /** WebGL is refused or was lost; the flat renderer has taken over. */
-  flat: (why: "refused" | "lost") => void;
+  /** WebGL is refused or was lost, and the flat renderer has taken over; null: WebGL is back. */
+  flat: (why: "refused" | "lost" | null) => void;
 }
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
+const RECOVER_AFTER = 1000; // ms: the driver needs a moment
+const RECOVERIES = 2; // a graphics card that goes on dropping drawings is left alone
 const NEAR_A_LINE = 9; // pixels
 const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
@@ -48,13 +50,25 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
   if (withGl && isFlat) queueMicrotask(() => acts.flat("refused"));
   element.append(renderer.canvas, traced.element, labels.element);
 
-  function fallBack() {
+  let losses = 0;
+  function replaceBy(other: StageRenderer, flat: boolean) {
+    renderer.dispose();
     renderer.canvas.remove();
-    renderer = createFlatRenderer();
-    isFlat = true;
+    renderer = other;
+    isFlat = flat;
     element.prepend(renderer.canvas);
     measure();
+  }
+  function fallBack() {
+    replaceBy(createFlatRenderer(), true);
     acts.flat("lost");
+    if (++losses <= RECOVERIES) setTimeout(recover, RECOVER_AFTER);
+  }
+  function recover() {
+    const anew = createWebglRenderer(fallBack);
+    if (!anew) return;
+    replaceBy(anew, false);
+    acts.flat(null);
   }
 
   /** What stands on the stage at this moment: panels open and close. */
@@ -200,6 +214,7 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
       height: size.height,
       eye: observer?.eye ?? null,
       target: observer?.target ?? null,
+      gpu: renderer.held(),
       reach: observer ? length(sub(observer.eye, observer.target)) : 0,
       /** Stage pixel near the end of the k-th of the selected pixel's lines. */
       onLine: (k: number) => projection!.project(along(view!.chosen[k].from, view!.chosen[k].to, 0.8)),

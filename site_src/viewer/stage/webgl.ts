@@ -122,6 +122,7 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
       for (const set of sets.values()) set.dispose();
       sets.clear();
     },
+    held: () => ({ ...renderer.info.memory, programs: renderer.info.programs?.length ?? 0, sets: sets.size }),
     dispose() {
       for (const set of sets.values()) set.dispose();
       renderer.dispose();

@@ -10,6 +10,10 @@ import { length, sub, type Vec3 } from "./vectors";
 
 const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "speed", "projector", "still", "gl"];
 
+const FARTHEST = 50; // radii of the scene from its centre, for eye and target
+const NEAREST = 1e-6;
+const MOST_EVENTS = 1e6;
+
 /** Six numbers, eye then target; enough digits that the same view comes back. */
 const placeOf = (observer: ViewState["observer"]) =>
   typeof observer === "string" ? observer : [...observer.eye, ...observer.target].map((v) => String(Number(v.toPrecision(5)))).join(",");
@@ -51,62 +55,86 @@ export function readAddress(hash: string, query: string): { fields: Map<string, 
   };
 }
 
-function whole(text: string): number {
-  return /^\d{1,6}$/.test(text) ? Number(text) : Number.NaN;
+const numberIn = (text: string): number => (/^[-+]?\d+(\.\d*)?(e\d+)?$/i.test(text.trim()) ? Number(text) : Number.NaN);
+
+/** allowed: in order. Asked for within them first: beside a huge number all are equally far. */
+function nearestOf(asked: number, allowed: readonly number[]): number {
+  const within = Math.max(allowed[0], Math.min(allowed[allowed.length - 1], asked));
+  return allowed.reduce((best, each) => (Math.abs(each - within) < Math.abs(best - within) ? each : best));
 }
 
-function readObserver(text: string): View["observer"] | null {
-  if (text === "start" || text === "camera") return text;
+/** The place asked for, or the nearest from which the scene is still to be seen; null if it is none. */
+function readObserver(text: string, { center, radius }: SceneData["bounds"]): { observer: NonNullable<View["observer"]>; isMoved: boolean } | null {
+  if (text === "start" || text === "camera") return { observer: text, isMoved: false };
   const v = text.split(",").map((each) => (each.trim() === "" ? Number.NaN : Number(each)));
   if (v.length !== 6 || !v.every(Number.isFinite)) return null;
-  const [eye, target] = [v.slice(0, 3), v.slice(3)] as unknown as [Vec3, Vec3];
+  const far = FARTHEST * radius;
+  const near = v.map((each, k) => Math.max(center[k % 3] - far, Math.min(center[k % 3] + far, each)));
+  const [eye, target] = [near.slice(0, 3), near.slice(3)] as unknown as [Vec3, Vec3];
   const arm = sub(eye, target);
   // Straight above or below its target the observer has no upright.
-  return length(arm) > 1e-6 && Math.hypot(arm[0], arm[2]) > 1e-6 ? { eye, target } : null;
+  return length(arm) > NEAREST * radius && Math.hypot(arm[0], arm[2]) > NEAREST * radius ? { observer: { eye, target }, isMoved: near.join() !== v.join() } : null;
 }
 
-/** The state an address asks for, and the keys it names that cannot be followed (then those parts
- *  stay at the scene's start). */
+/** The state an address asks for, and the keys it names that cannot be followed: numbers are the nearest that
+ *  there are, what is no number stays at the scene's start. */
 export function followAddress(
   fields: ReadonlyMap<string, string>,
   scene: SceneData,
   kept: Kept,
 ): { state: ViewState; damaged: string[] } {
-  const damaged = [...fields.keys()].filter((key) => !KNOWN.includes(key));
+  const damaged = new Set([...fields.keys()].filter((key) => !KNOWN.includes(key)));
+  const nearest = (key: string, asked: number, allowed: readonly number[]): number => {
+    const found = nearestOf(asked, allowed);
+    if (found !== asked) damaged.add(key);
+    return found;
+  };
+  const within = (key: string, text: string, first: number, last: number): number | null => {
+    const asked = numberIn(text);
+    if (Number.isNaN(asked) || last < first) return null;
+    const found = Math.max(first, Math.min(last, Math.round(asked)));
+    if (found !== asked) damaged.add(key);
+    return found;
+  };
   const read = <T>(key: string, parse: (text: string) => T | null): T | undefined => {
     const text = fields.get(key);
     if (text === undefined) return undefined;
     const value = parse(text);
-    if (value === null) damaged.push(key);
+    if (value === null) damaged.add(key);
     return value ?? undefined;
   };
-  const step = read("step", (text) => (scene.lesson[whole(text) - 1] ? whole(text) - 1 : null)) ?? null;
+  const asked = read("step", (text) => within("step", text, 1, scene.lesson.length)) ?? null;
+  const step = asked === null ? null : asked - 1;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
   const told = step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view;
-  const resolution = read("n", (text) => (scene.levels.includes(whole(text)) ? whole(text) : null)) ?? told.resolution;
+  const resolution = read("n", (text) => (Number.isNaN(numberIn(text)) ? null : nearest("n", numberIn(text), scene.levels))) ?? told.resolution;
   const n = resolution ?? scene.start.resolution;
   const view: View = {
     resolution,
     pixel: read("p", (text) => {
-      const p = text.split(",").map(whole);
-      return p.length === 2 && p.every((k) => k < n) ? ([p[0], p[1]] as const) : null;
+      const [column, row, ...more] = text.split(",").map((each) => within("p", each, 0, n - 1));
+      return column === null || row === null || row === undefined || more.length ? null : ([column, row] as const);
     }) ?? (n === (told.resolution ?? scene.start.resolution) ? told.pixel : undefined),
     rays: read("rays", (text) => {
       const asked = text === "none" ? [] : text.split(",");
       return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
     }) ?? told.rays,
     tiles: read("tiles", (text) => (text === "empty" || text === "filled" ? text : null)) ?? told.tiles,
-    observer: read("cam", readObserver) ?? told.observer,
+    observer: read("cam", (text) => {
+      const found = readObserver(text, scene.bounds);
+      if (found?.isMoved) damaged.add("cam");
+      return found && found.observer;
+    }) ?? told.observer,
     look: read("look", (text) => LOOKS.find((each) => each === text) ?? null) ?? told.look,
     slice: read("slice", (text) => SLICES.find((each) => each === text) ?? null) ?? told.slice,
     switches: told.switches,
     colours: read("colours", (text) => TILE_VIEWS.find((each) => each === text) ?? null) ?? told.colours,
   };
   // How many events there are is known with the trace.
-  const event = read("e", (text) => (whole(text) > 0 ? whole(text) - 1 : null)) ?? null;
-  const speed = read("speed", (text) => (SPEEDS.includes(Number(text)) ? Number(text) : null)) ?? kept.speed;
+  const event = read("e", (text) => within("e", text, 1, MOST_EVENTS));
+  const speed = read("speed", (text) => (Number.isNaN(numberIn(text)) ? null : nearest("speed", numberIn(text), SPEEDS))) ?? kept.speed;
   const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
   const state = applyView(scene, startState(scene, { ...kept, speed, projector }), view);
   const switches = read("if", (text) => (text === "none" ? AS_TRACED : readSwitches(text, scene))) ?? state.switches;
-  return { state: { ...state, step, revealed, event, switches }, damaged };
+  return { state: { ...state, step, revealed, event: event === undefined ? null : event - 1, switches }, damaged: [...damaged] };
 }
