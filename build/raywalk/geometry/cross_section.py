@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from raywalk.geometry.mesh_file import Triangles
 
 ROUND = 96  # corners of a cylinder's outline
+AXES = np.eye(3)
 TOUCH = 1e-12  # radii: a plane this near to touching a sphere shows the point that its rays meet
 BOX_CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
 BOX_EDGES = [(i, j) for i in range(8) for j in range(i) if bin(i ^ j).count("1") == 1]
@@ -37,10 +40,10 @@ class Cut:
     axes: np.ndarray  # (2, 3) rows x, y: unit, perpendicular
     reach: float  # world units from the origin: infinite planes end there
 
-    @property
+    @cached_property
     def normal(self) -> np.ndarray:
         """(3,) unit."""
-        return np.cross(self.axes[0], self.axes[1])
+        return _cross(self.axes[0], self.axes[1])
 
     def flat(self, points: np.ndarray) -> np.ndarray:
         """(..., 2) coordinates of world points, seen along the normal."""
@@ -55,22 +58,36 @@ class Outline:
     kind: str  # "closed", "open" or "ellipse"
 
 
-def outlines(obj: SceneObject, cut: Cut, triangles: Triangles | None = None) -> list[Outline]:
-    """The curves in which a plane meets an object's surface; [] if it passes by.
+class Sliced:
+    """One object to be cut by many planes: where it stands is worked out once."""
 
-    triangles: of a mesh object.
-    """
-    if triangles is not None:
-        return list(_mesh_outlines(triangles, cut))
-    linear, centre = placement(obj)
-    # In canonical coordinates c the plane is normal . c = offset.
-    normal, offset = linear.T @ cut.normal, cut.normal @ (cut.origin - centre)
-    length = float(np.linalg.norm(normal))
-    if not length > 0:
-        return []
-    normal, offset = normal / length, offset / length
-    kind, corners = _canonical(obj, normal, float(offset), 2 * cut.reach / _smallest_scale(linear))
-    return [Outline(_placed(each, kind, linear, centre, cut), kind) for each in corners]
+    def __init__(self, obj: SceneObject, triangles: Triangles | None = None):
+        """triangles: of a mesh object."""
+        self._object, self._triangles = obj, triangles
+        if triangles is None:
+            self._linear, self._centre = placement(obj)
+            self._smallest = float(np.linalg.svd(self._linear, compute_uv=False).min())
+
+    def outlines(self, cut: Cut) -> list[Outline]:
+        """The curves in which a plane meets the object's surface; [] if it passes by."""
+        if self._triangles is not None:
+            # Only here: a scene without a mesh runs none of it.
+            from raywalk.geometry.mesh_section import mesh_chains
+
+            return [
+                Outline(points, "closed" if is_closed else "open")
+                for points, is_closed in mesh_chains(self._triangles, cut)
+            ]
+        linear, centre = self._linear, self._centre
+        # In canonical coordinates c the plane is normal . c = offset.
+        normal, offset = linear.T @ cut.normal, cut.normal @ (cut.origin - centre)
+        length = _length(normal)
+        if not length > 0:
+            return []
+        normal, offset = normal / length, offset / length
+        reach = 2 * cut.reach / self._smallest
+        kind, corners = _canonical(self._object, normal, float(offset), reach)
+        return [Outline(_placed(each, kind, linear, centre, cut), kind) for each in corners]
 
 
 def _canonical(
@@ -137,16 +154,18 @@ def _cylinder(normal: np.ndarray, offset: float) -> np.ndarray:
 
 def _kept_below(corners: np.ndarray, side: float) -> np.ndarray:
     """A polygon cut at side * z <= 1 (Sutherland, Hodgman 1974)."""
-    kept = []
-    for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        above = [side * start[2] - 1, side * end[2] - 1]
-        if above[0] <= 0:
-            kept.append(start)
-        if above[0] * above[1] < 0:
-            crossing = start + above[0] / (above[0] - above[1]) * (end - start)
-            crossing[2] = side  # exactly: that is how an edge on a cap is known
-            kept.append(crossing)
-    return np.array(kept).reshape(-1, 3)
+    above = side * corners[:, 2] - 1
+    if (above <= 0).all():
+        return corners
+    end, above_end = np.roll(corners, -1, axis=0), np.roll(above, -1)
+    crosses = above * above_end < 0
+    share = above[crosses] / (above[crosses] - above_end[crosses])
+    crossing = corners[crosses] + share[:, None] * (end[crosses] - corners[crosses])
+    crossing[:, 2] = side  # exactly: that is how an edge on a cap is known
+    # Each corner's crossing comes behind it.
+    both = np.concatenate([corners[above <= 0], crossing])
+    place = np.concatenate([np.flatnonzero(above <= 0), np.flatnonzero(crosses) + 0.5])
+    return np.asarray(both[np.argsort(place)])
 
 
 def _without_caps(section: np.ndarray) -> Iterator[np.ndarray]:
@@ -168,11 +187,11 @@ def _without_caps(section: np.ndarray) -> Iterator[np.ndarray]:
 def _chord(normal: np.ndarray, offset: float, axis: np.ndarray, radius: float) -> list[np.ndarray]:
     """The plane's line in the disc of this radius across an axis through the origin."""
     inward = normal - (normal @ axis) * axis
-    length = float(np.linalg.norm(inward))
+    length = _length(inward)
     if length < 1e-12 or abs(offset) >= radius * length:
         return []
     nearest = offset / length**2 * inward
-    along = np.cross(axis, inward / length) * np.sqrt(radius**2 - (offset / length) ** 2)
+    along = _cross(axis, inward / length) * np.sqrt(radius**2 - (offset / length) ** 2)
     return [np.array([nearest - along, nearest + along])]
 
 
@@ -188,50 +207,18 @@ def _crossed(
     return [np.array(points)] if points else []
 
 
-def _mesh_outlines(triangles: Triangles, cut: Cut) -> Iterator[Outline]:
-    """Chains of the lines in which triangles meet the plane, each begun once."""
-    corners, faces = triangles.vertices, triangles.faces
-    height = corners @ cut.normal - cut.normal @ (cut.origin - triangles.centre)
-    above = height >= 0
-    cut_faces = faces[above[faces].any(axis=1) & ~above[faces].all(axis=1)]
-    if not len(cut_faces):
-        return
-    edges = np.sort(cut_faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2)
-    crossed = above[edges[..., 0]] != above[edges[..., 1]]  # (f, 3), two a face
-    ends, place = np.unique(edges[crossed], axis=0, return_inverse=True)
-    low, high = ends[:, 0], ends[:, 1]
-    share = height[low] / (height[low] - height[high])
-    points = corners[low] + share[:, None] * (corners[high] - corners[low]) + triangles.centre
-    flat = cut.flat(points)
-    for chain in _chains(place.reshape(-1, 2), len(ends)):
-        is_closed = chain[0] == chain[-1] and len(chain) > 3
-        yield Outline(flat[chain[:-1] if is_closed else chain], "closed" if is_closed else "open")
-
-
-def _chains(links: np.ndarray, count: int) -> Iterator[list[int]]:
-    """Walks along links between `count` points; chains that have an end come first."""
-    beside: list[list[int]] = [[] for _ in range(count)]
-    for a, b in links.tolist():
-        beside[a].append(b)
-        beside[b].append(a)
-    starts = [k for k in range(count) if len(beside[k]) == 1]
-    for start in [*starts, *range(count)]:
-        chain = [start]
-        while beside[chain[-1]]:
-            following = beside[chain[-1]].pop()
-            beside[following].remove(chain[-1])
-            chain.append(following)
-        if len(chain) > 1:
-            yield chain
-
-
 def _across(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Two unit vectors perpendicular to a unit one and to each other."""
-    least = np.eye(3)[int(np.argmin(np.abs(normal)))]
-    u = np.cross(normal, least)
-    u /= np.linalg.norm(u)
-    return u, np.cross(normal, u)
+    u = _cross(normal, AXES[int(np.argmin(np.abs(normal)))])
+    u /= _length(u)
+    return u, _cross(normal, u)
 
 
-def _smallest_scale(linear: np.ndarray) -> float:
-    return float(np.linalg.svd(linear, compute_uv=False).min())
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Of two vectors (3,). numpy's own takes ten times as long to find that they are two."""
+    (ax, ay, az), (bx, by, bz) = a.tolist(), b.tolist()
+    return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+
+
+def _length(vector: np.ndarray) -> float:
+    return math.sqrt(vector @ vector)

@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.geometry.cross_section import Cut, Outline, outlines
-from raywalk.scene.model import Mesh, Scene
+from raywalk.geometry.cross_section import Cut, Outline, Sliced
 from raywalk.trace.camera import camera_frame
 from raywalk.trace.record import kept_pixels
 from raywalk.trace.wavefront import Tracer
@@ -34,17 +33,21 @@ def sections_of(tracer: Tracer) -> Json:
     and two conjugate half axes.
     """
     scene = tracer.scene
+    eye = np.array(scene.camera.eye, float)
     right, up, forward = camera_frame(scene.camera)
     reach = REACH * tracer.scene_sphere[1]
     size = scene.render.size
     used = kept_pixels(size, scene.render.resolutions).reshape(size, size).any(axis=0)
     spread = float(np.tan(np.radians(scene.camera.fov) / 2))
+    meshes = {mesh.index: mesh.triangles for mesh in tracer.compiled.meshes}
+    sliced = [Sliced(obj, meshes.get(k)) for k, obj in enumerate(scene.objects)]
 
     def sections(across: np.ndarray, along: np.ndarray, sign: int) -> Json:
         made = {}
         for pixel in np.flatnonzero(used).tolist():
             slope = sign * (2 * (pixel + 0.5) / size - 1) * spread
-            made[str(pixel)] = [slope, _section(tracer, _cut(scene, slope, across, along, reach))]
+            cut = _cut(eye, forward + slope * across, along, reach)
+            made[str(pixel)] = [slope, _section(sliced, cut)]
         return made
 
     return {
@@ -58,18 +61,14 @@ def sections_of(tracer: Tracer) -> Json:
     }
 
 
-def _cut(scene: Scene, slope: float, across: np.ndarray, along: np.ndarray, reach: float) -> Cut:
-    forward = camera_frame(scene.camera)[2] + slope * across
-    ahead = forward / np.linalg.norm(forward)
-    return Cut(np.array(scene.camera.eye, float), np.array([ahead, along]), reach)
+def _cut(eye: np.ndarray, forward: np.ndarray, along: np.ndarray, reach: float) -> Cut:
+    return Cut(eye, np.array([forward / np.linalg.norm(forward), along]), reach)
 
 
-def _section(tracer: Tracer, cut: Cut) -> list[list[int]]:
-    meshes = {mesh.index: mesh.triangles for mesh in tracer.compiled.meshes}
+def _section(sliced: list[Sliced], cut: Cut) -> list[list[int]]:
     found = []
-    for k, obj in enumerate(tracer.scene.objects):
-        assert isinstance(obj.shape, Mesh) == (k in meshes)
-        for outline in outlines(obj, cut, meshes.get(k)):
+    for k, each in enumerate(sliced):
+        for outline in each.outlines(cut):
             found += _whole_steps(k, outline, cut.reach / STEPS)
     return found
 
@@ -89,8 +88,10 @@ def _apart(points: np.ndarray) -> np.ndarray:
     """Leaves out points nearer than APART to the last one kept; the ends stay."""
     if len(points) < 5:
         return points
-    kept = [0]
-    for k in range(1, len(points) - 1):
-        if np.abs(points[k] - points[kept[-1]]).max() >= APART:
+    rows = points.tolist()
+    kept, (x, y) = [0], rows[0]
+    for k, (to_x, to_y) in enumerate(rows[1:-1], 1):
+        if abs(to_x - x) >= APART or abs(to_y - y) >= APART:
             kept.append(k)
+            x, y = to_x, to_y
     return points[[*kept, len(points) - 1]]

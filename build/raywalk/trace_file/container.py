@@ -8,16 +8,16 @@ import zlib
 from raywalk.trace_file.errors import TraceFileError
 
 GZIP = 31  # window bits that make zlib write and read a gzip frame; it notes no time
-WAYS = ((8, zlib.Z_DEFAULT_STRATEGY), (7, zlib.Z_FILTERED), (8, zlib.Z_FILTERED))
+# Blocks of 2^13 symbols: columns change often. Over the ten scenes' files 0.4 % smaller than
+# zlib's usual 2^14; the best of three ways for each file would be 0.2 % smaller for three times
+# the time.
+MEMORY = 7
 
 
 def pack(json_bytes: bytes) -> bytes:
-    """gzip, the smallest of some ways of cutting its blocks. Same input, same bytes."""
-    tries = []
-    for memory, strategy in WAYS:
-        deflate = zlib.compressobj(9, zlib.DEFLATED, GZIP, memory, strategy)
-        tries.append(deflate.compress(json_bytes) + deflate.flush())
-    return min(tries, key=len)
+    """gzip. Same input, same bytes."""
+    deflate = zlib.compressobj(9, zlib.DEFLATED, GZIP, MEMORY)
+    return deflate.compress(json_bytes) + deflate.flush()
 
 
 def script(name: str, packed: bytes) -> bytes:

@@ -27,7 +27,8 @@ MESH_STAGES = frozenset(
     f"{name}.py"
     for name in (
         "geometry/bvh", "geometry/display", "geometry/float32_copy", "geometry/mesh_file",
-        "geometry/mesh_spared", "geometry/mesh_target", "geometry/shallow_boxes", "trace/boxes",
+        "geometry/mesh_section", "geometry/mesh_spared", "geometry/mesh_target",
+        "geometry/shallow_boxes", "trace/boxes",
     )
 )  # fmt: skip
 MESH_PACKAGES = ("embreex", "trimesh")
