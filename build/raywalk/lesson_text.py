@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from xml.etree.ElementTree import Element
 
 from markdown import Markdown
@@ -12,6 +13,7 @@ from markdown.treeprocessors import Treeprocessor
 SAFE_LINK = re.compile(r"(https://|#|\.{0,2}/|[\w-]+(/|$|\.html))", re.ASCII)
 
 
+@lru_cache(maxsize=4096)  # pages and slides show the same texts, `serve` again after each save
 def lesson_html(text: str) -> str:
     """HTML of one step's text. Raw HTML is shown as it was typed, pictures become their words."""
     markdown = Markdown(output_format="html")

@@ -27,7 +27,7 @@ from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.pages import write_pages, write_sizes
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.spared import as_table, spared_lines, spared_of
-from raywalk.slide_pipeline import make_decks, plan, publish_slides, slide_remarks
+from raywalk.slide_pipeline import last_decks, make_decks, plan, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -85,7 +85,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
             partial(write_page_data, scene, entries[scene.id]), chosen,
         )  # fmt: skip
     plans = [plan(scene, entries[scene.id].folder, keys[scene.id]) for scene in scenes]
-    decks = yield from make_decks(store, plans)
+    in_a_hurry = chosen.slides_later
+    decks = last_decks(store, plans) if in_a_hurry else (yield from make_decks(store, plans))
     notes += slide_remarks(decks)
     yield from slide_remarks(decks)
     budgets = sizes.read_budgets(chosen.budgets)

@@ -90,6 +90,13 @@ def make_decks(store: Store, plans: list[Plan]) -> Generator[str, None, list[Ent
     return [*decks, course or _make_course(store, plans, parts)]
 
 
+def last_decks(store: Store, plans: list[Plan]) -> list[Entry]:
+    """The decks as they were last made, for pages that shall not wait for new ones."""
+    made = [store.newest("slides", of) for of in [*(each.scene.id for each in plans), "course"]]
+    found = [store.find(key_of(made_from)) for made_from in made if made_from]
+    return [deck for deck in found if deck]
+
+
 def _make_course(store: Store, plans: list[Plan], parts: Parts) -> Entry:
     from raywalk.slide_products import write_course_slides
 

@@ -40,6 +40,7 @@ def report() -> dict:
     return {
         "seed": 7, "says": list(says([task])), "tasks": [task], "picture": picture,
         "resolution": {"about": "Grids.", "rows": rows}, "cases": [case],
+        "builds": [{"key": "many", "title": "Many scenes", "lines": ["a < b"], "cases": [case]}],
     }  # fmt: skip
 
 
@@ -57,6 +58,8 @@ def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
     assert publish_reports(out, TEMPLATES, ASSETS, (), work)
     page = (out / "benchmarks/index.html").read_text(encoding="utf-8")
     assert "<script" not in page
+    assert "raywalk bench --only many" in page
+    assert "a &lt; b" in page
     assert "style=" not in page
     assert "<style" not in page
     assert "make bench" in page

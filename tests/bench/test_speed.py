@@ -7,8 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from raywalk.bench import speed
 from raywalk.bench.speed_many import write_scenes
+from raywalk.bench.speed_rebuild import rebuild_cases, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, skip_cases
+from raywalk.commands.bench import PARTS
 from raywalk.scene import read_scene, read_scenes
 from raywalk.trace.plan import plan_of
 
@@ -44,3 +47,24 @@ def test_the_scenes_that_are_built_by_the_dozen_are_in_order_and_all_different(t
     write_scenes(tmp_path, 3)
     radii = {scene.objects[0].shape.radius for scene in read_scenes(tmp_path)}
     assert len(radii) == 3
+
+
+def test_every_part_of_the_bench_can_be_measured_alone():
+    """The command offers what there is, and no more."""
+    assert set(PARTS) == set(speed.PARTS)
+
+
+def test_a_build_that_takes_long_or_traces_too_much_breaks_the_bounds():
+    """A second for nothing at a start of 30 ms, one scene too many, a file of another scene."""
+    good = {"nothing": 5.0, "words": 40.0, "traced": 1, "differ": 0}
+    assert all(case.holds for case in rebuild_cases(good, 0))
+    for key, bad in {"nothing": 33.0, "words": 67.0, "traced": 2, "differ": 1}.items():
+        assert [case.holds for case in rebuild_cases(good | {key: bad}, 0)].count(False) == 1
+
+
+def test_what_the_rebuild_changes_is_one_lesson_and_one_scene(tmp_path):
+    """Words are put before a lesson's first step, once, and the next words in their place."""
+    text = '[[lesson]]\ntext = """\nOne ray.\n"""\n[[lesson]]\ntext = """\nTwo.\n"""\n'
+    once = with_words(text, "Measured 1.")
+    assert once == text.replace("One", "Measured 1. One")
+    assert with_words(once, "Measured 2.") == text.replace("One", "Measured 2. One")

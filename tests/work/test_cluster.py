@@ -84,7 +84,8 @@ def cluster(tmp_path_factory):
     scheduler = [sys.executable, "-m", "distributed.cli.dask_scheduler", *options]
     scheduler += ["--port", "0", "--scheduler-file", str(file)]
     processes = [subprocess.Popen(scheduler, **quiet)]
-    wait_until(file.exists)
+    wait_until(lambda: file.exists() or processes[0].poll() is not None)
+    assert file.exists(), "the scheduler ended"
     address = json.loads(file.read_text(encoding="utf-8"))["address"]
     worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, *options]
     worker += ["--nthreads", "1", "--no-nanny", "--death-timeout", "60"]

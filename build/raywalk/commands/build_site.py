@@ -33,6 +33,7 @@ def add_options(parser: Any) -> None:
         "--scheduler", metavar="tcp://HOST:PORT", help="trace on this Dask cluster, not here"
     )
     parser.add_argument("--stats", action="store_true", help="say what each scene did not need")
+    parser.set_defaults(slides_later=False)
 
 
 def run(chosen: Namespace) -> Iterator[str | Event]:
@@ -53,7 +54,8 @@ def run(chosen: Namespace) -> Iterator[str | Event]:
 
         done = yield from build(chosen, SITE_SOURCE)
         # The hashes from before the build: what was edited meanwhile is built next time.
-        last.keep(inputs, done.also_read, done.said)
+        if not chosen.slides_later:
+            last.keep(inputs, done.also_read, done.said)
         traced, size = done.traced, done.said["size"]
     if chosen.sizes or chosen.budgets != BUDGETS:
         yield from told_sizes(chosen)

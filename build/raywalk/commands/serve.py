@@ -17,6 +17,7 @@ from raywalk.site.live import Live
 
 EXTRAS = build_site.SITE_SOURCE / "serve"
 WATCHED = (build_site.SITE_SOURCE, Path("models"))  # besides the scenes
+PAUSE = 2.0  # seconds without a save, after which slides are made too
 
 
 def add_to(commands: Any) -> None:
@@ -45,23 +46,34 @@ def run(chosen: Namespace) -> Iterator[str | Event]:
 
 
 def _follow(chosen: Namespace, live: Live) -> Iterator[str | Event]:
-    """Builds at once and after each save; mistakes go to the pages and to the terminal."""
+    """Builds pages at once and after each save, slides when their author pauses."""
     from raywalk.work.watch import changes
 
-    for changed in changes([chosen.scenes, *WATCHED]):
+    pages_first = Namespace(**vars(chosen) | {"slides_later": True})
+    is_first = True
+    for changed in changes([chosen.scenes, *WATCHED], PAUSE):
         if changed:
             yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
-        live.begin()
-        try:
-            yield from build_site.run(chosen)
-        except Told as problems:
-            live.failed(str(problems))
-            yield str(problems)
-        except Exception:  # a fault of ours: seen where the author looks, and the next save may do
-            live.failed(traceback.format_exc())
-            yield traceback.format_exc()
-        else:
-            live.done()
+        if changed or is_first:
+            yield from _built(pages_first, live)
+        elif not live.news.trouble:
+            yield from _built(chosen, live)
+        is_first = False
+
+
+def _built(chosen: Namespace, live: Live) -> Iterator[str | Event]:
+    """One build; mistakes go to the pages and to the terminal."""
+    live.begin()
+    try:
+        yield from build_site.run(chosen)
+    except Told as problems:
+        live.failed(str(problems))
+        yield str(problems)
+    except Exception:  # a fault of ours: seen where the author looks, and the next save may do
+        live.failed(traceback.format_exc())
+        yield traceback.format_exc()
+    else:
+        live.done() if chosen.slides_later else live.slides_too()
 
 
 def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Event]:

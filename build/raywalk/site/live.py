@@ -44,6 +44,10 @@ class Live:
         """The site is new."""
         self._tell(News(version=self.news.version + 1))
 
+    def slides_too(self) -> None:
+        """The pages are as they were; nobody need load them again."""
+        self._tell(News(version=self.news.version))
+
     def failed(self, trouble: str) -> None:
         """The site is as it was, and this is why."""
         self._tell(replace(self.news, busy=False, trouble=trouble))

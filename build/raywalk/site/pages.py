@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape
+from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined, select_autoescape
+from jinja2.bccache import Bucket
 
 from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import Scene
@@ -91,12 +92,32 @@ def write_sizes(
     page.write_text(template.render(root="../", tables=tables, **assets), encoding="utf-8")
 
 
+class _Compiled(BytecodeCache):
+    """Templates compiled in this process, by their text: all languages and builds use the same."""
+
+    def __init__(self) -> None:
+        self.kept: dict[str, bytes] = {}
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        """Jinja2 asks for a template by its name and the hash of its text."""
+        if (code := self.kept.get(bucket.key + bucket.checksum)) is not None:
+            bucket.bytecode_from_string(code)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        """Jinja2 has compiled a template."""
+        self.kept[bucket.key + bucket.checksum] = bucket.bytecode_to_string()
+
+
+_COMPILED = _Compiled()
+
+
 def page_environment(templates: Path, words: Words | None = None) -> Environment:
     """Jinja2 as every page uses it: all values are escaped, `say` and `tell` know the sentences
     of a language, of the default one if none is given."""
     environment = Environment(
         loader=FileSystemLoader(templates),
         autoescape=select_autoescape(default=True, default_for_string=True),
+        bytecode_cache=_COMPILED,
         undefined=StrictUndefined,  # a misspelt name fails the build, not the page
         trim_blocks=True,
         lstrip_blocks=True,

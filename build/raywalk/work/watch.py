@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections.abc import Iterable, Iterator
@@ -13,21 +14,27 @@ SETTLED = 0.1  # seconds without a change: an editor that saves several files is
 Seen = dict[str, tuple[int, int]]  # path -> time of change, size
 
 
-def changes(folders: Iterable[Path]) -> Iterator[list[str]]:
-    """At once with nothing, then each time files were saved: the paths that changed."""
+def changes(folders: Iterable[Path], quiet: float) -> Iterator[list[str]]:
+    """The paths that changed, each time files were saved; nothing at once, and again whenever
+    nobody saved anything for `quiet` seconds after that."""
     folders = list(folders)
     seen = look(folders)
     yield []
+    told = time.monotonic()
     while True:
         time.sleep(EVERY)
         now = look(folders)
         if now == seen:
+            if time.monotonic() - told > quiet:
+                yield []
+                told = math.inf
             continue
         while (later := _later(folders)) != now:
             now = later
         changed = {path for path, _ in now.items() ^ seen.items()}
         seen = now
         yield sorted(changed)
+        told = time.monotonic()
 
 
 def look(folders: Iterable[Path]) -> Seen:

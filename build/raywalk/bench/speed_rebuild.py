@@ -1,0 +1,168 @@
+"""What a change costs: nothing changed, words of a lesson, one scene; in a copy of the scenes.
+
+Whole processes, by the start of a bare Python: that is what no program in Python gets below.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from raywalk.bench.cases import Case
+
+# Goals are 1 s and 2 s on a machine where Python starts in 30 ms.
+NOTHING, WORDS = 30.0, 60.0
+TURNS = 5
+PATIENCE = 120.0  # seconds after which a page is taken never to come
+LOOK = 0.01  # seconds between two looks at the page
+
+
+def rebuild(scenes: Path, work: Path) -> dict[str, Any]:
+    """Times by a bare Python's start, and how many scenes a change of one traces."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = copied(scenes, work, Path(folder))
+        built(place)  # traces what the kept work does not hold
+        bare = _seconds(lambda: subprocess.run([sys.executable, "-c", "pass"], check=True))
+        idle = _seconds(lambda: built(place))
+        seen = words_to_page(place)
+        traced = traced_of(place)
+    return {"nothing": idle / bare, "words": seen / bare, "seen": seen, "idle": idle, **traced}
+
+
+def copied(scenes: Path, work: Path, folder: Path) -> Path:
+    """The scenes, their models and finished work, in a folder where they may be changed."""
+    shutil.copytree(scenes, folder / "scenes")
+    if (models := scenes.absolute().parent / "models").is_dir():
+        shutil.copytree(models, folder / "models")
+    if work.is_dir():
+        shutil.copytree(work, folder / "work", ignore=shutil.ignore_patterns("reports"))
+    return folder
+
+
+def command(place: Path, *words: str) -> list[str]:
+    places = {"--scenes": "scenes", "--out": "dist", "--work": "work"}
+    named = [text for key, name in places.items() for text in (key, str(place / name))]
+    return [sys.executable, "-m", "raywalk", *words, *named]
+
+
+def built(place: Path) -> str:
+    """Builds the site; returns what it told."""
+    done = subprocess.run(command(place, "site"), check=True, capture_output=True, text=True)
+    return done.stdout
+
+
+def _seconds(action: Callable[[], object]) -> float:
+    """Of several turns the middle one."""
+    action()
+    times = []
+    for _ in range(TURNS):
+        start = time.perf_counter()
+        action()
+        times.append(time.perf_counter() - start)
+    return median(times)
+
+
+def words_to_page(place: Path) -> float:
+    """Seconds from saving words of a lesson to a page that has them."""
+    file = next(path for path in sorted((place / "scenes").glob("*/scene.toml")) if lesson(path))
+    page = f"scenes/{file.parent.name}/index.html"
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
+    serving = subprocess.Popen(
+        command(place, "serve", "--port", "0"), stdout=subprocess.PIPE, text=True, env=environment
+    )
+    try:
+        assert serving.stdout
+        address = next(line for line in serving.stdout if line.startswith("http://")).split()[0]
+        wait_for(address + page, "</html>")
+        return median(_saved(file, address + page, f"Measured {k}.") for k in range(TURNS))
+    finally:
+        serving.terminate()
+        serving.wait()
+
+
+def _saved(file: Path, address: str, words: str) -> float:
+    time.sleep(1.0)  # an author's pause; what the last save started may still be going on
+    before = file.read_text(encoding="utf-8")
+    start = time.perf_counter()
+    file.write_text(with_words(before, words), encoding="utf-8")
+    wait_for(address, words)
+    return time.perf_counter() - start
+
+
+def lesson(path: Path) -> bool:
+    return bool(re.search(FIRST_WORDS, path.read_text(encoding="utf-8")))
+
+
+FIRST_WORDS = r'\[\[lesson\]\]\s+text = """\n(Measured \d+\. )?'
+
+
+def with_words(text: str, words: str) -> str:
+    """The first step of a lesson begins with these words."""
+    return re.sub(FIRST_WORDS, f'[[lesson]]\ntext = """\n{words} ', text, count=1)
+
+
+def wait_for(address: str, words: str) -> None:
+    """Looks until the page has the words. Raises TimeoutError."""
+    until = time.monotonic() + PATIENCE
+    while time.monotonic() < until:
+        try:
+            with urllib.request.urlopen(address) as answer:
+                if words in answer.read().decode():
+                    return
+        except urllib.error.HTTPError:
+            pass  # not built yet
+        time.sleep(LOOK)
+    raise TimeoutError(f"{address} never had {words!r}")
+
+
+def traced_of(place: Path) -> dict[str, int]:
+    """How many scenes are traced, and how many others' files change, when one scene changes."""
+    first = min((place / "scenes").glob("*/scene.toml"))
+    before = others(place, first.parent.name)
+    text = first.read_text(encoding="utf-8")
+    first.write_text(
+        text.replace("[camera]\n", "[camera]\nup = [0.1, 1, 0]\n", 1), encoding="utf-8"
+    )
+    told = re.search(r"scenes: (\d+) traced", built(place))
+    assert told, "a build tells how many scenes it traced"
+    after = others(place, first.parent.name)
+    differ = sum(before.get(name) != content for name, content in after.items())
+    return {"traced": int(told[1]), "differ": differ}
+
+
+def others(place: Path, but: str) -> dict[str, bytes]:
+    """What was traced for the other scenes."""
+    folder = place / "dist" / "scenes"
+    files = [path for path in folder.glob("*/*.js") if path.parent.name != but]
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+def as_table(row: dict[str, Any]) -> Iterator[str]:
+    """Seconds here; what decides is the ratios."""
+    yield f"  nothing changed: {row['idle']:.2f} s"
+    yield f"  words of a lesson, from saving them to a page that has them: {row['seen']:.2f} s"
+
+
+def rebuild_cases(row: dict[str, Any], seed: int) -> Iterator[Case]:
+    """Nothing to do, words, one scene."""
+    for name, goal, ratio in (
+        ("nothing changed", NOTHING, row["nothing"]),
+        ("words of a lesson, until the page has them", WORDS, row["words"]),
+    ):
+        yield Case("rebuild", name, "times a bare Python's start", goal, ratio, 0, seed)
+    for metric, allowed, count in (
+        ("scenes traced", 1, row["traced"]),
+        ("other scenes' files that differ", 0, row["differ"]),
+    ):
+        yield Case("rebuild", "one scene changed", metric, allowed, count, 0, seed)
