@@ -14,6 +14,7 @@ from raywalk.scene.model import Scene
 from raywalk.slides.layout import Layout
 from raywalk.slides.placing import read_placed
 from raywalk.slides.sights import ANSWERS, requests, stops_seen
+from raywalk.slides.what_if import Switches, switched_scene
 from raywalk.trace.wavefront import Tracer
 
 # The view lies pale behind the lines: what adds less than 1/16 to a pixel is not seen there,
@@ -27,10 +28,19 @@ def write_sights(scene: Scene, traced: Path, layout: Layout, folder: Path) -> No
     asked = requests(stops_seen(read_placed(scene, traced / "display.npz"), traced, layout))
     tracer = Tracer(scene, min(scene.render.depth, DEEPEST), LEAST_SHARE)
     looks = [_onlooker(look) for look in asked["looks"]]
-    for k, look in enumerate(looks):
-        Image.fromarray(shaded_view(tracer, look)).save(folder / f"view-{k}.png")
+    for k, (look, onlooker) in enumerate(zip(asked["looks"], looks, strict=True)):
+        lit = _lit(tracer, scene, look["switches"])
+        Image.fromarray(shaded_view(lit, onlooker)).save(folder / f"view-{k}.png")
     steps = [_answer(tracer, looks[step["look"]].eye, step) for step in asked["steps"]]
     (folder / ANSWERS).write_text(json.dumps({"steps": steps}, sort_keys=True), encoding="utf-8")
+
+
+def _lit(tracer: Tracer, scene: Scene, switches: Switches) -> Tracer:
+    """The tracer of the scene as a step's switches light it; the same where nothing is switched."""
+    if not switches.is_set:
+        return tracer
+    altered = switched_scene(scene, switches)
+    return Tracer(altered, min(altered.render.depth, DEEPEST), LEAST_SHARE)
 
 
 def _answer(tracer: Tracer, eye: np.ndarray, step: dict[str, Any]) -> dict[str, Any]:

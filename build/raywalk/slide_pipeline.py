@@ -23,7 +23,7 @@ WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
 SIGHT_STAGES = (
     "onlook.py", "sight_products.py", "trace_file",
     *(f"slides/{name}.py" for name in (
-        "frustum", "layout", "lines", "observer", "placing", "sights", "views",
+        "costs", "frustum", "layout", "lines", "observer", "placing", "sights", "views", "what_if",
     )),
 )  # fmt: skip
 SIGHT_PACKAGES = ("numpy", "pillow")

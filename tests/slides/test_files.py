@@ -47,7 +47,7 @@ def test_html_needs_nothing_from_elsewhere(deck: Deck):
 
 def test_svg_figures_are_well_formed_and_alone(balls):
     figures = dict(deck_files(balls.deck(), ("svg",), None, None))
-    assert len(figures) == 5
+    assert len(figures) == 7
     for data in figures.values():
         root = ElementTree.fromstring(data)
         assert root.find("{http://www.w3.org/2000/svg}desc").text

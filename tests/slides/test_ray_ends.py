@@ -112,8 +112,9 @@ def test_groups_do_not_move_what_is_in_them(expected):
 
 
 def test_a_deck_is_a_deck(deck: Deck):
-    """Title, goals, four steps with one answer, the sum, credits."""
+    """Title, goals, four steps with one answer, a slide a ray before their sum, credits."""
     kinds = [slide.kind for slide in deck.slides]
     assert kinds == [
-        "title", "goals", "step", "step", "step", "sum", "question", "answer", "credits",
+        "title", "goals", "step", "step", "step", "ray", "ray", "sum", "question", "answer",
+        "credits",
     ]  # fmt: skip

@@ -46,7 +46,7 @@ def test_the_slides_of_a_step_say_what_the_lesson_says(balls, aspect):
     for slide, stop in zip(slides, stops, strict=True):
         assert told([slide]) == plain_text(stop.text)
         assert slide.kind == stop.kind
-        assert slide.notes[0] == plain_text(stop.text)
+        assert slide.notes[1] == plain_text(stop.text)
 
 
 @pytest.mark.parametrize("aspect", ["16:9", "4:3"])

@@ -10,10 +10,11 @@ from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.front import course_slides, credits_slides, goals_slides, title_slide
 from raywalk.slides.layout import Layout
 from raywalk.slides.placing import read_placed
+from raywalk.slides.ray_slides import ray_slides
 from raywalk.slides.sights import read_sights, stops_seen
 from raywalk.slides.step_slide import Lesson, step_slides
 from raywalk.slides.sum_slide import sum_slides
-from raywalk.slides.words import say
+from raywalk.slides.words import say, words
 
 COURSE = "course"  # the id of the deck of all scenes
 
@@ -47,21 +48,21 @@ def scene_deck(
     slides += lesson_slides(lesson, steps)
     if steps is None:
         slides += credits_slides([scene], layout)
-    return Deck(scene.id, scene.title, layout.width, layout.height, tuple(slides))
+    return Deck(scene.id, scene.title, layout.width, layout.height, tuple(slides), words().code)
 
 
 def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[Slide]:
-    """The steps; the sum of a colour comes before the lesson's last question."""
+    """The steps; one pixel's rays and the sum of its colour come before the last question."""
     slides: list[Slide] = []
     questions = [k for k, seen in enumerate(lesson.seen) if seen.stop.kind == "question"]
     before = questions[-1] if questions else len(lesson.seen)
     for k, seen in enumerate(lesson.seen):
         if k == before and steps is None:
-            slides += sum_slides(lesson)
+            slides += [*ray_slides(lesson), *sum_slides(lesson)]
         if steps is None or seen.stop.step in steps:
             slides += step_slides(lesson, k)
     if before == len(lesson.seen) and steps is None:
-        slides += sum_slides(lesson)
+        slides += [*ray_slides(lesson), *sum_slides(lesson)]
     return slides
 
 
@@ -74,4 +75,6 @@ def course_of(all_sources: list[Sources], lessons: list[list[Slide]], layout: La
         slides.append(title_slide(sources.scene, picture, layout, "section"))
         slides += lesson
     slides += credits_slides(scenes, layout)
-    return Deck(COURSE, say("slides.course"), layout.width, layout.height, tuple(slides))
+    return Deck(
+        COURSE, say("slides.course"), layout.width, layout.height, tuple(slides), words().code
+    )

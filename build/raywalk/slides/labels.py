@@ -47,6 +47,13 @@ class Places:
             items += _drawn(box, text, label)
         return items
 
+    def plate(self, words: str, left: float, top: float) -> list[Item]:
+        """Words that stand where they stand; labels keep clear of them."""
+        text = shortened(words, SMALLEST, self.frame.right - left - 2 * PAD)
+        box = Box(left, top, width(text, SMALLEST) + 2 * PAD, SMALLEST * 1.15)
+        self.boxes.append(box)
+        return _drawn(box, text, Label(text, (left, top)))
+
     def _free(self, at: Point, wide: float) -> Box | None:
         high = SMALLEST * 1.15
         for ring in RINGS:

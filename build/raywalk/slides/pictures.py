@@ -50,6 +50,19 @@ def traced_picture(file: Path, side: int) -> bytes:
     return jpeg(image)
 
 
+def grid_picture(tiles: np.ndarray, n: int) -> bytes:
+    """A grid's tiles (3 * n * n,) 8-bit, seen from the front."""
+    image = Image.fromarray(np.asarray(tiles, np.uint8).reshape(n, n, 3))
+    side = n * max(1, round(PICTURE_SIDE / n))
+    return png(image.resize((side, side), Image.Resampling.NEAREST))
+
+
+def png(image: Image.Image) -> bytes:
+    out = io.BytesIO()
+    image.save(out, "PNG", optimize=True)
+    return out.getvalue()
+
+
 def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | None:
     """A fine grid's coloured tiles as one picture in perspective; None if none is seen."""
     n, view = seen.view.n, seen.projection
@@ -74,7 +87,7 @@ def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | Non
     back = np.diag([n, n, 1.0]) @ np.linalg.inv(to_figure) @ place
     back = back / back[2, 2]
     tiles = np.full((n, n, 4), 255, np.uint8)
-    tiles[..., :3] = seen.trace.tiles.reshape(n, n, 3)
+    tiles[..., :3] = seen.tiles.reshape(n, n, 3)
     tiles.reshape(-1, 4)[sorted(hidden), 3] = 0
     across, down = (int(k) for k in np.rint((high - low) * SHARP))
     image = Image.fromarray(tiles).transform(
@@ -83,7 +96,6 @@ def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | Non
         back.reshape(-1)[:8].tolist(),
         Image.Resampling.NEAREST,
     )
-    out = io.BytesIO()
-    image.save(out, "PNG")
+    data = png(image)
     where = Box(box.left + low[0], box.top + low[1], high[0] - low[0], high[1] - low[1])
-    return Picture(where, out.getvalue(), out.getvalue(), say("slides.tiles", n=n), "")
+    return Picture(where, data, data, say("slides.tiles", n=n), "")

@@ -6,7 +6,7 @@ slides/ asks (requests), the trace stage answers into a folder (sight_products.p
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -14,12 +14,14 @@ from typing import Any
 import numpy as np
 
 from raywalk.scene.model import Scene
+from raywalk.slides.costs import tile_colours
 from raywalk.slides.frustum import PicturePlane, picture_plane
 from raywalk.slides.layout import Layout
 from raywalk.slides.lines import RayLine, pixel_lines, thin_pixels
 from raywalk.slides.observer import Observer, Projection, observer_of
 from raywalk.slides.placing import Placed
 from raywalk.slides.views import Stop, View, stops_of
+from raywalk.slides.what_if import PAINTS, switched_scene, switched_trace
 from raywalk.trace_file import DecodedTrace, read_trace
 
 PIXELS_A_POINT = 1.0  # of the shaded view: it lies pale behind the lines
@@ -32,10 +34,12 @@ class Seen:
     """One stop's geometry: what is drawn, and from where."""
 
     stop: Stop
+    scene: Scene  # with the step's switches set
     observer: Observer
     projection: Projection  # to points of the layout's figure
     plane: PicturePlane
-    trace: DecodedTrace
+    trace: DecodedTrace  # with the step's switches set
+    tiles: np.ndarray  # (n * n, 3) 8-bit, what filled tiles show
     chosen: list[RayLine]
     thin: list[RayLine]
     one_in: int  # of how many pixels the thin lines show one
@@ -49,13 +53,13 @@ def stops_seen(placed: Placed, traces: Path, layout: Layout) -> list[Seen]:
     """Every stop of the lesson. traces: the folder of <n>.json.gz."""
     plane = picture_plane(placed)
     return [
-        _seen(placed, plane, stop, _trace(traces / f"{stop.view.n}.json.gz"), layout)
+        _seen(placed, plane, stop, trace_of(traces / f"{stop.view.n}.json.gz"), layout)
         for stop in stops_of(placed.scene)
     ]
 
 
 # Both that asks the tracer and that draws read a scene's few grids, one after the other.
-_trace = lru_cache(maxsize=9)(read_trace)
+trace_of = lru_cache(maxsize=9)(read_trace)
 
 
 def _seen(
@@ -63,11 +67,13 @@ def _seen(
 ) -> Seen:
     box, view = layout.figure, stop.view
     observer = observer_of(view.observer, placed, plane, box.width / box.height)
+    trace = switched_trace(trace, placed.scene, view.switches)
+    scene = switched_scene(placed.scene, view.switches)
     chosen = [view.index] if "pixel" in view.rays else []
-    thin, one_in = _thinned(trace, placed.scene, thin_pixels(view), view.n)
+    thin, one_in = _thinned(trace, scene, thin_pixels(view), view.n)
     return Seen(
-        stop, observer, Projection(observer, box.width, box.height), plane, trace,
-        pixel_lines(trace, placed.scene, chosen), thin, one_in,
+        stop, scene, observer, Projection(observer, box.width, box.height), plane, trace,
+        tile_colours(trace, view.colours), pixel_lines(trace, scene, chosen), thin, one_in,
     )  # fmt: skip
 
 
@@ -89,8 +95,8 @@ def _thinned(
 
 
 def requests(seen: list[Seen]) -> dict[str, Any]:
-    """{"looks": distinct onlookers, "steps": [{"look", "chosen", "thin", "tiles"}]}; lines as
-    [[x y z], [x y z]], tiles by their centres."""
+    """{"looks": distinct onlookers and lights, "steps": [{"look", "chosen", "thin", "tiles"}]};
+    lines as [[x y z], [x y z]], tiles by their centres."""
     looks: list[dict[str, Any]] = []
     steps = []
     for each in seen:
@@ -119,6 +125,11 @@ def _look(seen: Seen) -> dict[str, Any]:
         "focal": float(view.focal * width / view.width),
         "width": width,
         "height": height,
+        "switches": replace(
+            seen.view.switches,
+            # Which rays are sent on stays: the view is pale, and mirrors are to be known as such.
+            without=tuple(part for part in seen.view.switches.without if part in PAINTS),
+        ),
     }
 
 

@@ -18,9 +18,10 @@ from raywalk.slides.palette import KIND_DASH
 from raywalk.slides.pictures import tiles_picture, washed
 from raywalk.slides.placing import Placed
 from raywalk.slides.sights import Seen, Sight
-from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, vector
+from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched, vector
 
 CHOSEN_WIDTH = 2.2
+PASSED_WIDTH = 1.4  # of rays that a walk has behind it
 THIN_WIDTH = 0.9
 HIDDEN_SHARE = 0.45  # of a line's width where something stands before it
 DOT = 3.2
@@ -38,6 +39,7 @@ class Drawing:
     seen: Seen
     sight: Sight
     box: Box  # on the slide
+    now: int | None = None  # the ray that a walk has come to: others are drawn less strongly
 
     @property
     def scene(self) -> Scene:
@@ -82,8 +84,20 @@ def step_figure(drawing: Drawing) -> Group:
         *_dots(drawing, places),
         *_normals(drawing, places),
     ]
+    parts += _switched(drawing, places)
     parts += places.put(_labels(drawing))
     return Group(say("slides.figure"), figure_alt(scene, seen), tuple(parts), is_figure=True)
+
+
+def _switched(drawing: Drawing, places: Places) -> list[Item]:
+    """What is not as traced, in the figure's upper left corner."""
+    told = switched(drawing.seen)
+    if drawing.seen.view.colours != "picture":
+        told.append(say(f"tileView.means.{drawing.seen.view.colours}"))
+    items: list[Item] = []
+    for k, words in enumerate(told):
+        items += places.plate(words, drawing.box.left + 2, drawing.box.top + 2 + 18 * k)
+    return items
 
 
 def _view(drawing: Drawing) -> Picture:
@@ -113,7 +127,6 @@ def _tiles(drawing: Drawing) -> list[Item]:
 def _squares(drawing: Drawing) -> list[Item]:
     seen = drawing.seen
     n = seen.view.n
-    colours = seen.trace.tiles.reshape(n * n, 3)
     outline = _area(drawing, 0, 0, n, n)
     if not outline:
         return []
@@ -126,7 +139,9 @@ def _squares(drawing: Drawing) -> list[Item]:
         points = _area(drawing, tile % n, tile // n, 1, 1)
         if not points or tile in drawing.sight.hidden_tiles:
             continue
-        fill = "#{:02x}{:02x}{:02x}".format(*colours[tile].tolist()) if seen.view.filled else None
+        fill = (
+            "#{:02x}{:02x}{:02x}".format(*seen.tiles[tile].tolist()) if seen.view.filled else None
+        )
         squares.append(Polygon(tuple(points), fill, "grid", 0.5, name=f"{tile % n}, {tile // n}"))
     return squares
 
@@ -178,7 +193,9 @@ def _lamps(drawing: Drawing, places: Places) -> list[Item]:
     lamps: list[Item] = []
     for light in drawing.scene.lights:
         if at := drawing.point(np.array(light.position, float)):
-            lamps.append(Dot(at, 6.5, "lamp", "lamp-edge", name=light.name))
+            is_off = drawing.seen.view.switches.brightness(light.name) == 0
+            fill = "ground" if is_off else "lamp"
+            lamps.append(Dot(at, 6.5, fill, "lamp-edge", name=light.name))
             places.boxes.append(_around(at, 6.5))
     return lamps
 
@@ -197,7 +214,8 @@ def _rays(
     numbers = {ray: k for k, ray in enumerate(ray_order(drawing.seen), start=1)}
     groups: list[Item] = []
     for line, stretches in zip(lines, hidden, strict=True):
-        pieces = _pieces(drawing, line, stretches, width)
+        is_passed = drawing.now is not None and line.ray != drawing.now
+        pieces = _pieces(drawing, line, stretches, PASSED_WIDTH if is_passed else width)
         if not pieces:
             continue
         name = ray_name(numbers.get(line.ray), line.kind)
@@ -233,7 +251,7 @@ def _pieces(
                 line.kind,
                 width * HIDDEN_SHARE if behind else width,
                 "hidden" if behind else KIND_DASH[line.kind],
-                arrow=bool(reaches) and width >= CHOSEN_WIDTH,
+                arrow=bool(reaches) and width > THIN_WIDTH,
                 name=say("slides.hidden" if behind else "slides.seen"),
             )
         )

@@ -12,12 +12,13 @@ from raywalk.slides.lesson_words import paragraphs_of, title_and_body
 from raywalk.slides.lines import KINDS
 from raywalk.slides.notes import step_notes
 from raywalk.slides.palette import KIND_DASH
-from raywalk.slides.pictures import PICTURE_SIDE, traced_picture
+from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, traced_picture
 from raywalk.slides.placing import Placed
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
-from raywalk.slides.sights import Seen, Sight
-from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
+from raywalk.slides.sights import Seen, Sight, trace_of
+from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, ray_order, step_figure
 from raywalk.slides.typeface import width
+from raywalk.slides.what_if import switched_trace
 from raywalk.slides.words import chosen_tile, kind_word, place, say
 
 GAP = 12.0
@@ -51,16 +52,16 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     head, body = title_and_body(paragraphs_of(stop.text))
     head = head or scene.title
     figure = step_figure(Drawing(lesson.placed, seen, lesson.sights[index], layout.figure))
-    marks = _legend(seen, lesson.sights[index], layout)
+    marks = legend(seen, lesson.sights[index], layout)
     figure = replace(figure, items=(*figure.items, *marks))
     words = flow(body, BODY_SIZE, layout.words.width)
     first, rest = words.split(layout.words.height)
     numbers = [] if stop.kind == "question" else _numbers(lesson, seen, first)
-    under = footer(
-        _where(lesson, seen), say("slides.stepOf", step=stop.step + 1, of=len(scene.lesson)), layout
-    )
+    rays = len(ray_order(seen))
+    here = step_place(lesson, seen, 1, rays)
+    under = footer(where(lesson, seen), here, layout)
     items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
-    notes = tuple(step_notes(lesson.placed, seen))
+    notes = (here, *step_notes(lesson.placed, seen))
     slides = [Slide(head, (*items, *under), notes, stop.kind, figure=figure)]
     while rest.lines:
         part, rest = rest.split(_wide(layout).height)
@@ -74,10 +75,27 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     if is_cut and not _same_pixel_follows(lesson, index):
         again = say("slides.continued", title=head)
         for table in ray_tables(scene, seen, _below_title(layout)):
+            from_to = (int(table.rows[k][0].text) for k in (1, -1))
+            under = footer(where(lesson, seen), step_place(lesson, seen, *from_to), layout)
             slides.append(
                 Slide(again, (title(again, layout.title), table, *under), (), stop.kind, True)
             )
     return slides
+
+
+def step_place(lesson: Lesson, seen: Seen, first: int, last: int) -> str:
+    """ "step 4 of 9 · ray 3 of 9": which rays of the selected pixel's tree a slide shows, by the
+    numbers that they have in figure and table."""
+    steps = say("slides.stepOf", step=seen.stop.step + 1, of=len(lesson.placed.scene.lesson))
+    rays = len(ray_order(seen))
+    if not rays:
+        return steps
+    shown = (
+        say("slides.rayOf", ray=first, of=rays)
+        if first == last
+        else say("slides.raysOf", first=first, last=last, of=rays)
+    )
+    return f"{steps} · {shown}"
 
 
 def _same_pixel_follows(lesson: Lesson, index: int) -> bool:
@@ -86,6 +104,7 @@ def _same_pixel_follows(lesson: Lesson, index: int) -> bool:
     return any(
         next_one.stop.kind != "question"
         and (next_one.view.n, next_one.view.pixel) == (here.view.n, here.view.pixel)
+        and next_one.view.switches == here.view.switches
         and bool(next_one.chosen)
         for next_one in following
     )
@@ -103,7 +122,7 @@ def _wide(layout: Layout) -> Box:
     return Box(layout.words.left, top, layout.words.width, layout.footer.top - 12 - top)
 
 
-def _where(lesson: Lesson, seen: Seen) -> str:
+def where(lesson: Lesson, seen: Seen) -> str:
     view = seen.view
     parts = [say("slides.brand"), lesson.place]
     if seen.chosen:
@@ -148,7 +167,7 @@ def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
     """The traced picture with the selected tile marked, and the pixel's colour beside it."""
     side = box.height
     frame = Box(box.left, box.top, side, side)
-    data = traced_picture(lesson.picture, PICTURE_SIDE)
+    data = switched_picture(lesson, seen) or traced_picture(lesson.picture, PICTURE_SIDE)
     alt = say("picture.alt", title=lesson.placed.scene.title)
     items: list[Item] = [Picture(frame, data, data, say("slides.picture"), alt)]
     if not seen.chosen:
@@ -162,6 +181,16 @@ def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
     items.append(Polygon(square, None, "#ffffff", 1.4, name=chosen_tile(seen.view.pixel)))
     beside = Box(frame.right + GAP, frame.top, box.right - frame.right - GAP, side)
     return items + _pixel_colour(seen, beside)
+
+
+def switched_picture(lesson: Lesson, seen: Seen) -> bytes | None:
+    """The picture as the finest grid has it with the step's switches; None if none is set."""
+    if not seen.view.switches.is_set:
+        return None
+    scene = lesson.placed.scene
+    finest = max(scene.render.resolutions)
+    trace = trace_of(lesson.picture.with_name(f"{finest}.json.gz"))
+    return grid_picture(switched_trace(trace, scene, seen.view.switches).tiles, finest)
 
 
 def _pixel_colour(seen: Seen, box: Box) -> list[Item]:
@@ -185,7 +214,7 @@ def _swatch(left: float, top: float, side: float, colour: str) -> Polygon:
     return Polygon(corners, colour, "rule", 0.75, name=say("slides.swatch"))
 
 
-def _legend(seen: Seen, sight: Sight, layout: Layout) -> list[Item]:
+def legend(seen: Seen, sight: Sight, layout: Layout) -> list[Item]:
     """What the lines' styles mean, under the figure; only those that are there."""
     lines = [*seen.chosen, *seen.thin]
     kinds = [kind for kind in KINDS if any(line.kind == kind for line in lines)]

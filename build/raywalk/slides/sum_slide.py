@@ -21,13 +21,20 @@ ROW = 22.0
 MOST_RAYS = 5  # a longer sum takes more than one slide
 
 
+def told_pixel(lesson: Lesson) -> int | None:
+    """Which stop's pixel has most to tell of its sum; None if no step walks one pixel's rays."""
+    walked = [
+        k for k, s in enumerate(lesson.seen)
+        if s.chosen and s.view.filled and s.stop.kind != "question" and not s.view.switches.is_set
+    ]  # fmt: skip
+    fitting = [k for k in walked if len(ray_order(lesson.seen[k])) <= MOST_RAYS] or walked[:1]
+    return max(fitting, key=lambda k: _telling(lesson.seen[k]), default=None)
+
+
 def sum_slides(lesson: Lesson) -> list[Slide]:
-    """The lesson's pixel whose sum has most to tell; none if no step walks one pixel's rays."""
-    walked = [s for s in lesson.seen if s.chosen and s.view.filled and s.stop.kind != "question"]
-    fitting = [s for s in walked if len(ray_order(s)) <= MOST_RAYS] or walked[:1]
-    if not fitting:
-        return []
-    return _slides(lesson, max(fitting, key=_telling))
+    """How that pixel's colour adds up; none if no step walks one pixel's rays."""
+    index = told_pixel(lesson)
+    return [] if index is None else _slides(lesson, lesson.seen[index])
 
 
 def _slides(lesson: Lesson, seen: Seen) -> list[Slide]:

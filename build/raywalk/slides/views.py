@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from raywalk.scene.model import Scene
+from raywalk.slides.what_if import AS_TRACED, Switches, switches_of
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,8 @@ class View:
     rays: tuple[str, ...]  # of "pixel", "row", "column", "all"
     filled: bool  # whether the tiles show their colours
     observer: Any  # "start", "camera" or {"eye": .., "target": ..}
+    switches: Switches = AS_TRACED
+    colours: str = "picture"  # what filled tiles show: the picture, or what it cost
 
     @property
     def index(self) -> int:
@@ -63,10 +66,17 @@ def view_of(scene: Scene, given: dict[str, Any]) -> View:
         column, row = given["pixel"]
     else:  # the same place in the picture
         column, row = (min(n - 1, int((k + 0.5) / start.n * n)) for k in start.pixel)
+    rays = given.get("rays", start.rays)
+    if (plane := given.get("slice", "none")) != "none":
+        rays = (*rays, plane)  # a slice's rays, drawn in space
+    # The traced look is the picture, in its only place.
+    observer = "camera" if given.get("look") == "traced" else given.get("observer")
     return View(
         n,
         (column, row),
-        tuple(given.get("rays", start.rays)),
+        tuple(dict.fromkeys(rays)),
         given.get("tiles", "empty") == "filled",
-        given.get("observer", start.observer),
+        observer or start.observer,
+        switches_of(given.get("switches"), scene),
+        given.get("colours", "picture"),
     )

@@ -1,21 +1,57 @@
-"""Words on slides that are not the lesson's own, from the catalogue of sentences."""
+"""Words on slides that are not the lesson's own, from the catalogue of sentences.
+
+Slides are told in one language at a time: `with speaking("de"):` says in which.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
-from raywalk.words import read_words
+from raywalk.words import Words, read_words
 
 if TYPE_CHECKING:
     from raywalk.scene.model import Scene
     from raywalk.slides.sights import Seen
 
-WORDS = read_words()
-say = WORDS.say
-vector = WORDS.numbers.vector
-fixed = WORDS.numbers.fixed
-number = WORDS.numbers.number
-tone = WORDS.numbers.tone
+_SPOKEN: ContextVar[Words | None] = ContextVar("spoken", default=None)
+
+
+@contextmanager
+def speaking(code: str) -> Iterator[None]:
+    """Within it all slides are told in the language of this code."""
+    token = _SPOKEN.set(read_words(code))
+    try:
+        yield
+    finally:
+        _SPOKEN.reset(token)
+
+
+def words() -> Words:
+    """The language that is spoken now; the default one if none was chosen."""
+    return _SPOKEN.get() or read_words()
+
+
+def say(key: str, /, **slots: object) -> str:
+    return words().say(key, **slots)
+
+
+def vector(values: Iterable[float]) -> str:
+    return words().numbers.vector(values)
+
+
+def fixed(value: float, decimals: int) -> str:
+    return words().numbers.fixed(value, decimals)
+
+
+def number(value: float) -> str:
+    return words().numbers.number(value)
+
+
+def tone(colour: Sequence[float]) -> str:
+    return words().numbers.tone(colour)
 
 
 def kind_word(kind: str) -> str:
@@ -37,6 +73,23 @@ def chosen_tile(pixel: tuple[int, int]) -> str:
 def place(seen: Seen) -> dict[str, int]:
     """The slots of a sentence that names the selected pixel."""
     return {"x": seen.view.pixel[0], "y": seen.view.pixel[1], "n": seen.view.n}
+
+
+def switched(seen: Seen) -> list[str]:
+    """What a step's switches alter, a piece each; [] where all is as traced."""
+    switches = seen.view.switches
+    told = []
+    if switches.bounces is not None:
+        told.append(say("slides.mostBounces", count=switches.bounces))
+    for name, factor in switches.lamps:
+        if factor == 0:
+            told.append(say("slides.lampOff", light=name))
+        else:
+            told.append(say("slides.lampDimmed", light=name, factor=number(factor)))
+    if not switches.shadows:
+        told.append(say("slides.noShadows"))
+    told += [say(f"slides.without.{part}") for part in switches.without]
+    return told
 
 
 def columns() -> list[str]:

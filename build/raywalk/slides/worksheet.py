@@ -16,7 +16,7 @@ from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.sights import Seen
 from raywalk.slides.step_slide import Lesson
-from raywalk.slides.words import number, say, vector
+from raywalk.slides.words import number, say, vector, words
 from raywalk.trace_file import DecodedTrace, Kind, Visibility
 
 SIZE = 12.0
@@ -42,16 +42,17 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
     blocks = [_given(scene)]
     for k, question in enumerate(questions(lesson), start=1):
         blocks.append(_block(k, question, with_answers))
-    return Deck(scene.id, title, *A4, tuple(_pages(title, blocks)))
+    return Deck(scene.id, title, *A4, tuple(_pages(title, blocks)), words().code)
 
 
 def questions(lesson: Lesson) -> list[Question]:
     """From the trace of the lesson's first grid, and the lesson's own."""
     scene = lesson.placed.scene
     asked: list[Question] = []
-    if lesson.seen:
-        trace = lesson.seen[0].trace
-        pixels = _pixels(lesson.seen, trace)
+    as_traced = [seen for seen in lesson.seen if not seen.view.switches.is_set]
+    if as_traced:
+        trace = as_traced[0].trace
+        pixels = _pixels(as_traced, trace)
         for ask in (_nearest, _order, _shadow, _sent_on, _eight_bit):
             asked += ask(scene, trace, pixels)
     return asked + [

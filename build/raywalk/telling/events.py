@@ -18,11 +18,13 @@ from raywalk.telling.scene import ToldScene, Vector
 from raywalk.trace.tree import Kind, Visibility
 from raywalk.trace_file.decode import DecodedTrace
 
+OFF = 4  # visibility of a light that a switch has put out; it stands in no file
 SEEN = {
-    Visibility.BLOCKED: "blocked",
-    Visibility.REACHED: "reached",
-    Visibility.BEHIND: "away",
-    Visibility.UNTESTED: "unasked",
+    int(Visibility.BLOCKED): "blocked",
+    int(Visibility.REACHED): "reached",
+    int(Visibility.BEHIND): "away",
+    int(Visibility.UNTESTED): "unasked",
+    OFF: "off",
 }
 # Of the scene's radius: the file rounds points, so over shorter ways an angle would be off by
 # more than 0.1 degrees.
@@ -203,7 +205,7 @@ class _Telling:
         return [
             LightShare(
                 light.name,
-                SEEN[Visibility(int(trace.visibility[ray, k]))],
+                SEEN[int(trace.visibility[ray, k])],
                 float(trace.diffuse[ray, k]),
                 float(trace.specular[ray, k]),
                 light.colour,

@@ -86,6 +86,8 @@ def _local(event: RayEvent, facts: Facts, words: Words) -> tuple[list[Phrase], s
 def _light(light: LightShare, facts: Facts, words: Words) -> str:
     if light.seen == "blocked":
         return words.say("event.local.inShadow", light=light.name)
+    if light.seen == "off":
+        return words.say("event.local.isOff", light=light.name)
     if light.seen == "away":
         return words.say("event.local.facesAway", light=light.name)
     number, tone = words.numbers.number, words.numbers.tone
@@ -149,7 +151,8 @@ def _pixel(event: RayEvent, facts: Facts, words: Words) -> tuple[list[Phrase], s
 
 TELLERS: dict[str, Teller] = {
     "camera": _camera, "meets": _meets, "background": _background, "reached": _reached,
-    "blocked": _blocked, "away": _not_asked, "unasked": _not_asked, "local": _local,
+    "blocked": _blocked, "away": _not_asked, "unasked": _not_asked, "off": _not_asked,
+    "local": _local,
     "reflected": _reflected, "refracted": _refracted, "total": _total, "stops": _stops,
     "gather": _gather, "pixel": _pixel,
 }  # fmt: skip

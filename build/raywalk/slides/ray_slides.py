@@ -1,0 +1,84 @@
+"""The walk along one pixel's rays: a slide a ray, each with what happens to it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from raywalk.slides.blocks import flow, flow_texts, footer, title
+from raywalk.slides.figure import Run, Slide
+from raywalk.slides.layout import SMALLEST, Box, Layout
+from raywalk.slides.lesson_words import Paragraph
+from raywalk.slides.notes import pixel_events
+from raywalk.slides.sights import Seen, Sight
+from raywalk.slides.step_figure import Drawing, ray_order, step_figure
+from raywalk.slides.step_slide import Lesson, legend, step_place, where
+from raywalk.slides.sum_slide import told_pixel
+from raywalk.slides.words import kind_word, say, words
+from raywalk.telling import tell
+from raywalk.trace_file import Kind
+
+FEWEST = 2  # rays: the walk along a single one is the step itself
+SIZE = SMALLEST + 1
+GATHERED = ("gather", "pixel")  # what comes back stands on the slide of the sum
+
+
+def ray_slides(lesson: Lesson) -> list[Slide]:
+    """The rays of the pixel whose sum is told, one after the other; [] where there is only one."""
+    index = told_pixel(lesson)
+    if index is None:
+        return []
+    order = ray_order(lesson.seen[index])
+    if len(order) < FEWEST:
+        return []
+    return [slide for number in range(1, len(order) + 1) for slide in _ray(lesson, index, number)]
+
+
+def _ray(lesson: Lesson, index: int, number: int) -> list[Slide]:
+    layout, whole = lesson.layout, lesson.seen[index]
+    order = ray_order(whole)
+    seen, sight = _until(whole, lesson.sights[index], order, number)
+    ray = order[number - 1]
+    kind = kind_word(Kind(int(seen.trace.kind[ray])).name.lower())
+    head = say("slides.rayTitle", ray=number, of=len(order), kind=kind)
+    figure = step_figure(Drawing(lesson.placed, seen, sight, layout.figure, now=ray))
+    figure = replace(figure, items=(*figure.items, *legend(seen, sight, layout)))
+    here = step_place(lesson, seen, number, number)
+    under = footer(where(lesson, seen), here, layout)
+    told = [tell(event, words()) for event in pixel_events(lesson.placed, whole)
+            if event.ray == ray and event.what not in GATHERED]  # fmt: skip
+    points = []
+    for each in told:
+        points.append(Paragraph(tuple(Run(text, mark is not None) for text, mark in each.says)))
+        points += [Paragraph((Run(each.numbers),))] if each.numbers else []
+    notes = (here, *(" ".join(p for p in (t.sentence, t.numbers) if p) for t in told))
+    box = _words_box(layout)
+    first, rest = flow(points, SIZE, box.width).split(box.height)
+    items = (title(head, layout.title), figure, *flow_texts(first, box), *under)
+    slides = [Slide(head, items, notes, "ray", figure=figure)]
+    while rest.lines:
+        part, rest = rest.split(box.height)
+        again = say("slides.continued", title=head)
+        items = (title(again, layout.title), *flow_texts(part, box), *under)
+        slides.append(Slide(again, items, (), "ray", True))
+    return slides
+
+
+def _until(whole: Seen, sight: Sight, order: list[int], number: int) -> tuple[Seen, Sight]:
+    """What is drawn at a ray: it and its shadow rays, and the way that led to it."""
+    ray, before = order[number - 1], set(order[: number - 1])
+    kept = [
+        k
+        for k, line in enumerate(whole.chosen)
+        if line.ray == ray or (line.ray in before and line.light < 0)
+    ]
+    chosen, hidden = [whole.chosen[k] for k in kept], [sight.chosen[k] for k in kept]
+    return (
+        replace(whole, chosen=chosen, thin=[], one_in=1),
+        replace(sight, chosen=hidden, thin=[]),
+    )
+
+
+def _words_box(layout: Layout) -> Box:
+    """Beside the figure."""
+    box = layout.aside or layout.words
+    return Box(box.left, layout.figure.top, box.width, layout.footer.top - 12 - layout.figure.top)
