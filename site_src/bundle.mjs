@@ -1,5 +1,6 @@
 /**
- * node site_src/bundle.mjs --out DIR: the viewer as one classic script, DIR/viewer.js.
+ * node site_src/bundle.mjs --out DIR: the viewer as one classic script, DIR/viewer.js, and what only
+ * a kiosk loads, DIR/kiosk.js.
  * Classic, not a module, because from file:// browsers refuse modules. Prints its size
  * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
  */
@@ -13,6 +14,7 @@ import { raysLeftIn } from "./strip-rays.mjs";
 
 const GOAL_BYTES = 125 * 1024;
 const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
+const EXTRAS = { kiosk: "./viewer/kiosk/main.ts" };
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 
 /** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
@@ -38,6 +40,13 @@ export async function bundleViewer({ plugins = [], minify = true } = {}) {
   });
 }
 
+/** A script of its own, beside the viewer's. */
+async function bundleExtra(path) {
+  const entry = fileURLToPath(new URL(path, import.meta.url));
+  const result = await build({ entryPoints: [entry], bundle: true, write: false, target: TARGET, legalComments: "none", logLevel: "warning", format: "iife", minify: true, banner: { js: "/* Raywalk, MIT */" } });
+  return result.outputFiles[0].text;
+}
+
 async function main() {
   const at = process.argv.indexOf("--out");
   const folder = process.argv[at + 1];
@@ -49,6 +58,7 @@ async function main() {
   if (size > GOAL_BYTES) throw new Error(`viewer.js is ${size} bytes gzipped; its goal is ${GOAL_BYTES}`);
   await mkdir(folder, { recursive: true });
   await writeFile(join(folder, "viewer.js"), script);
+  for (const [name, path] of Object.entries(EXTRAS)) await writeFile(join(folder, `${name}.js`), await bundleExtra(path));
   console.log(`viewer.js ${(size / 1024).toFixed(1)} KB gzip`);
 }
 

@@ -91,8 +91,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
     yield from slide_remarks(decks)
     budgets = sizes.read_budgets(chosen.budgets)
     with staged(chosen.out) as out:
-        script = (viewer.folder / "viewer.js").read_bytes()
-        assets = write_assets(out, site_source, script)
+        assets = write_assets(out, site_source, viewer.folder)
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
         downloads = publish_slides(out / "slides", decks)

@@ -66,9 +66,10 @@ function start(own: string) {
   reducedMotion.addEventListener("change", () => beat.draw());
 
   navigation.followPage();
+  window.raywalkKiosk?.attach({ session, acts, begin: navigation.begin, ready: navigation.ready, ids: links.map((link) => link.dataset.scene!) });
   exposeSession(session, {
     ready: navigation.ready,
-    stats: () => ({ ...parts.stats(), notice: notice.text() }),
+    stats: () => ({ ...parts.stats(), notice: notice.text(), kiosk: window.raywalkKiosk?.told() ?? null }),
     loseContext: parts.loseContext,
     hold: () => void (held = true),
     advance(seconds: number) {
@@ -78,5 +79,5 @@ function start(own: string) {
   });
 }
 
-// Without its words the page stays as it was written; language.js says so.
+// Without its words the page stays as it was written; page/broken.js says so.
 if ("raywalkWords" in globalThis) start((document.currentScript as HTMLScriptElement).src);

@@ -16,6 +16,9 @@ const SLOW = 8000; // ms after which it is said that something is still on its w
 const TOLD_KEYS = 6; // of an address; more, and longer ones, would only be noise
 const TOLD_LETTERS = 16;
 
+type Fields = ReadonlyMap<string, string>;
+const firstStep = (scene: SceneData): Fields => new Map(scene.lesson.length ? [["step", "1"]] : []);
+
 export interface Place {
   root: string; // relative path to the site's root
   home: string; // the scene the page is for
@@ -107,7 +110,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
   }
 
   /** The scene its address asks for, in this page; false if another one was asked for meanwhile. */
-  async function show(id: string, fields: ReadonlyMap<string, string>, kept: Kept): Promise<boolean> {
+  async function show(id: string, asksFor: Fields | ((scene: SceneData) => Fields), kept: Kept): Promise<boolean> {
     const mine = ++sceneAsked;
     heading = id;
     let arrived: SceneData;
@@ -119,7 +122,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
       throw error;
     }
     if (mine !== sceneAsked) return false;
-    const followed = followAddress(fields, arrived, kept);
+    const followed = followAddress(typeof asksFor === "function" ? asksFor(arrived) : asksFor, arrived, kept);
     session.scene = arrived;
     session.state = followed.state;
     session.receive(null);
@@ -147,12 +150,23 @@ export function createNavigation(session: Session, { root, home, links, withGl }
       return;
     }
     writeAddress("replace"); // what is left behind, before a new entry is made
-    const fields = new Map(lesson ? [["step", "1"]] : kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
+    const fields = new Map(kept.tiles === "empty" ? [] : [["tiles", "filled"]]);
     try {
-      if (await show(id, fields, kept)) writeAddress("push");
+      if (await show(id, lesson ? firstStep : fields, kept)) writeAddress("push");
     } catch {
       const { title, href } = links[ids.indexOf(id)];
       tell(troubleOfNextScene(title, href, () => void open(id, lesson)));
+    }
+  }
+
+  /** A scene's lesson from its start, whatever was shown before; false if the scene cannot be had. */
+  async function begin(id: string): Promise<boolean> {
+    const { still = false, gl = withGl } = session.state ?? {};
+    try {
+      if (await show(id, firstStep, { speed: 1, still, gl })) writeAddress("replace");
+      return true;
+    } catch {
+      return false;
     }
   }
 
@@ -193,6 +207,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
       return whole.href;
     },
     open,
+    begin,
     /** The next or the previous scene, round and round. */
     turn(by: 1 | -1, intoLesson = false) {
       const at = ids.indexOf(heading);

@@ -47,7 +47,8 @@ def test_the_model_page_lists_every_scene_with_glass_and_its_shadow_model(tmp_pa
     assets = {
         "viewer_js": "assets/v.js",
         "words_js": "assets/w.js",
-        "language_js": "assets/l.js",
+        "page_js": "assets/p.js",
+        "kiosk_js": "assets/k.js",
         "style_css": "assets/s.css",
     }
     write_pages(tmp_path, ROOT / "site_src" / "templates", scenes, figures, assets)

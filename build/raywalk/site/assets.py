@@ -9,6 +9,7 @@ from pathlib import Path
 
 from raywalk.words import Words
 
+BUNDLED = ("viewer", "kiosk")
 PAGES_ONLY = ("pages", "slides")  # sentences that the viewer never says
 
 
@@ -16,15 +17,19 @@ class BundleError(Exception):
     """The viewer could not be bundled; str() says what esbuild or the check said."""
 
 
-def write_assets(out: Path, site_src: Path, script: bytes) -> dict[str, str]:
-    """Writes the bundled viewer and the joined styles into out/assets; returns their names in
-    the site."""
+def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
+    """Writes the bundled scripts of a folder, the pages' own and the joined styles into
+    out/assets; returns their names in the site."""
     styles = sorted((site_src / "styles").glob("*.css"))
     sheet = b"\n".join(style.read_bytes() for style in styles)
-    return {
-        "viewer_js": _named(out, "viewer", "js", script),
+    page = b"\n".join(path.read_bytes() for path in sorted((site_src / "page").glob("*.js")))
+    scripts = {
+        f"{name}_js": _named(out, name, "js", (bundled / f"{name}.js").read_bytes())
+        for name in BUNDLED
+    }
+    return scripts | {
         "style_css": _named(out, "style", "css", sheet),
-        "language_js": _named(out, "language", "js", (site_src / "language.js").read_bytes()),
+        "page_js": _named(out, "page", "js", page),
     }
 
 
@@ -38,7 +43,7 @@ def write_words(out: Path, words: Words) -> dict[str, str]:
 
 
 def bundle_viewer(site_src: Path, folder: Path) -> None:
-    """Writes folder/viewer.js. Needs node and the packages of package-lock.json.
+    """Writes folder/<name>.js of all BUNDLED. Needs node and the packages of package-lock.json.
 
     Raises BundleError.
     """

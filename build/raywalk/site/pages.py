@@ -19,7 +19,7 @@ from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
 
-# viewer_js, words_js, language_js and style_css, relative to the site's root
+# viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root
 Assets = dict[str, str]
 
 
@@ -125,8 +125,12 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
     environment.globals.update(sayings(words or read_words()))
     others = [read_words(code) for code in languages()]
     environment.globals["languages"] = [
-        {"code": each.code, "name": each.name, "home": home_of(each.code)} for each in others
-    ]
+        {
+            "code": each.code, "name": each.name, "home": home_of(each.code),
+            "begin": each.say("kiosk.begin"),
+        }
+        for each in others
+    ]  # fmt: skip
     return environment
 
 

@@ -82,7 +82,10 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
 
 
 def _is_loaded(name: str) -> bool:
-    """A page loads the words of one language; that of the default one stands for all."""
+    """A page loads the words of one language; that of the default one stands for all. A kiosk's
+    script comes in a kiosk only."""
+    if name.startswith("kiosk-"):
+        return False
     other = name.startswith("words-") and not name.startswith(f"words-{DEFAULT}-")
     return name.endswith(".js") and not other
 

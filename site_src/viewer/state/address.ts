@@ -3,6 +3,7 @@
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type Kept, type RayChoice, type ViewState } from "./view-state";
 import { TILE_VIEWS } from "./costs";
+import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
 import { SLICES } from "./section";
 import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
@@ -83,7 +84,10 @@ export function followAddress(
   scene: SceneData,
   kept: Kept,
 ): { state: ViewState; damaged: string[] } {
-  const damaged = new Set([...fields.keys()].filter((key) => !KNOWN.includes(key)));
+  const isKiosk = fields.get("kiosk") === "1";
+  const known = isKiosk ? [...KNOWN, ...KIOSK_KEYS] : KNOWN;
+  const damaged = new Set([...fields.keys()].filter((key) => !known.includes(key)));
+  if (isKiosk) kioskDamages(fields).forEach((key) => damaged.add(key));
   const nearest = (key: string, asked: number, allowed: readonly number[]): number => {
     const found = nearestOf(asked, allowed);
     if (found !== asked) damaged.add(key);

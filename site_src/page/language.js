@@ -1,17 +1,6 @@
-/* Before all else: what does not arrive is said. Then languages: a link to another one takes the view along and is remembered; the site's first page opens in
+/* Languages: a link to another one takes the view along and is remembered; the site's first page opens in
    the language chosen last. Storage may be refused: then the address alone decides. */
 (() => {
-  // A script of the page's own is missing or damaged: the page stays as it was written.
-  addEventListener(
-    "error",
-    (event) => {
-      const from = event.target.src ?? event.filename ?? "";
-      const notice = document.getElementById("broken");
-      if (notice && from.includes("/assets/") && !document.body.classList.contains("live")) notice.hidden = false;
-    },
-    true,
-  );
-
   const KEY = "raywalk.language";
   const SCENE = /scenes\/[^/]+\//;
   const page = document.documentElement;

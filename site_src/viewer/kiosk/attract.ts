@@ -1,0 +1,84 @@
+/** What an unattended screen shows: every scene's lesson in turn, its tiles filling and its rays being walked. */
+import type { KioskViewer } from "./hook";
+
+const SHOWN_AT_LEAST = 250; // ms between two looks at what plays
+const PLAYS_UP_TO = 3; // stops' times: then the next stop comes, whatever still plays
+const PATIENCE = 20; // seconds for a scene to come
+
+/** pace: seconds that a stop of a lesson is shown. */
+export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void }) {
+  const { session } = viewer;
+  const reduced = matchMedia("(prefers-reduced-motion: reduce)");
+  let running = false;
+  let wake = () => {};
+  let timer = 0;
+  let stops = 0;
+  let cycles = 0; // scenes shown to their end
+
+  const wait = (seconds: number) =>
+    new Promise<void>((done) => {
+      wake = done;
+      timer = window.setTimeout(done, 1000 * seconds);
+    });
+  const tiles = () => session.state?.tiles;
+  const moves = () => !reduced.matches && !session.state?.still;
+
+  /** Until it no longer goes on, or for too long. */
+  async function whileIt(goesOn: () => boolean) {
+    const every = Math.min(SHOWN_AT_LEAST / 1000, pace);
+    for (let gone = 0; running && goesOn() && gone < PLAYS_UP_TO * pace; gone += every) await wait(every);
+  }
+
+  /** One stop of a lesson: its words and view, then its rays. */
+  async function showStop(isFirst: boolean) {
+    stops++;
+    if (isFirst && moves() && tiles() === "empty") {
+      viewer.acts.render();
+      await whileIt(() => tiles() === "filling");
+      if (running && tiles() === "filling") viewer.acts.render();
+    }
+    if (running) await wait(pace);
+    if (!running || !moves() || !session.state?.rays.includes("pixel") || !session.timeline()) return;
+    viewer.acts.play();
+    await whileIt(() => session.state?.playing === true);
+    if (running) viewer.acts.endEvents();
+  }
+
+  /** The lesson's next stop; false at its end. */
+  function turn(): boolean {
+    const before = session.state;
+    viewer.acts.turn(1);
+    return session.state !== before;
+  }
+
+  async function showScene(id: string): Promise<boolean> {
+    const late = new Promise<false>((done) => setTimeout(() => done(false), 1000 * PATIENCE));
+    const isHere = await Promise.race([viewer.begin(id), late]);
+    if (!running || !isHere) return isHere;
+    for (let isFirst = true; running && (isFirst || turn()); isFirst = false) await showStop(isFirst);
+    if (running) cycles++;
+    return true;
+  }
+
+  return {
+    async run() {
+      running = true;
+      let lost = 0; // scenes in a row that could not be shown
+      for (let at = Math.max(0, viewer.ids.indexOf(session.state?.scene ?? "")); running; at++) {
+        const isShown = await showScene(viewer.ids[at % viewer.ids.length]);
+        lost = isShown ? 0 : lost + 1;
+        if (!running) return;
+        if (lost > viewer.ids.length) return acts.stuck();
+        if (!isShown) await wait(pace);
+      }
+    },
+    stop() {
+      running = false;
+      clearTimeout(timer);
+      wake();
+    },
+    runs: () => running,
+    scene: () => session.state?.scene ?? null,
+    counts: () => ({ stops, cycles }),
+  };
+}
