@@ -14,7 +14,7 @@ import type { KioskViewer } from "./hook";
 
 function start() {
   const hook = window.raywalkKiosk!;
-  const settings = readKiosk(new Map(new URLSearchParams(location.hash.slice(1))));
+  const settings = readKiosk(new Map(new URLSearchParams(hook.part)));
   const strikes = createStrikes(settings.strikes);
   const places = createPlaces(hook, settings, strikes);
   const hasViewer = "scene" in document.body.dataset;
