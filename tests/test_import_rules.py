@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,7 +23,7 @@ MAY_IMPORT = {
     "scene": {"errors"},
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
-    "trace_file": {"trace.tree", "scene", "errors"},
+    "trace_file": {"trace.tree", "optics.compiled", "scene", "errors"},
     "telling": {"trace.tree", "trace_file", "scene", "words"},
     "slides": {"scene", "trace_file", "telling", "words", "lesson_text", "errors"},
     "site": {"scene", "trace_file", "words", "lesson_text", "errors"},
@@ -136,3 +137,9 @@ def test_trace_and_state_know_no_browser(folder: str) -> None:
         code = without_comments_and_strings(file.read_text("utf-8"))
         found = re.findall(r"(?<![\w.])(?:document|window)\b(?!\s*[?]?:)", code)
         assert not found, f"viewer/{folder}/{file.name} knows {found[0]}"
+
+
+def test_who_reads_a_trace_never_imports_numba() -> None:
+    """A build with nothing to trace, and what reads its files, never pays for the compiler."""
+    command = "import sys, raywalk.trace_file, raywalk.pipeline; sys.exit('numba' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", command], check=False).returncode == 0

@@ -12,7 +12,7 @@ import numba
 
 PACKAGE = Path(__file__).parent.parent
 # Folders whose kernels are compiled into one another.
-FOLDERS = ("optics", "geometry", "trace")
+FOLDERS = ("optics", "geometry", "trace", "trace_file")
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,8 +14,6 @@ from raywalk.trace_file.checksum import checksum
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.level import in_file_order, level_pixels
 from raywalk.trace_file.measure import measured_errors
-from raywalk.trace_file.noting import Noting
-from raywalk.trace_file.patches import Patch, split_into_patches
 from raywalk.trace_file.precision import (
     MOST_POINT,
     POINT_SHARE,
@@ -26,7 +24,10 @@ from raywalk.trace_file.precision import (
 )
 from raywalk.trace_file.structure import REFLECTED, REFRACTED, TOTAL
 from raywalk.trace_file.truth import TrueNumbers
-from raywalk.trace_file.walk import walk
+from raywalk.trace_file.walk import images_along, keys_along, walk
+
+if TYPE_CHECKING:
+    from raywalk.trace_file.patches import Patch
 
 FORMAT, VERSION = "raywalk-trace", 1
 CHILD_BIT = {Kind.REFLECTED: REFLECTED, Kind.REFRACTED: REFRACTED, Kind.TOTAL: TOTAL}
@@ -34,6 +35,10 @@ CHILD_BIT = {Kind.REFLECTED: REFLECTED, Kind.REFRACTED: REFRACTED, Kind.TOTAL: T
 
 def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8."""
+    # Only here: who reads traces never pays for numba.
+    from raywalk.trace_file.noting import Noting
+    from raywalk.trace_file.patches import split_into_patches
+
     tree = in_file_order(level)
     n = checked_side(tree)
     patches, patch_of = split_into_patches(
@@ -82,7 +87,7 @@ def begin_header(
         ],
         "materials": tables.material_rows(tree, scene),
         "patches": [tables.patch_row(p, extent, k in ended) for k, p in enumerate(patches)],
-        "images": depth_images(tree, frame, n, patches, extent),
+        "images": depth_images(tree, frame, n, patches, extent, signature, signature_of),
         "tables": {
             "signature": [list(row) for row in signature],
             "surface": [list(row) for row in surface],
@@ -122,28 +127,23 @@ def camera_frame(scene: Scene) -> dict[str, Any]:
 
 
 def depth_images(
-    tree: RayTree, frame: dict[str, Any], n: int, patches: list[Patch], extent: float
-) -> list[dict[str, Any]]:
+    tree: RayTree, frame: dict[str, Any], n: int, patches: list[Patch], extent: float,
+    signature: list[tuple[int, ...]], signature_of: np.ndarray,
+) -> list[dict[str, Any]]:  # fmt: skip
     """One a key (object, how often the ray met it before), with its step of 1 / z."""
     slant = rebuild.length(rebuild.camera_steps(frame, n))
     error: dict[int, float] = {}
     for patch in patches:
         allowed = tables.allowed_error(patch, extent)
         error[patch.object] = min(allowed, error.get(patch.object, allowed))
-    found: dict[tuple[int, int], list[tuple[float, float]]] = {}
-    start = tree.hits_start.tolist()
-    for k, size in enumerate(slant.tolist()):
-        turns: dict[int, int] = {}
-        for h in range(start[k], start[k + 1]):
-            thing = int(tree.hits_object[h])
-            turns[thing] = turns.get(thing, -1) + 1
-            found.setdefault((thing, turns[thing]), []).append((tree.hits_t[h] / size, size))
-        if start[k] == start[k + 1]:
-            end = float(np.linalg.norm(tree.point[k] - frame["eye"]))
-            found.setdefault((-1, 0), []).append((end / size, size))
-    images = []
-    for (thing, turn), pairs in sorted(found.items()):
-        z, slants = np.array(pairs).T
-        allowed = error.get(thing, min(POINT_SHARE * extent, MOST_POINT))
-        images.append({"object": thing, "turn": turn, "step": depth_step(z, slants, allowed)})
+    keys = sorted({key for hits in signature for key in keys_along(list(hits))})
+    images: list[dict[str, Any]] = [{"object": thing, "turn": turn} for thing, turn in keys]
+    along = images_along([list(hits) for hits in signature], images)
+    ray, place, t = tables.drawn_hits(tree, frame["eye"])
+    image_of = along[signature_of[ray], place]
+    for k, image in enumerate(images):
+        here = np.flatnonzero(image_of == k)
+        allowed = error.get(image["object"], min(POINT_SHARE * extent, MOST_POINT))
+        slants = slant[ray[here]]
+        image["step"] = depth_step(t[here] / slants, slants, allowed)
     return images

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.trace_file.fit_predictor import fit_predictors
-from raywalk.trace_file.number_column import neighbours_in, note_numbers
-from raywalk.trace_file.symbol_column import note_symbols
+from raywalk.trace_file import residuals
+from raywalk.trace_file.fit_predictor import fit_predictors, how_and_taps
+from raywalk.trace_file.number_column import Predictor, affine_part
 from raywalk.trace_file.symbols import write_numbers, zigzag
 from raywalk.trace_file.walk import ABSENT, Ray
 
@@ -29,7 +29,7 @@ class Noting:
         self, name: str, first: int, group: np.ndarray, kind: np.ndarray, sides: np.ndarray
     ) -> np.ndarray:
         symbol = self.known[name][first : first + len(kind)]
-        codes = note_symbols(symbol, group, kind, sides)[kind != ABSENT]
+        codes = residuals.symbol_codes(symbol, group, kind, sides)[kind != ABSENT]
         self.texts.setdefault(name, []).append(write_numbers(codes))
         return symbol
 
@@ -38,15 +38,30 @@ class Noting:
         features: list[np.ndarray],
     ) -> np.ndarray:  # fmt: skip
         stored = kind != ABSENT
-        exact = self.truth(name, ray) if stored.any() else np.zeros(len(kind))
-        number = np.where(stored, np.floor(exact + 0.5), 0.0)
-        near = neighbours_in(group, kind, sides)
+        if not stored.any():
+            self.texts[name] = [""]
+            return np.zeros(len(kind))
+        number = np.where(stored, np.floor(self.truth(name, ray) + 0.5), 0.0)
+        near = residuals.near_in(group, kind, sides)
         predictors = fit_predictors(number, kind, near, features)
-        residual = note_numbers(number, kind, near, predictors, features)[stored]
-        self.texts[name] = [write_numbers(zigzag(residual.astype(np.int64)))]
+        left = note_numbers(number, kind, near, predictors, features)[stored]
+        self.texts[name] = [write_numbers(zigzag(left))]
         if predictors:
             self.predictors[name] = {str(of): p.header() for of, p in predictors.items()}
         return number
 
     def columns(self) -> dict[str, str]:
         return {name: "".join(parts) for name, parts in self.texts.items()}
+
+
+def note_numbers(
+    number: np.ndarray, kind: np.ndarray, near: np.ndarray,
+    predictors: dict[int, Predictor], features: list[np.ndarray],
+) -> np.ndarray:  # fmt: skip
+    """(m,) int64 residuals of whole numbers (float64, below 2**51); near as in residuals.py."""
+    kinds = int(kind.max(initial=0)) + 1
+    how, taps = np.full(kinds, residuals.PLANE), np.zeros((kinds, 6))
+    for of, predictor in predictors.items():
+        how[of], taps[of] = how_and_taps(predictor)
+    base = affine_part(kind, predictors, features)
+    return np.asarray(residuals.residuals(number, base, kind, near, how, taps))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.trace_file.neighbours import alike, follow, last_alike, six
+from raywalk.trace_file.neighbours import alike, last_alike, six
 from raywalk.trace_file.symbols import Reader
 
 UNIT = 256  # of taps
@@ -60,57 +60,11 @@ def neighbours_in(group: np.ndarray, kind: np.ndarray, sides: np.ndarray) -> np.
     return np.concatenate([[alike(side, group) for side in six(sides)], [last_alike(kind)]])
 
 
-def predict(off: np.ndarray, near: np.ndarray, taps: tuple[int, ...]) -> np.ndarray:
-    """Predicted distance from the affine part; off (m,) are the true ones, near (7, k)."""
-    has = near >= 0
-    out = np.empty(near.shape[1])
-    full = has[0] & has[1] & has[2]
-    rows = np.flatnonzero(full)
-    left, up, up_left = (off[near[k, rows]] for k in range(3))
-    if taps == FLAT:
-        out[rows] = left + up - up_left
-    else:
-        whole = left * taps[0] + up * taps[1]
-        for side in range(2, 6):
-            whole = whole + (off[near[side, rows]] if side > 2 else up_left) * taps[side]
-        all_six = has[3, rows] & has[4, rows] & has[5, rows]
-        out[rows] = np.where(all_six, whole / UNIT, left + up - up_left)
-    rows = np.flatnonzero(~full)
-    out[rows] = _predict_at_edges(off, near[:, rows], has[:, rows])
-    return out
-
-
-def _predict_at_edges(off: np.ndarray, near: np.ndarray, has: np.ndarray) -> np.ndarray:
-    """Where left, up or up-left is missing."""
-    at = [follow(off, rows) for rows in near]
-    return np.asarray(np.select(
-        [has[0] & has[4], has[1] & has[5], has[0], has[1], has[2], has[3], has[6]],
-        [2 * at[0] - at[4], 2 * at[1] - at[5], at[0], at[1], at[2], at[3], at[6]],
-        0.0,
-    ))  # fmt: skip
-
-
-def note_numbers(
-    number: np.ndarray, kind: np.ndarray, near: np.ndarray,
-    predictors: dict[int, Predictor], features: list[np.ndarray],
-) -> np.ndarray:  # fmt: skip
-    """(m,) residuals of whole numbers (float64, below 2**51)."""
-    base = affine_part(kind, predictors, features)
-    off = number - base
-    guess = base.copy()
-    for of in np.unique(kind).tolist():
-        predictor = predictors.get(of, Predictor())
-        if predictor.taps:
-            rows = np.flatnonzero(kind == of)
-            guess[rows] = guess[rows] + predict(off, near[:, rows], predictor.taps)
-    return np.asarray(number - np.floor(guess + 0.5))
-
-
 def read_numbers(
     reader: Reader, stored: np.ndarray, kind: np.ndarray, near: np.ndarray,
     predictors: dict[int, Predictor], features: list[np.ndarray],
 ) -> np.ndarray:  # fmt: skip
-    """The numbers that note_numbers was given, one after the other; 0 where none is stored."""
+    """The numbers that were noted (residuals.py), one after the other; 0 where none is stored."""
     base = affine_part(kind, predictors, features).tolist()
     usual = Predictor()
     taps_of = {of: predictors.get(of, usual).taps for of in np.unique(kind).tolist()}

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raywalk.trace_file.null_vector import gradient_rule, triangular
+
 MOST_FACES = 8  # flat patches looked for on one object; a box needs 6
 MOST_SEEDS = 40  # rays whose plane is tried
 GOLDEN = 0.6180339887498949  # spreads them over the object
@@ -117,9 +119,7 @@ def _curved(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray)
     middle = point[picked].mean(axis=0)
     scale = float(np.abs(point[picked] - middle).max()) or 1.0
     p, n = (point[picked] - middle) / scale, normal[picked]
-    unknowns = [_across(n, symmetric @ p.T) for symmetric in SYMMETRIC]
-    unknowns += [_across(n, np.tile(axis[:, None], len(p))) for axis in np.eye(3)]
-    found = np.linalg.svd(np.stack(unknowns, axis=1), full_matrices=False)[2][-1]
+    found = np.linalg.svd(triangular(gradient_rule(p, n)))[2][-1]
     m = np.tensordot(found[:6], SYMMETRIC, axes=1) / scale
     b = found[6:] - m @ middle
     gradient = point[rows] @ m + b
@@ -134,10 +134,6 @@ def _curved(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray)
     return _ball(index, m, b, point[rows], way) or Patch(
         index, "free", "gradient", gradient=(*m.reshape(-1).tolist(), *b.tolist()), way=way
     )
-
-
-def _across(normal: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    return np.asarray(np.cross(normal, vector.T).reshape(-1))
 
 
 SYMMETRIC = np.array([
@@ -182,24 +178,29 @@ def _leaving(
     index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray, extent: float
 ) -> Found:
     """Lines of rays that leave end on a sphere round the scene, if most do; else anywhere."""
-    on = rows
+    picked = point[rows[:: max(1, len(rows) // SAMPLE)]]
+    on = picked
     for _ in range(4):
-        centre, radius = _sphere_through(point[on])
-        off = np.abs(np.linalg.norm(point[rows] - centre, axis=1) - radius)
-        on = rows[off <= max(FITS * radius, float(np.quantile(off, 0.9)) * 0.5)]
-    on = rows[off <= FITS * radius]
+        centre, radius = _sphere_through(on)
+        off = np.abs(np.linalg.norm(picked - centre, axis=1) - radius)
+        if off.max() <= FITS * radius:
+            break
+        on = picked[off <= max(FITS * radius, float(np.quantile(off, 0.9)) * 0.5)]
+    is_on = np.abs(np.linalg.norm(point[rows] - centre, axis=1) - radius) <= FITS * radius
+    on = rows[is_on]
     if len(on) < 10:
         return [(Patch(index, "free", "none"), rows)]
     to_pole = _pole_towards((point[on] - centre).mean(axis=0)) * radius
     ball = Patch(index, "ball", "none", tuple(centre.tolist()), tuple(to_pole.T.reshape(-1)))
-    rest = np.setdiff1d(rows, on)
+    rest = rows[~is_on]
     return [(ball, on)] + ([(Patch(index, "free", "none"), rest)] if len(rest) else [])
 
 
 def _sphere_through(point: np.ndarray) -> tuple[np.ndarray, float]:
     middle = point.mean(axis=0)
     p = point - middle
-    table = np.concatenate([2 * p, np.ones((len(p), 1))], axis=1)
-    found = np.linalg.lstsq(table, (p**2).sum(axis=1), rcond=None)[0]
+    table = np.concatenate([2 * p, np.ones((len(p), 1)), (p**2).sum(axis=1)[:, None]], axis=1)
+    small = triangular(table)
+    found = np.linalg.lstsq(small[:, :4], small[:, 4], rcond=None)[0]
     square = float(found[3] + found[:3] @ found[:3])
     return middle + found[:3], float(np.sqrt(max(square, 0.0)))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import asdict
-from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,24 +11,53 @@ from raywalk.scene.model import Scene
 from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.errors import TraceFileError
-from raywalk.trace_file.patches import Patch
 from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
 
+if TYPE_CHECKING:
+    from raywalk.trace_file.patches import Patch
+
 SAME_SHARE = 1e-12  # weights closer together are one constant
+LARGE = 2**31  # codes of rows are made small again before they overflow
+ENDED = -2  # stands where a camera ray meets nothing more
 
 
-def by_frequency(rows: list) -> tuple[list, np.ndarray]:
-    """Distinct rows, the most frequent first, and each row's place among them."""
-    counts = Counter(rows)
-    table = sorted(counts, key=lambda row: (-counts[row], row))
-    place = {row: k for k, row in enumerate(table)}
-    return table, np.array([place[row] for row in rows], np.int64)
+def by_frequency(columns: list[np.ndarray]) -> tuple[list[tuple[int, ...]], np.ndarray]:
+    """Distinct rows of whole-number columns (m,), the most frequent first, then by their values;
+    and each row's place among them (m,)."""
+    code = np.zeros(len(columns[0]), np.int64)
+    for column in columns:
+        low, high = int(column.min(initial=0)), int(column.max(initial=0))
+        code = code * (high - low + 1) + (column - low)
+        if code.max(initial=0) > LARGE:
+            code = np.unique(code, return_inverse=True)[1]
+    _, first, place, counts = np.unique(
+        code, return_index=True, return_inverse=True, return_counts=True
+    )
+    rows = list(zip(*(column[first].tolist() for column in columns), strict=True))
+    order = sorted(range(len(rows)), key=lambda k: (-counts[k], rows[k]))
+    rank = np.empty(len(rows), np.int64)
+    rank[order] = np.arange(len(rows))
+    return [rows[k] for k in order], rank[place]
 
 
-def signatures(tree: RayTree) -> tuple[list, np.ndarray]:
+def signatures(tree: RayTree) -> tuple[list[tuple[int, ...]], np.ndarray]:
     """Objects along each camera ray, nearest first."""
-    things, start = tree.hits_object.tolist(), tree.hits_start.tolist()
-    return by_frequency([tuple(things[a:b]) for a, b in pairwise(start)])
+    counts = np.diff(tree.hits_start)
+    along = np.full((tree.cameras, int(counts.max(initial=0)) + 1), ENDED)
+    ray = np.repeat(np.arange(tree.cameras), counts)
+    along[ray, np.arange(len(ray)) - tree.hits_start[ray]] = tree.hits_object
+    table, place = by_frequency(list(along.T))
+    return [tuple(thing for thing in row if thing != ENDED) for row in table], place
+
+
+def drawn_hits(tree: RayTree, eye: list[float]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Camera rays (h,), which of their hits (h,) and how far (h,): all hits, and then the ends of
+    the lines that are drawn of rays which leave the scene."""
+    counts = np.diff(tree.hits_start)
+    ray, gone = np.repeat(np.arange(tree.cameras), counts), np.flatnonzero(counts == 0)
+    place = np.concatenate([np.arange(len(ray)) - tree.hits_start[ray], np.zeros(len(gone), int)])
+    ends = np.linalg.norm(tree.point[gone] - eye, axis=1)
+    return np.concatenate([ray, gone]), place, np.concatenate([tree.hits_t, ends])
 
 
 def surfaces(tree: RayTree, patches: list[Patch], patch_of: np.ndarray) -> tuple[list, np.ndarray]:
@@ -43,8 +70,7 @@ def surfaces(tree: RayTree, patches: list[Patch], patch_of: np.ndarray) -> tuple
             sign[rows] = np.where(
                 (np.stack(rule, axis=1) * tree.normal[rows]).sum(axis=1) < 0, -1, 1
             )
-    columns = [patch_of, tree.material, tree.inside.astype(int), sign]
-    return by_frequency(list(zip(*(column.tolist() for column in columns), strict=True)))
+    return by_frequency([patch_of, tree.material, tree.inside.astype(int), sign])
 
 
 def seen(tree: RayTree) -> tuple[list, np.ndarray]:
@@ -52,16 +78,17 @@ def seen(tree: RayTree) -> tuple[list, np.ndarray]:
 
     Few values: what passes is a product of the materials' `transmit`.
     """
-    hit = np.repeat(tree.object >= 0, tree.visibility.shape[1])
-    passed = [float(format(share, ".12g")) for share in tree.passed.ravel().tolist()]
-    pairs = list(
-        zip(tree.visibility.ravel().tolist(), tree.blocker.ravel().tolist(), passed, strict=True)
+    shape = tree.visibility.shape
+    hit = np.repeat(tree.object >= 0, shape[1])
+    exact, which = np.unique(tree.passed.ravel()[hit], return_inverse=True)
+    shares, same = np.unique([float(format(x, ".12g")) for x in exact], return_inverse=True)
+    table, place = by_frequency(
+        [tree.visibility.ravel()[hit], tree.blocker.ravel()[hit], same.astype(np.int64)[which]]
     )
-    place = np.zeros(len(pairs), np.int64)
-    table, place[hit] = by_frequency(
-        [pair for pair, is_hit in zip(pairs, hit, strict=True) if is_hit]
-    )
-    return table, place.reshape(tree.visibility.shape)
+    places = np.zeros(len(hit), np.int64)
+    places[hit] = place
+    told = [(visibility, blocker, float(shares[k])) for visibility, blocker, k in table]
+    return told, places.reshape(shape)
 
 
 def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[str, Any]:

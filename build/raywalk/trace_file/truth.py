@@ -9,7 +9,8 @@ import numpy as np
 
 from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace_file import rebuild
-from raywalk.trace_file.walk import Ray, image_keys
+from raywalk.trace_file.tables import drawn_hits
+from raywalk.trace_file.walk import Ray, images_along
 
 
 class TrueNumbers:
@@ -32,18 +33,13 @@ class TrueNumbers:
     def _depths(self) -> np.ndarray:
         """(images, n * n) 1 / z in steps."""
         header, tree = self.header, self.tree
-        slant = rebuild.length(rebuild.camera_steps(header["camera"], header["n"])).tolist()
-        place = {(im["object"], im["turn"]): k for k, im in enumerate(header["images"])}
-        start = tree.hits_start.tolist()
-        depths = np.zeros((len(place), len(slant)))
-        for ray, size in enumerate(slant):
-            here = slice(start[ray], start[ray + 1])
-            far = tree.hits_t[here].tolist()
-            if not far:
-                far = [float(np.linalg.norm(tree.point[ray] - header["camera"]["eye"]))]
-            keys = image_keys(tree.hits_object[here].tolist(), place)
-            for key, t in zip(keys, far, strict=True):
-                depths[key, ray] = size / t / header["images"][key]["step"]
+        slant = rebuild.length(rebuild.camera_steps(header["camera"], header["n"]))
+        step = np.array([image["step"] for image in header["images"]])
+        along = images_along(header["tables"]["signature"], header["images"])
+        depths = np.zeros((len(step), len(slant)))
+        ray, place, t = drawn_hits(tree, header["camera"]["eye"])
+        image = along[self.symbols["signature"][ray], place]
+        depths[image, ray] = slant[ray] / t / step[image]
         return depths
 
     def _depth(self, k: int, ray: Ray) -> np.ndarray:

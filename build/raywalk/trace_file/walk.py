@@ -41,11 +41,10 @@ def walk(header: dict[str, Any], coder: Coder) -> Ray:
     sides = in_raster(n)
     zeros = np.zeros(n * n, np.int64)
     chosen = inside("signature", coder.symbols("signature", 0, zeros, zeros, sides), tables)
-    met = [tables["signature"][k] for k in chosen.tolist()]
-    first_object = np.array([hits[0] if hits else ABSENT for hits in met], np.int64)
+    first = np.array([hits[0] if hits else ABSENT for hits in tables["signature"]], np.int64)
     surfaces = np.array(tables["surface"], np.int64).reshape(-1, 4)
     patch_of = surfaces[:, 0]
-    tree = grow(n, first_object, patch_of, header["rays"], coder.symbols)
+    tree = grow(n, first[chosen], patch_of, header["rays"], coder.symbols)
     ray: Ray = {
         "kind": tree.kind, "parent": tree.parent, "pixel": tree.pixel, "level": tree.level,
         "surface": tree.surface, "way": tree.way, "children": tree.children,
@@ -54,7 +53,7 @@ def walk(header: dict[str, Any], coder: Coder) -> Ray:
         "sign": surfaces[tree.surface, 3],
         "object": np.array([p["object"] for p in header["patches"]])[patch_of[tree.surface]],
     }  # fmt: skip
-    hits_along(header, coder, ray, met, sides)
+    hits_along(header, coder, ray, chosen, sides)
     points(header, coder, ray, tree)
     normals(header, coder, ray, tree)
     weights(header, coder, ray, tree)
@@ -72,48 +71,59 @@ def inside(name: str, symbol: np.ndarray, tables: dict[str, list]) -> np.ndarray
 
 
 def hits_along(
-    header: dict[str, Any], coder: Coder, ray: Ray, met: list[list[int]], sides: np.ndarray
+    header: dict[str, Any], coder: Coder, ray: Ray, chosen: np.ndarray, sides: np.ndarray
 ) -> None:
-    """Every hit along each camera ray. One image a key (object, how often met before)."""
-    n, images = header["n"], header["images"]
+    """Every hit along each camera ray. One image a key (object, how often met before).
+
+    chosen: (n * n,) each ray's row in the table of signatures.
+    """
+    n, images, met = header["n"], header["images"], header["tables"]["signature"]
     step = rebuild.camera_steps(header["camera"], n)
     size = rebuild.length(step)
     row, column = np.divmod(np.arange(n * n), n)
     features = [column.astype(float), row.astype(float)]
-    place: dict[tuple[int, int], int] = {
-        (image["object"], image["turn"]): k for k, image in enumerate(images)
-    }
-    keys = [image_keys(hits, place) for hits in met]
-    start = np.cumsum([0, *(len(hits) for hits in met)])
+    along = images_along(met, images)
     z = np.ones((n * n, len(images)))
     for k, image in enumerate(images):
-        group = np.array([0 if k in own else ABSENT for own in keys])
+        group = np.where((along == k).any(axis=1), 0, ABSENT)[chosen]
         number = coder.numbers(f"depth{k}", ray, group, group, sides, features)
         here = group == 0
         if (number[here] < 1).any():
             raise TraceFileError("damaged", f"column depth{k} leads behind the camera")
         z[here, k] = 1 / (number[here] * image["step"])
-    nearest = z[np.arange(n * n), [own[0] for own in keys]]
+    nearest = z[np.arange(n * n), along[chosen, 0]]
     ray["cameraPoint"] = np.stack(
         [header["camera"]["eye"][k] + step[k] * nearest for k in range(3)], axis=1
     )
     ray["cameraT"] = nearest * size
-    flat = [(k, key) for k, own in enumerate(keys) for key in own[: len(met[k])]]
-    at = np.array(flat, np.int64).reshape(-1, 2)
-    t = z[at[:, 0], at[:, 1]] * size[at[:, 0]]
+    counts = np.array([len(hits) for hits in met], np.int64)[chosen]
+    start = np.concatenate([[0], np.cumsum(counts)])
+    of = np.repeat(np.arange(n * n), counts)
+    image_of = along[chosen[of], np.arange(len(of)) - start[of]]
+    t = z[of, image_of] * size[of]
     ray["hitsStart"], ray["hitsT"] = start, ascending(t, start)
-    ray["hitsObject"] = np.array([thing for hits in met for thing in hits], np.int64)
+    ray["hitsObject"] = np.array([image["object"] for image in images], np.int64)[image_of]
 
 
-def image_keys(hits: list[int], place: dict[tuple[int, int], int]) -> list[int]:
-    """Which depth images a ray that meets these objects has; one that leaves has its own."""
+def images_along(met: list[list[int]], images: list[dict[str, Any]]) -> np.ndarray:
+    """(signatures, longest) the depth images of a ray's hits, then ABSENT."""
+    place = {(image["object"], image["turn"]): k for k, image in enumerate(images)}
+    keys = [keys_along(hits) for hits in met]
+    if any(key not in place for own in keys for key in own):
+        raise TraceFileError("damaged", "a depth image is missing")
+    along = np.full((len(keys), max((len(own) for own in keys), default=1)), ABSENT)
+    for row, own in enumerate(keys):
+        along[row, : len(own)] = [place[key] for key in own]
+    return along
+
+
+def keys_along(hits: list[int]) -> list[tuple[int, int]]:
+    """(object, how often met before) of a ray's hits; one that leaves has a key of its own."""
     turns: dict[int, int] = {}
     keys = []
     for thing in hits or [ABSENT]:
         turns[thing] = turns.get(thing, -1) + 1
-        if (thing, turns[thing]) not in place:
-            raise TraceFileError("damaged", "a depth image is missing")
-        keys.append(place[thing, turns[thing]])
+        keys.append((thing, turns[thing]))
     return keys
 
 
