@@ -156,8 +156,13 @@ def measured(scene: Scene, skip: Skip, rounds: int) -> dict[str, Any]:
     steps = np.abs(pictures[0].astype(int) - pictures[1].astype(int)).max(initial=0)
     return {
         "scene": scene.id, "skip": skip.key, "what": skip.what,
-        "ratio": statistics.median(ratios), "steps": int(steps),
+        "ratio": statistics.median(ratios), "surely": quarter(ratios), "steps": int(steps),
     }  # fmt: skip
+
+
+def quarter(ratios: list[float]) -> float:
+    """What three of four rounds reached: of many scenes, the best median alone may be chance."""
+    return sorted(ratios)[len(ratios) // 4]
 
 
 def partial_picture(tracer: Tracer, keeps_all: bool = False) -> Callable[[], np.ndarray]:
@@ -187,11 +192,12 @@ def skip_cases(rows: list[dict[str, Any]], seed: int) -> Iterator[Case]:
         own = [row for row in rows if row["skip"] == skip.key]
         if not own:
             continue
-        best = max(row["ratio"] for row in own)
+        best = max(row["surely"] for row in own)
         allowed = FAINT_STEPS if skip.key == "faint" else 0
         steps = max(row["steps"] for row in own)
         yield Case("skips", skip.what, "8-bit steps it changes", allowed, steps, 0, seed)
-        yield Case("skips", skip.what, "best share of the time without it", 0.99, 1 / best, 0, seed)
+        share = "share of the time without it, in its best scene, three of four times"
+        yield Case("skips", skip.what, share, 0.99, 1 / best, 0, seed)
 
 
 def as_table(rows: list[dict[str, Any]]) -> Iterator[str]:
