@@ -29,7 +29,7 @@ from raywalk.trace_file.walk import images_along, keys_along, walk
 if TYPE_CHECKING:
     from raywalk.trace_file.patches import Patch
 
-FORMAT, VERSION = "raywalk-trace", 1
+FORMAT, VERSION = "raywalk-trace", 2
 CHILD_BIT = {Kind.REFLECTED: REFLECTED, Kind.REFRACTED: REFRACTED, Kind.TOTAL: TOTAL}
 
 

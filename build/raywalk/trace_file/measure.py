@@ -43,6 +43,9 @@ def measured_errors(
         raise TraceFileError("unfit", f"colours do not add up: off by {found['colour']:.2g}")
     if (ray["tiles"] != tile.reshape(-1)).any():
         raise TraceFileError("unfit", "tiles do not come back")
+    sums = 255 * np.clip(ray["colour"][: len(tile)], 0.0, 1.0)
+    if np.abs(sums - tile).max(initial=0.0) > 0.5 + 255 * COLOUR:
+        raise TraceFileError("unfit", "tiles are not the rounded sums of their rays' colours")
     return {name: float(format(error * 1.005, ".3g")) for name, error in found.items()}
 
 

@@ -57,9 +57,9 @@ def walk(header: dict[str, Any], coder: Coder) -> Ray:
     points(header, coder, ray, tree)
     normals(header, coder, ray, tree)
     weights(header, coder, ray, tree)
+    tiles(header, coder, ray, sides)
     lights(header, coder, ray, tree)
     ray["colour"] = rebuild.recombine(header, ray)
-    tiles(header, coder, ray, sides)
     return ray
 
 
@@ -253,9 +253,11 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
 
 
 def tiles(header: dict[str, Any], coder: Coder, ray: Ray, sides: np.ndarray) -> None:
-    """Exact 8-bit colours: stored is by how much the rounded sum of the tree is off."""
+    """8-bit colours, each channel predicted from those before it too. They stand on their own:
+    tiles can be shown before any light is decoded."""
     n = header["n"]
-    near = rebuild.eight_bit(ray["colour"][: n * n])
-    zeros = np.zeros(n * n, np.int64)
-    off = [coder.numbers(f"tile{c}", ray, zeros, zeros, sides, []) for c in range(3)]
-    ray["tiles"] = (near + np.stack(off, axis=1).astype(np.int64)).reshape(-1)
+    group, kind = ray["way"][: n * n], ray["patch"][: n * n]
+    channels: list[np.ndarray] = []
+    for c in range(3):
+        channels.append(coder.numbers(f"tile{c}", ray, group, kind, sides, channels.copy()))
+    ray["tiles"] = np.stack(channels, axis=1).astype(np.int64).reshape(-1)

@@ -2,13 +2,14 @@
  * A trace file's JSON as a Trace. Reads columns in the order of walk.py, which is the place to
  * learn what they are; the numbers come out bit by bit as there.
  */
-import { ABSENT, Columns, NO_FEATURES, inRaster, storedRays, type Stored } from "./columns";
+import { Columns, NO_FEATURES } from "./columns";
 import { TraceError, damaged } from "./errors";
-import { floats, ints } from "./fill";
 import { checkedHeader, type Expected, type Header } from "./header";
 import { readLights } from "./lights";
-import { readHits, type CameraHits } from "./hits";
-import { SHARE, eightBit, normalOn, onOctahedron, pointOn, recombine } from "./rebuild";
+import { readHits } from "./hits";
+import { ABSENT, alike, fillRaster } from "./neighbours";
+import { normalsOn, pointsOn, recombine } from "./rebuild";
+import { scratchFor, type Scratch } from "./scratch";
 import { grow, type Structure } from "./structure";
 import { KIND, type Trace } from "./types";
 
@@ -16,137 +17,143 @@ import { KIND, type Trace } from "./types";
 export function decode(json: unknown, expected: Expected = {}): Trace {
   const header = checkedHeader(json, expected);
   try {
-    const columns = new Columns(header);
-    const trace = read(header, columns);
-    columns.finish();
-    return trace;
+    return read(header, scratchFor(Math.max(header.rays, header.n * header.n)));
   } catch (error) {
     if (error instanceof TraceError) throw error;
     throw damaged(`the header lacks something: ${error}`);
   }
 }
 
-function read(header: Header, columns: Columns): Trace {
-  const { n, tables } = header;
-  const sides = inRaster(n);
-  const zeros = new Int32Array(n * n);
-  const cameras = storedRays(zeros, zeros, sides);
-  const signature = columns.symbols("signature", cameras, n * n, tables.signature.length);
-  const hits = readHits(header, columns, signature, sides);
-  const tree = grow(header, columns, ints(n * n, (k) => tables.signature[signature[k]][0] ?? ABSENT), sides);
-  const count = tree.count;
-  const surface = (column: 1 | 2 | 3) => looked(tree.surface, tables.surface.map((each) => each[column]));
-  const material = surface(1);
-  const point = readPoints(header, columns, tree, hits);
-  const normal = readNormals(header, columns, tree, point, surface(3));
-  const object = looked(tree.patch, header.patches.map((patch) => patch.object));
-  const t = lengths(tree, point, hits, object);
-  const weight = readWeights(header, columns, tree, material);
-  const tests = new Int32Array(columns.numbers("tests", storedRays(tree.way, tree.patch, tree.sides), NO_FEATURES, new Float64Array(count)));
-  const lit = readLights(header, columns, tree, { object, material, point, normal });
-  const localWeight = floats(count, (row) => header.materials[material[row]]?.local ?? 0);
+function read(header: Header, scratch: Scratch): Trace {
+  const { n, rays: count, tables, materials, patches } = header;
+  const columns = new Columns(header, scratch.off);
+  const signature = new Int32Array(n * n);
+  const tree = plant(header, columns, signature, scratch);
+  const { sides, surface, patch } = tree;
+  const { near, number, counting } = scratch;
+  const all = counting.subarray(0, count);
+  const ofSurface = (column: 1 | 2 | 3) => looked(surface, tables.surface.map((each) => each[column]), new Int16Array(count));
+  const material = ofSurface(1);
+  const object = looked(patch, patches.map((each) => each.object), new Int16Array(count));
+  const point = new Float64Array(3 * count), t = new Float64Array(count);
+  const hits = readHits(header, columns, signature, sides, scratch, point, t);
+  alike(all, tree.way, sides, near);
+  readPoints(header, columns, tree, scratch, point);
+  measure(tree, point, object, n * n, t);
+  const normal = readNormals(header, columns, tree, scratch, point);
+  columns.numbers("tests", all, patch, patches.length, near, NO_FEATURES, number[0]);
+  const tests = new Int32Array(count);
+  for (let row = 0; row < count; row++) tests[row] = number[0][row];
+  const tiles = readTiles(header, columns, tree, scratch);
+  const weight = readWeights(header, columns, tree, material, scratch);
+  const lit = readLights(header, columns, tree, { object, material, point, normal }, scratch);
+  const localWeight = looked(material, materials.map((each) => each.local), new Float64Array(count));
   const colour = recombine(header, { count, parent: tree.parent, material, weight, localWeight, ...lit });
+  columns.finish();
   return {
     scene: header.scene, n, lights: header.lights.length, count,
-    kind: tree.kind, parent: tree.parent, pixel: tree.pixel,
-    depth: new Uint8Array(ints(count, (row) => Math.min(tree.level[row], 255))),
-    object, material, inside: new Uint8Array(surface(2)), t, weight, localWeight, tests, point, normal, colour,
-    ...lit, tiles: readTiles(columns, n, colour, cameras),
+    kind: tree.kind, parent: tree.parent, pixel: tree.pixel, depth: tree.depth,
+    object, material, inside: looked(surface, tables.surface.map((each) => each[2]), new Uint8Array(count)),
+    t, weight, localWeight, tests, point, normal, colour, ...lit, tiles,
     hitsStart: hits.start, hitsT: hits.hitsT, hitsObject: hits.hitsObject,
   };
 }
 
-/** table[row[k]] for every k. */
-function looked(row: Int32Array, table: readonly number[]): Int16Array {
-  const out = new Int16Array(row.length);
-  for (let k = 0; k < row.length; k++) out[k] = table[row[k]];
+/** The tree; writes for each camera ray the row of the table of objects along it. */
+function plant(header: Header, columns: Columns, signature: Int32Array, scratch: Scratch): Structure {
+  const { n, tables } = header;
+  const { sides, zeros, rows } = scratch;
+  fillRaster(n, sides);
+  columns.symbols("signature", 0, n * n, zeros, zeros, 1, sides, tables.signature.length, signature);
+  const nearest = Int32Array.from(tables.signature, (objects) => objects[0] ?? ABSENT);
+  const firstObject = rows;
+  for (let k = 0; k < n * n; k++) firstObject[k] = nearest[signature[k]];
+  return grow(header, columns, firstObject, scratch);
+}
+
+/** table[row[k]] for every k, 0 for negative rows. */
+function looked<Out extends Int16Array | Uint8Array | Float64Array>(row: Int32Array | Int16Array, table: readonly number[], out: Out): Out {
+  for (let k = 0; k < out.length; k++) out[k] = row[k] < 0 ? 0 : table[row[k]];
   return out;
 }
 
-/** The rays for which `stored` holds, told by the row's `by`. */
-function raysWith(tree: Structure, kind: Int32Array, stored: (row: number) => boolean): Stored {
-  const [groups, kinds] = [new Int32Array(tree.count).fill(ABSENT), new Int32Array(tree.count).fill(ABSENT)];
-  for (let row = 0; row < tree.count; row++) {
-    if (!stored(row)) continue;
-    groups[row] = tree.way[row];
-    kinds[row] = kind[row];
-  }
-  return storedRays(groups, kinds, tree.sides);
+/** Rows from `first` on whose value is marked. */
+function marked(value: Int32Array, is: Uint8Array, first: number, end: number, rows: Int32Array): Int32Array {
+  let k = 0;
+  for (let row = first; row < end; row++) if (is[value[row]] === 1) rows[k++] = row;
+  return rows.subarray(0, k);
 }
 
 /** Where rays end. Those of camera rays are known from the hits along them. */
-function readPoints(header: Header, columns: Columns, tree: Structure, hits: CameraHits): Float64Array {
+function readPoints(header: Header, columns: Columns, tree: Structure, { near, number, counting, rows: scratch }: Scratch, point: Float64Array) {
   const { n, patches } = header;
-  const isFree = patches.map((patch) => patch.points === "free");
-  const sent = raysWith(tree, tree.patch, (row) => row >= n * n);
-  const free = raysWith(tree, tree.patch, (row) => row >= n * n && isFree[tree.patch[row]]);
-  const numbers = [sent, sent, free].map((stored, k) => columns.numbers(`point${k}`, stored, NO_FEATURES, new Float64Array(tree.count)));
-  const point = new Float64Array(3 * tree.count);
-  point.set(hits.point);
-  for (let row = n * n; row < tree.count; row++) {
-    pointOn(patches[tree.patch[row]], numbers[0][row], numbers[1][row], numbers[2][row], point, 3 * row);
-  }
-  return point;
+  const sent = counting.subarray(n * n, tree.count);
+  const free = marked(tree.patch, Uint8Array.from(patches, (patch) => (patch.points === "free" ? 1 : 0)), n * n, tree.count, scratch);
+  for (const [k, rows] of [sent, sent, free].entries()) columns.numbers(`point${k}`, rows, tree.patch, patches.length, near, NO_FEATURES, number[k]);
+  pointsOn(patches, tree.patch, n * n, tree.count, number, point);
 }
 
-function lengths(tree: Structure, point: Float64Array, hits: CameraHits, object: Int16Array): Float64Array {
-  const t = new Float64Array(tree.count).fill(Infinity);
-  for (let row = 0; row < hits.t.length; row++) if (object[row] >= 0) t[row] = hits.t[row];
-  for (let row = hits.t.length; row < tree.count; row++) {
-    if (object[row] < 0) continue;
-    const a = 3 * row, b = 3 * tree.parent[row];
-    const x = point[a] - point[b], y = point[a + 1] - point[b + 1], z = point[a + 2] - point[b + 2];
-    t[row] = Math.sqrt(x * x + y * y + z * z);
-  }
-  return t;
-}
-
-function readNormals(
-  header: Header, columns: Columns, tree: Structure, point: Float64Array, sign: Int16Array,
-): Float64Array {
-  const { patches, steps } = header;
-  const isStored = patches.map((patch) => patch.normals === "stored");
-  const kind = new Int32Array(tree.count);
-  for (let row = 0; row < tree.count; row++) kind[row] = 2 * tree.patch[row] + (tree.level[row] > 0 ? 1 : 0);
-  const stored = raysWith(tree, kind, (row) => isStored[tree.patch[row]]);
-  const u = columns.numbers("normal0", stored, NO_FEATURES, new Float64Array(tree.count));
-  const v = columns.numbers("normal1", stored, NO_FEATURES, new Float64Array(tree.count));
-  const normal = new Float64Array(3 * tree.count);
+/** Writes lengths of rays: of camera rays known, but Infinity if they leave. */
+function measure(tree: Structure, point: Float64Array, object: Int16Array, cameras: number, t: Float64Array) {
+  const { parent } = tree;
   for (let row = 0; row < tree.count; row++) {
-    const patch = patches[tree.patch[row]];
-    if (patch.normals === "stored") onOctahedron(u[row] * steps.normal, v[row] * steps.normal, normal, 3 * row);
-    else if (patch.normals !== "none") normalOn(patch, sign[row], point, normal, 3 * row);
+    if (object[row] < 0) t[row] = Infinity;
+    else if (row >= cameras) {
+      const a = 3 * row, b = 3 * parent[row];
+      const x = point[a] - point[b], y = point[a + 1] - point[b + 1], z = point[a + 2] - point[b + 2];
+      t[row] = Math.sqrt(x * x + y * y + z * z);
+    }
   }
+}
+
+function readNormals(header: Header, columns: Columns, tree: Structure, { near, number, kind, rows: scratch }: Scratch, point: Float64Array): Float64Array {
+  const { patches, steps, tables } = header;
+  const { count, patch, depth, surface } = tree;
+  const rows = marked(patch, Uint8Array.from(patches, ({ normals }) => (normals === "stored" ? 1 : 0)), 0, count, scratch);
+  for (let k = 0; k < rows.length; k++) kind[rows[k]] = 2 * patch[rows[k]] + (depth[rows[k]] > 0 ? 1 : 0);
+  for (const k of [0, 1] as const) columns.numbers(`normal${k}`, rows, kind, 2 * patches.length, near, NO_FEATURES, number[k]);
+  const normal = new Float64Array(3 * count);
+  normalsOn(patches, patch, surface, tables.surface, steps.normal, number, point, normal);
   return normal;
 }
 
 /** Shares: constants of the parent's material, or split between reflected and refracted. */
-function readWeights(header: Header, columns: Columns, tree: Structure, material: Int16Array): Float64Array {
+function readWeights(header: Header, columns: Columns, tree: Structure, material: Int16Array, scratch: Scratch): Float64Array {
   const { materials, steps } = header;
-  const isParted = (row: number) =>
-    material[row] >= 0 && materials[material[row]].split > 0 &&
-    (tree.children[row] & 3) > 0 && (tree.children[row] & 4) === 0;
-  const number = columns.numbers("split", raysWith(tree, tree.surface, isParted), NO_FEATURES, new Float64Array(tree.count));
-  const weight = new Float64Array(tree.count).fill(1);
-  for (let row = 0; row < tree.count; row++) {
-    const kind = tree.kind[row], parent = tree.parent[row];
-    if (kind === KIND.camera) continue;
-    const of = materials[material[parent]];
-    if (!isParted(parent)) weight[row] = of[SHARE[kind as 1 | 2 | 3]];
+  const { count, kind, parent, children, surface } = tree;
+  const split = Float64Array.from(materials, (of) => of.split);
+  const shares = Float64Array.from(materials.flatMap((of) => [1, of.reflected, of.refracted, of.total])); // by KIND
+  const { rows, near, number: [number] } = scratch;
+  const group = scratch.group.fill(ABSENT, 0, count);
+  let k = 0;
+  for (let row = 0; row < count; row++) {
+    if (material[row] < 0 || !(split[material[row]] > 0) || (children[row] & 3) === 0 || (children[row] & 4) !== 0) continue;
+    group[row] = tree.way[row];
+    rows[k++] = row;
+  }
+  const parted = rows.subarray(0, k);
+  alike(parted, group, tree.sides, near);
+  columns.numbers("split", parted, surface, header.tables.surface.length, near, NO_FEATURES, number);
+  const weight = new Float64Array(count);
+  for (let row = 0; row < count; row++) {
+    const of = parent[row];
+    if (of < 0) weight[row] = 1;
+    else if (group[of] === ABSENT) weight[row] = shares[4 * material[of] + kind[row]];
     else {
-      const share = number[parent] * steps.split;
-      weight[row] = kind === KIND.reflected ? share : of.split - share;
+      const share = number[of] * steps.split;
+      weight[row] = kind[row] === KIND.reflected ? share : split[material[of]] - share;
     }
   }
   return weight;
 }
 
-/** Exact 8-bit colours: stored is by how much the rounded sum of the tree is off. */
-function readTiles(columns: Columns, n: number, colour: Float64Array, cameras: Stored): Uint8Array {
-  const tiles = new Uint8Array(3 * n * n);
-  for (let c = 0; c < 3; c++) {
-    const off = columns.numbers(`tile${c}`, cameras, NO_FEATURES, new Float64Array(n * n));
-    for (let k = 0; k < n * n; k++) tiles[3 * k + c] = eightBit(colour[3 * k + c]) + off[k];
+/** 8-bit colours, each channel predicted from those before it too. */
+function readTiles({ n, patches }: Header, columns: Columns, { patch }: Structure, { near, counting, number: [number] }: Scratch): Uint8Array {
+  const cameras = counting.subarray(0, n * n);
+  const tiles = new Uint8Array(3 * n * n), before = new Float64Array(3 * n * n);
+  for (const c of [0, 1, 2] as const) {
+    columns.numbers(`tile${c}`, cameras, patch, patches.length, near, { width: c, first: before, second: before }, number);
+    for (let k = 0; k < cameras.length; k++) tiles[3 * k + c] = before[3 * k + c] = number[k];
   }
   return tiles;
 }

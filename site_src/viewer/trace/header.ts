@@ -51,7 +51,7 @@ export interface Expected {
 }
 
 const FORMAT = "raywalk-trace";
-const VERSION = 1;
+const VERSION = 2;
 
 /** The header, if this is an undamaged trace file of this version (and scene, and resolution). */
 export function checkedHeader(json: unknown, expected: Expected): Header {
@@ -74,32 +74,55 @@ export function checkedHeader(json: unknown, expected: Expected): Header {
   return header;
 }
 
-const asBytes = new WeakMap<object, Map<string, Uint8Array>>();
+/** The columns' texts as bytes, in the order of their names, and where each ends. */
+export interface ColumnBytes {
+  bytes: Uint8Array;
+  ends: Map<string, number>;
+}
 
-/** The columns' texts as bytes, in the order of their names: reading these is several times as fast. */
-export function columnBytes({ columns }: Header): Map<string, Uint8Array> {
+const asBytes = new WeakMap<object, ColumnBytes>();
+
+/** Reading bytes is several times as fast as reading texts. */
+export function columnBytes({ columns }: Header): ColumnBytes {
   const known = asBytes.get(columns);
   if (known) return known;
-  const bytes = new Map<string, Uint8Array>();
-  for (const name of Object.keys(columns).sort()) {
+  const names = Object.keys(columns).sort();
+  let length = 0;
+  for (const name of names) {
     if (typeof columns[name] !== "string") throw damaged(`column ${name} is no text`);
-    bytes.set(name, encoder.encode(columns[name]));
+    length += columns[name].length;
   }
-  asBytes.set(columns, bytes);
-  return bytes;
+  const all: ColumnBytes = { bytes: new Uint8Array(length), ends: new Map() };
+  const encoder = new TextEncoder();
+  let at = 0;
+  for (const name of names) {
+    const { read } = encoder.encodeInto(columns[name], at ? all.bytes.subarray(at) : all.bytes);
+    if (read !== columns[name].length) throw damaged(`column ${name} holds a foreign character`);
+    all.ends.set(name, (at += read));
+  }
+  asBytes.set(columns, all);
+  return all;
 }
-const encoder = new TextEncoder();
 
-/** One CRC-32 over all of them. */
-function checksum(columns: Map<string, Uint8Array>): number {
+/** CRC-32, eight bytes at a time ("slicing by eight", Kounavis and Berry 2005). */
+function checksum({ bytes }: ColumnBytes): number {
+  const words = new Int32Array(bytes.buffer, 0, bytes.length >> 2); // little-endian, as every browser's machine
   let crc = -1;
-  for (const bytes of columns.values())
-    for (let i = 0; i < bytes.length; i++) crc = CRC_TABLE[(crc ^ bytes[i]) & 255] ^ (crc >>> 8);
+  for (let k = 0; k + 1 < words.length; k += 2) {
+    const low = crc ^ words[k], high = words[k + 1];
+    crc =
+      CRC_TABLE[1792 + (low & 255)] ^ CRC_TABLE[1536 + ((low >>> 8) & 255)] ^ CRC_TABLE[1280 + ((low >>> 16) & 255)] ^ CRC_TABLE[1024 + (low >>> 24)] ^
+      CRC_TABLE[768 + (high & 255)] ^ CRC_TABLE[512 + ((high >>> 8) & 255)] ^ CRC_TABLE[256 + ((high >>> 16) & 255)] ^ CRC_TABLE[high >>> 24];
+  }
+  for (let k = bytes.length & ~7; k < bytes.length; k++) crc = CRC_TABLE[(crc ^ bytes[k]) & 255] ^ (crc >>> 8);
   return (crc ^ -1) >>> 0;
 }
 
-const CRC_TABLE = Int32Array.from({ length: 256 }, (_, byte) => {
+/** What a byte does to the remainder, and what it does one to seven bytes later. */
+const CRC_TABLE = new Int32Array(2048);
+for (let byte = 0; byte < 256; byte++) {
   let rest = byte;
   for (let bit = 0; bit < 8; bit++) rest = rest & 1 ? (rest >>> 1) ^ 0xedb88320 : rest >>> 1;
-  return rest;
-});
+  CRC_TABLE[byte] = rest;
+}
+for (let at = 256; at < 2048; at++) CRC_TABLE[at] = (CRC_TABLE[at - 256] >>> 8) ^ CRC_TABLE[CRC_TABLE[at - 256] & 255];

@@ -1,67 +1,118 @@
 /** Every hit along each camera ray, kept as one image of 1 / z per key: an object and how often
  *  the ray met it before. A ray that leaves the scene has its end in an image of its own. */
-import { ABSENT, storedRays, type Columns, type Sides } from "./columns";
+import type { Columns } from "./columns";
 import { damaged } from "./errors";
-import { floats, ints } from "./fill";
 import type { Header } from "./header";
+import { ABSENT, alike, type Sides } from "./neighbours";
+import type { Scratch } from "./scratch";
 
 export interface CameraHits {
-  point: Float64Array; // (3 * n * n) where each camera ray ends
-  t: Float64Array; // (n * n) length of each camera ray
   start: Int32Array;
   hitsT: Float64Array;
   hitsObject: Int16Array;
 }
 
-/** met[signature[k]]: objects along camera ray k, nearest first. */
-export function readHits(header: Header, columns: Columns, signature: Int32Array, sides: Sides): CameraHits {
-  const { n, camera } = header;
-  const met = header.tables.signature;
-  const keys = met.map((hits) => imageKeys(header, hits));
-  const depth = readImages(header, columns, signature, keys, sides);
-  const start = new Int32Array(n * n + 1);
-  for (let ray = 0; ray < n * n; ray++) start[ray + 1] = start[ray] + met[signature[ray]].length;
-  const hitsT = new Float64Array(start[n * n]);
-  const hitsObject = new Int16Array(start[n * n]);
-  const point = new Float64Array(3 * n * n);
-  const t = new Float64Array(n * n);
-  const step = new Float64Array(3);
-  for (let ray = 0; ray < n * n; ray++) {
-    const x = (2 * ((ray % n) + 0.5)) / n - 1;
-    const y = (2 * (Math.floor(ray / n) + 0.5)) / n - 1;
-    for (let k = 0; k < 3; k++) step[k] = camera.forward[k] + camera.right[k] * x + camera.down[k] * y;
-    const size = Math.sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
-    const own = keys[signature[ray]], objects = met[signature[ray]];
-    const nearest = depth[own[0]][ray];
-    for (let k = 0; k < 3; k++) point[3 * ray + k] = camera.eye[k] + step[k] * nearest;
-    t[ray] = nearest * size;
-    for (let k = 0; k < objects.length; k++) {
-      const at = start[ray] + k;
-      hitsT[at] = depth[own[k]][ray] * size;
-      if (k > 0 && hitsT[at] < hitsT[at - 1]) hitsT[at] = hitsT[at - 1]; // closer than the step
-      hitsObject[at] = objects[k];
-    }
-  }
-  return { point, t, start, hitsT, hitsObject };
+/** Which image each end stands in; a ray that leaves has one end, others as many as hits. */
+interface Ends {
+  start: Int32Array; // (n * n + 1)
+  ray: Int32Array; // image by image
+  place: Int32Array; // likewise: which of all ends
+  first: Int32Array; // of each image, and the end
 }
 
-/** z of every camera ray in every image. */
-function readImages(
-  header: Header, columns: Columns, signature: Int32Array, keys: number[][], sides: Sides,
-): Float64Array[] {
-  const { n, images } = header;
-  const place = { width: 2, values: floats(2 * n * n, (k) => (k % 2 ? Math.floor((k >> 1) / n) : (k >> 1) % n)) };
-  return images.map((image, k) => {
-    const groupOf = keys.map((own) => (own.includes(k) ? 0 : ABSENT));
-    const group = ints(n * n, (ray) => groupOf[signature[ray]]);
-    const z = columns.numbers(`depth${k}`, storedRays(group, group, sides), place, new Float64Array(n * n));
-    for (let ray = 0; ray < z.length; ray++) {
-      if (group[ray] === ABSENT) continue;
-      if (z[ray] < 1) throw damaged(`column depth${k} leads behind the camera`);
-      z[ray] = 1 / (z[ray] * image.step);
+/** signature[k]: row of the table of objects along camera ray k, nearest first. Writes points and
+ *  lengths of the camera rays, which are the first. */
+export function readHits(header: Header, columns: Columns, signature: Int32Array, sides: Sides, scratch: Scratch, point: Float64Array, t: Float64Array): CameraHits {
+  const { n } = header;
+  const met = header.tables.signature;
+  const ends = sortedByImage(header, signature);
+  const z = readImages(header, columns, ends, sides, scratch);
+  const counts = Int32Array.from(met, (objects) => objects.length);
+  const start = new Int32Array(n * n + 1);
+  for (let ray = 0; ray < n * n; ray++) start[ray + 1] = start[ray] + counts[signature[ray]];
+  const hits: CameraHits = { start, hitsT: new Float64Array(start[n * n]), hitsObject: new Int16Array(start[n * n]) };
+  alongRays(header, ends.start, z, hits, point, t);
+  for (let ray = 0; ray < n * n; ray++) {
+    const objects = met[signature[ray]];
+    for (let k = 0; k < objects.length; k++) hits.hitsObject[start[ray] + k] = objects[k];
+  }
+  return hits;
+}
+
+function alongRays({ n, camera }: Header, endStart: Int32Array, z: Float64Array, { start, hitsT }: CameraHits, point: Float64Array, t: Float64Array) {
+  const [eyeX, eyeY, eyeZ] = camera.eye, [forwardX, forwardY, forwardZ] = camera.forward;
+  const [rightX, rightY, rightZ] = camera.right, [downX, downY, downZ] = camera.down;
+  for (let ray = 0, row = 0; row < n; row++) {
+    const y = (2 * (row + 0.5)) / n - 1;
+    for (let column = 0; column < n; column++, ray++) {
+      const x = (2 * (column + 0.5)) / n - 1;
+      const stepX = forwardX + rightX * x + downX * y, stepY = forwardY + rightY * x + downY * y, stepZ = forwardZ + rightZ * x + downZ * y;
+      const size = Math.sqrt(stepX * stepX + stepY * stepY + stepZ * stepZ);
+      const nearest = z[endStart[ray]];
+      point[3 * ray] = eyeX + stepX * nearest;
+      point[3 * ray + 1] = eyeY + stepY * nearest;
+      point[3 * ray + 2] = eyeZ + stepZ * nearest;
+      t[ray] = nearest * size;
+      let before = -Infinity;
+      for (let at = start[ray], end = endStart[ray]; at < start[ray + 1]; at++, end++) {
+        const far = z[end] * size;
+        if (!(far < before)) before = far; // else closer than the step
+        hitsT[at] = before;
+      }
     }
-    return z;
-  });
+  }
+}
+
+function sortedByImage(header: Header, signature: Int32Array): Ends {
+  const { n, images } = header;
+  const keys = header.tables.signature.map((objects) => imageKeys(header, objects));
+  const counts = Int32Array.from(keys, (own) => own.length);
+  const start = new Int32Array(n * n + 1);
+  const rays = new Int32Array(keys.length); // of each signature
+  for (let ray = 0; ray < n * n; ray++) {
+    rays[signature[ray]]++;
+    start[ray + 1] = start[ray] + counts[signature[ray]];
+  }
+  const first = new Int32Array(images.length + 1);
+  keys.forEach((own, k) => own.forEach((image) => (first[image + 1] += rays[k])));
+  for (let k = 0; k < images.length; k++) first[k + 1] += first[k];
+  const next = first.slice();
+  const ray = new Int32Array(start[n * n]), place = new Int32Array(start[n * n]);
+  for (let k = 0; k < n * n; k++) {
+    const own = keys[signature[k]];
+    for (let turn = 0; turn < own.length; turn++) {
+      const at = next[own[turn]]++;
+      ray[at] = k;
+      place[at] = start[k] + turn;
+    }
+  }
+  return { start, ray, place, first };
+}
+
+/** z of every end, in the rays' order. */
+function readImages(header: Header, columns: Columns, ends: Ends, sides: Sides, { near, group: image, zeros, number: [number] }: Scratch): Float64Array {
+  const { n, images } = header;
+  const cell = new Float64Array(3 * n * n); // column, row, unused
+  for (let k = 0; k < n * n; k++) {
+    cell[3 * k] = k % n;
+    cell[3 * k + 1] = Math.floor(k / n);
+  }
+  const features = { width: 2, first: cell, second: cell } as const;
+  image.fill(ABSENT, 0, n * n); // the last that each ray was of
+  const z = new Float64Array(ends.ray.length);
+  for (let k = 0; k < images.length; k++) {
+    const rays = ends.ray.subarray(ends.first[k], ends.first[k + 1]);
+    for (let at = 0; at < rays.length; at++) image[rays[at]] = k;
+    alike(rays, image, sides, near);
+    columns.numbers(`depth${k}`, rays, zeros, 1, near, features, number);
+    const { step } = images[k], from = ends.first[k], { place } = ends;
+    for (let at = 0; at < rays.length; at++) {
+      const depth = number[rays[at]];
+      if (depth < 1) throw damaged(`column depth${k} leads behind the camera`);
+      z[place[from + at]] = 1 / (depth * step);
+    }
+  }
+  return z;
 }
 
 /** The images of a ray that meets these objects, or none. */

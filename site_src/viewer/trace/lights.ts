@@ -1,7 +1,8 @@
 /** What each light gives at each hit, and who stands between. */
-import { ABSENT, storedRays, type Columns, type Features, type Stored } from "./columns";
-import { floats } from "./fill";
+import type { Columns } from "./columns";
 import type { Header } from "./header";
+import { ABSENT, alike } from "./neighbours";
+import type { Scratch } from "./scratch";
 import type { Structure } from "./structure";
 import { VISIBILITY } from "./types";
 
@@ -14,16 +15,17 @@ export interface Lit {
   specular: Float64Array;
 }
 
-interface Known {
+/** What is known before. */
+export interface Known {
   object: Int16Array;
   material: Int16Array;
   point: Float64Array;
   normal: Float64Array;
 }
 
-export function readLights(header: Header, columns: Columns, tree: Structure, known: Known): Lit {
-  const { lights } = header;
-  const count = tree.count * lights.length;
+export function readLights(header: Header, columns: Columns, tree: Structure, known: Known, scratch: Scratch): Lit {
+  const lights = header.lights.length;
+  const count = tree.count * lights;
   const lit: Lit = {
     visibility: new Uint8Array(count).fill(VISIBILITY.behind),
     blocker: new Int16Array(count).fill(-1),
@@ -32,93 +34,83 @@ export function readLights(header: Header, columns: Columns, tree: Structure, kn
     diffuse: new Float64Array(count),
     specular: new Float64Array(count),
   };
-  const place: Features = { width: 3, values: known.point };
-  const features: Features = { width: 6, values: new Float64Array(6 * tree.count) };
-  for (let row = 0; row < tree.count; row++)
-    for (let c = 0; c < 3; c++) {
-      features.values[6 * row + c] = known.normal[3 * row + c];
-      features.values[6 * row + 3 + c] = known.point[3 * row + c];
-    }
-  const number = new Float64Array(tree.count); // scratch, as are the next
-  const blocked = { group: new Int32Array(tree.count), kind: new Int32Array(tree.count) };
-  const hits = hitRays(tree, known.object);
-  const factors = colouredRays(header, tree, known);
-  const step = floats(tree.count, (row) => header.materials[known.material[row]]?.step ?? 0);
-  for (let l = 0; l < lights.length; l++) {
-    readShadows(header, columns, tree, hits, place, lit, l, number, blocked);
-    for (const { name, stored } of factors) {
-      columns.numbers(`${name}${l}`, stored, features, number);
-      const { rows } = stored;
-      const out = lit[name];
-      for (let k = 0; k < rows.length; k++) {
-        const row = rows[k], at = row * lights.length + l;
-        out[at] = number[row] * step[row] * lit.passed[at];
-      }
-    }
+  const factors = colouredRays(header, tree, known, scratch);
+  for (let l = 0; l < lights; l++) {
+    readShadows(header, columns, tree, known, l, lit, scratch);
+    for (const name of FACTORS) readFactors(header, columns, factors[name], known, name, l, lit, scratch);
   }
   return lit;
 }
 
-function hitRays(tree: Structure, object: Int16Array): Stored {
-  const group = new Int32Array(tree.count).fill(ABSENT);
-  const kind = new Int32Array(tree.count).fill(ABSENT);
-  for (let row = 0; row < tree.count; row++) {
-    if (object[row] < 0) continue;
-    group[row] = tree.way[row];
-    kind[row] = tree.surface[row];
-  }
-  return storedRays(group, kind, tree.sides);
-}
-
-const FACTORS = ["diffuse", "specular"] as const;
-
-/** A factor is stored where it multiplies a colour that is not black. */
-function colouredRays(header: Header, tree: Structure, known: Known) {
-  const colouredBy = FACTORS.map((name) => header.materials.map((of) => of.local > 0 && of[name].some((part) => part > 0)));
-  const alike = colouredBy[0].every((is, k) => is === colouredBy[1][k]);
-  const surfaces = header.tables.surface.length;
-  const stored = (coloured: boolean[]) => {
-    const group = new Int32Array(tree.count).fill(ABSENT);
-    const kind = new Int32Array(tree.count).fill(ABSENT);
-    for (let row = 0; row < tree.count; row++) {
-      if (!coloured[known.material[row]]) continue;
-      group[row] = tree.way[row] * surfaces + tree.surface[row];
-      kind[row] = 2 * tree.surface[row] + (tree.level[row] > 0 ? 1 : 0);
-    }
-    return storedRays(group, kind, tree.sides);
-  };
-  const diffuse = stored(colouredBy[0]);
-  const specular = alike ? diffuse : stored(colouredBy[1]);
-  return [{ name: FACTORS[0], stored: diffuse }, { name: FACTORS[1], stored: specular }];
-}
-
+/** Whether a light is seen, and if not what stops it where. */
 function readShadows(
-  header: Header, columns: Columns, tree: Structure, hits: Stored, place: Features, lit: Lit, l: number,
-  number: Float64Array, blocked: { group: Int32Array; kind: Int32Array },
+  header: Header, columns: Columns, tree: Structure, { object, point }: Known, l: number, lit: Lit,
+  { symbol: seen, group, kind, rows: stopped, near, number: [number] }: Scratch,
 ) {
-  const { lights, steps } = header;
-  const table = header.tables.visibility;
-  const seen = columns.symbols(`visibility${l}`, hits, tree.count, table.length);
-  const group = blocked.group.fill(ABSENT), kind = blocked.kind.fill(ABSENT);
+  const { way, depth, count, surface } = tree;
+  const { visibility, blocker, passed, blockedAt } = lit;
+  const table = header.tables.visibility, lights = header.lights.length;
   const visibilities = Uint8Array.from(table, (each) => each[0]);
   const blockers = Int16Array.from(table, (each) => each[1]);
   const shares = Float64Array.from(table, (each) => each[2] ?? 1);
-  for (let k = 0; k < hits.rows.length; k++) {
-    const row = hits.rows[k], of = seen[row];
-    const at = row * lights.length + l;
-    lit.visibility[at] = visibilities[of];
-    lit.blocker[at] = blockers[of];
-    lit.passed[at] = shares[of];
+  const isDimmed = shares.some((share) => share !== 1);
+  for (let row = 0; row < count; row++) kind[row] = object[row] < 0 ? ABSENT : surface[row];
+  columns.symbols(`visibility${l}`, 0, count, way, kind, header.tables.surface.length, tree.sides, table.length, seen);
+  let blocked = 0;
+  for (let row = 0, at = l; row < count; row++, at += lights) {
+    group[row] = ABSENT;
+    if (object[row] < 0) continue;
+    const of = seen[row];
+    visibility[at] = visibilities[of];
+    if (isDimmed) passed[at] = shares[of];
+    if (blockers[of] >= 0) blocker[at] = blockers[of];
     if (visibilities[of] !== VISIBILITY.blocked) continue;
-    group[row] = tree.way[row] * table.length + of;
-    kind[row] = 2 * of + (tree.level[row] > 0 ? 1 : 0);
+    group[row] = way[row] * table.length + of;
+    kind[row] = 2 * of + (depth[row] > 0 ? 1 : 0);
+    stopped[blocked++] = row;
   }
-  const stored = storedRays(group, kind, tree.sides);
-  columns.numbers(`blocked${l}`, stored, place, number);
-  const [lightX, lightY, lightZ] = lights[l].position;
-  for (let k = 0; k < stored.rows.length; k++) {
-    const row = stored.rows[k];
-    const x = lightX - place.values[3 * row], y = lightY - place.values[3 * row + 1], z = lightZ - place.values[3 * row + 2];
-    lit.blockedAt[row * lights.length + l] = 1 - (number[row] * steps.blocked) / Math.sqrt(x * x + y * y + z * z);
+  const rows = stopped.subarray(0, blocked);
+  alike(rows, group, tree.sides, near);
+  columns.numbers(`blocked${l}`, rows, kind, 2 * table.length, near, { width: 3, first: point, second: point }, number);
+  const step = header.steps.blocked, [lightX, lightY, lightZ] = header.lights[l].position;
+  for (let k = 0; k < rows.length; k++) {
+    const row = rows[k];
+    const x = lightX - point[3 * row], y = lightY - point[3 * row + 1], z = lightZ - point[3 * row + 2];
+    blockedAt[row * lights + l] = 1 - (number[row] * step) / Math.sqrt(x * x + y * y + z * z);
+  }
+}
+
+const FACTORS = ["diffuse", "specular"] as const;
+type Factor = (typeof FACTORS)[number];
+
+/** A factor is stored where it multiplies a colour that is not black. Works out the neighbours. */
+function colouredRays(header: Header, tree: Structure, { material }: Known, { group, moreRows, evenMoreRows, nearLit, kindLit }: Scratch): Record<Factor, Int32Array> {
+  const { count, surface, way, depth } = tree;
+  const surfaces = header.tables.surface.length;
+  for (let row = 0; row < count; row++) {
+    group[row] = way[row] * surfaces + surface[row];
+    kindLit[row] = 2 * surface[row] + (depth[row] > 0 ? 1 : 0);
+  }
+  const rows = (name: Factor, out: Int32Array) => {
+    const is = Uint8Array.from(header.materials, (of) => (of.local > 0 && of[name].some((part) => part > 0) ? 1 : 0));
+    let k = 0;
+    for (let row = 0; row < count; row++) if (material[row] >= 0 && is[material[row]] === 1) out[k++] = row;
+    const found = out.subarray(0, k);
+    alike(found, group, tree.sides, nearLit);
+    return found;
+  };
+  return { diffuse: rows("diffuse", moreRows), specular: rows("specular", evenMoreRows) };
+}
+
+function readFactors(
+  header: Header, columns: Columns, rows: Int32Array, { material, point, normal }: Known, name: Factor, l: number, lit: Lit,
+  { nearLit, kindLit, number: [number] }: Scratch,
+) {
+  const lights = header.lights.length, { passed } = lit, out = lit[name];
+  const step = Float64Array.from(header.materials, (of) => of.step);
+  columns.numbers(`${name}${l}`, rows, kindLit, 2 * header.tables.surface.length, nearLit, { width: 6, first: normal, second: point }, number);
+  for (let k = 0; k < rows.length; k++) {
+    const row = rows[k], at = row * lights + l;
+    out[at] = number[row] * step[material[row]] * passed[at];
   }
 }

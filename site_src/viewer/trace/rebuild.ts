@@ -4,7 +4,7 @@
  * the stored points and normals, which know nothing of rays.
  */
 import type { Patch } from "./header";
-import { KIND, VISIBILITY, type Vec3 } from "./types";
+import { VISIBILITY, type Vec3 } from "./types";
 
 /** Writes a unit vector at out[at..at + 2] from coordinates on the unfolded octahedron. */
 export function onOctahedron(u: number, v: number, out: Float64Array, at: number) {
@@ -19,43 +19,70 @@ export function onOctahedron(u: number, v: number, out: Float64Array, at: number
 }
 
 const sphere = new Float64Array(3);
+const FLAT = 0, BALL = 1, FREE = 2; // how a patch's points are kept
+const FRAME = 13; // numbers of a patch: step, origin, three axes
 
-/** Writes the world point with these stored coordinates on a patch. */
-export function pointOn(patch: Patch, a: number, b: number, c: number, out: Float64Array, at: number) {
-  const step = patch.step!;
-  if (patch.points === "free") {
-    out[at] = a * step;
-    out[at + 1] = b * step;
-    out[at + 2] = c * step;
-    return;
-  }
-  const o = patch.origin!, axes = patch.axes!;
-  if (patch.points === "flat") {
-    const u = a * step, v = b * step;
-    for (let k = 0; k < 3; k++) out[at + k] = o[k] + axes[k] * u + axes[3 + k] * v;
-    return;
-  }
-  onOctahedron(a * step, b * step, sphere, 0);
-  for (let k = 0; k < 3; k++) {
-    out[at + k] = o[k] + axes[k] * sphere[0] + axes[3 + k] * sphere[1] + axes[6 + k] * sphere[2];
+/** Writes the world points of the rays from row `first` on to `end`, from their stored coordinates. */
+export function pointsOn(patches: readonly Patch[], patchOf: Int32Array, first: number, end: number, number: readonly Float64Array[], out: Float64Array) {
+  const form = Uint8Array.from(patches, ({ points }) => (points === "flat" ? FLAT : points === "ball" ? BALL : FREE));
+  const frame = new Float64Array(FRAME * patches.length);
+  patches.forEach(({ step = NaN, origin = [], axes = [] }, k) => [step, ...origin, ...axes].forEach((part, at) => (frame[FRAME * k + at] = part)));
+  const [across, along, third] = number;
+  for (let row = first; row < end; row++) {
+    const patch = patchOf[row], f = FRAME * patch, to = 3 * row;
+    const step = frame[f];
+    const a = across[row] * step, b = along[row] * step;
+    if (form[patch] === FLAT) {
+      out[to] = frame[f + 1] + frame[f + 4] * a + frame[f + 7] * b;
+      out[to + 1] = frame[f + 2] + frame[f + 5] * a + frame[f + 8] * b;
+      out[to + 2] = frame[f + 3] + frame[f + 6] * a + frame[f + 9] * b;
+    } else if (form[patch] === BALL) {
+      onOctahedron(a, b, sphere, 0);
+      const x = sphere[0], y = sphere[1], z = sphere[2];
+      out[to] = frame[f + 1] + frame[f + 4] * x + frame[f + 7] * y + frame[f + 10] * z;
+      out[to + 1] = frame[f + 2] + frame[f + 5] * x + frame[f + 8] * y + frame[f + 11] * z;
+      out[to + 2] = frame[f + 3] + frame[f + 6] * x + frame[f + 9] * y + frame[f + 12] * z;
+    } else {
+      out[to] = a;
+      out[to + 1] = b;
+      out[to + 2] = third[row] * step;
+    }
   }
 }
 
-/** Writes the normal that follows from the patch; sign 1 or -1 turns it to the incoming ray. */
-export function normalOn(patch: Patch, sign: number, point: Float64Array, out: Float64Array, at: number) {
-  const g = patch.gradient!;
-  if (patch.normals === "one") {
-    for (let k = 0; k < 3; k++) out[at + k] = g[k] * sign;
-    return;
+const NONE = 0, ONE = 1, GRADIENT = 2, STORED = 3; // how a patch's normals are kept
+const RULE = 12; // numbers of a gradient
+
+/** Writes normals: from two stored numbers, or as they follow from the patch; the surface's sign,
+ *  1 or -1, turns them to the incoming ray. */
+export function normalsOn(
+  patches: readonly Patch[], patchOf: Int32Array, surface: Int32Array, surfaces: readonly (readonly number[])[], step: number, number: readonly Float64Array[], point: Float64Array, out: Float64Array,
+) {
+  const form = Uint8Array.from(patches, ({ normals }) => (normals === "one" ? ONE : normals === "gradient" ? GRADIENT : normals === "stored" ? STORED : NONE));
+  const rules = new Float64Array(RULE * patches.length);
+  patches.forEach(({ gradient = [] }, k) => gradient.forEach((part, at) => (rules[RULE * k + at] = part)));
+  const signs = Float64Array.from(surfaces, (each) => each[3]);
+  const [u, v] = number;
+  for (let row = 0, count = out.length / 3; row < count; row++) {
+    const patch = patchOf[row], g = RULE * patch, at = 3 * row;
+    if (form[patch] === STORED) onOctahedron(u[row] * step, v[row] * step, out, at);
+    else if (form[patch] === ONE) {
+      const sign = signs[surface[row]];
+      out[at] = rules[g] * sign;
+      out[at + 1] = rules[g + 1] * sign;
+      out[at + 2] = rules[g + 2] * sign;
+    } else if (form[patch] === GRADIENT) {
+      const sign = signs[surface[row]];
+      const px = point[at], py = point[at + 1], pz = point[at + 2];
+      const x = rules[g] * px + rules[g + 1] * py + rules[g + 2] * pz + rules[g + 9];
+      const y = rules[g + 3] * px + rules[g + 4] * py + rules[g + 5] * pz + rules[g + 10];
+      const z = rules[g + 6] * px + rules[g + 7] * py + rules[g + 8] * pz + rules[g + 11];
+      const size = Math.sqrt(x * x + y * y + z * z);
+      out[at] = (x / size) * sign;
+      out[at + 1] = (y / size) * sign;
+      out[at + 2] = (z / size) * sign;
+    }
   }
-  const px = point[at], py = point[at + 1], pz = point[at + 2];
-  const x = g[0] * px + g[1] * py + g[2] * pz + g[9];
-  const y = g[3] * px + g[4] * py + g[5] * pz + g[10];
-  const z = g[6] * px + g[7] * py + g[8] * pz + g[11];
-  const size = Math.sqrt(x * x + y * y + z * z);
-  out[at] = (x / size) * sign;
-  out[at + 1] = (y / size) * sign;
-  out[at + 2] = (z / size) * sign;
 }
 
 export interface Terms {
@@ -119,6 +146,3 @@ export function recombine(header: Paints, ray: Terms): Float64Array {
 
 /** Linear 0..1, clamped, as 0..255; halves up. */
 export const eightBit = (colour: number) => Math.floor(255 * Math.min(Math.max(colour, 0), 1) + 0.5);
-
-/** Which constant of its parent's material a ray's weight is. */
-export const SHARE = { [KIND.reflected]: "reflected", [KIND.refracted]: "refracted", [KIND.total]: "total" } as const;

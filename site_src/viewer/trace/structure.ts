@@ -1,8 +1,9 @@
 /** Who is whose child; structure.py grows the same tree. */
-import { storedRays, type Columns, type Sides } from "./columns";
+import type { Columns } from "./columns";
 import { damaged } from "./errors";
-import { ints } from "./fill";
 import type { Header } from "./header";
+import { fillRaster, type Sides } from "./neighbours";
+import type { Scratch } from "./scratch";
 import { KIND } from "./types";
 
 const REFLECTED = 1, REFRACTED = 2, TOTAL = 4; // bits of what a hit sends on
@@ -13,7 +14,7 @@ export interface Structure {
   pixel: Int32Array;
   parent: Int32Array;
   kind: Uint8Array;
-  level: Int32Array; // bounces before the ray
+  depth: Uint8Array; // bounces before the ray, at most 255
   surface: Int32Array; // row of tables.surface
   patch: Int32Array;
   children: Int32Array;
@@ -21,128 +22,118 @@ export interface Structure {
   sides: Sides;
 }
 
-/** The rays of one depth; parents and sides count within the depth before and this one. */
-interface Wave {
-  pixel: Int32Array;
-  parent: Int32Array;
-  kind: Uint8Array;
+/** Rays while the tree grows. */
+interface Growing extends Structure {
   before: Int32Array; // equal where two rays came by the same way
-  sides: Sides;
-  paths: number[]; // where each path (RR, RT ...) starts, and the end
+  group: Int32Array;
+  reflected: Int32Array; // the child's row, -1 if there is none
+  refracted: Int32Array;
 }
 
-/** firstObject: what each camera ray meets, -1 if nothing; sides: of the camera rays. */
-export function grow(header: Header, columns: Columns, firstObject: Int32Array, sides: Sides): Structure {
+/** firstObject: what each camera ray meets, -1 if nothing. What is no column of a Trace stands in the
+ *  scratch arrays, which are longer. */
+export function grow(header: Header, columns: Columns, firstObject: Int32Array, scratch: Scratch): Structure {
   const { n, rays } = header;
   const surfaces = header.tables.surface;
-  const tree = empty(rays);
+  const patchOf = Int32Array.from(surfaces, (surface) => surface[0]);
+  const tree = seedling(n, rays, firstObject, scratch);
   const base = surfaces.length + 1;
-  let wave = cameras(n, firstObject, sides);
-  let first = 0, firstBefore = 0, ways = 0;
-  for (let level = 0; wave.pixel.length > 0; level++) {
-    const size = wave.pixel.length;
-    if (first + size > rays) throw damaged(`the tree has more than its ${rays} rays`);
-    const surface = columns.symbols("surface", storedRays(wave.before, wave.before, wave.sides), size, surfaces.length);
-    const patch = ints(size, (k) => surfaces[surface[k]][0]);
-    const way = dense(wave.before, patch, base);
-    const group = ints(size, (k) => way[k] * base + surface[k]);
-    const children = columns.symbols("children", storedRays(group, surface, wave.sides), size, CHILDREN);
-    place(tree, wave, level, first, firstBefore);
-    tree.surface.set(surface, first);
-    tree.patch.set(patch, first);
-    tree.children.set(children, first);
-    tree.way.set(ints(size, (k) => way[k] + ways), first);
-    wave = nextWave(wave, children, way);
-    firstBefore = first;
-    first += size;
-    ways += size;
+  let paths = [0, n * n]; // where each path (RR, RT ...) of one depth starts, and the end
+  let ways = 0, befores = header.patches.reduce((most, { object }) => Math.max(most, object), 0) + 2;
+  for (let depth = 0; paths.length > 1; depth++) {
+    const first = paths[0], end = paths[paths.length - 1];
+    columns.symbols("surface", first, end, tree.before, tree.before, befores, tree.sides, surfaces.length, tree.surface);
+    const next = markWays(tree, first, end, patchOf, ways);
+    columns.symbols("children", first, end, tree.group, tree.surface, base, tree.sides, CHILDREN, tree.children);
+    paths = branch(tree, paths, Math.min(depth + 1, 255), rays, ways);
+    befores = 2 * (next - ways);
+    ways = next;
+    if (paths.length === 1 && end !== rays) throw damaged(`the tree has fewer than its ${rays} rays`);
   }
-  if (first !== rays) throw damaged(`the tree has fewer than its ${rays} rays`);
   return tree;
 }
 
-function empty(count: number): Structure {
-  const column = () => new Int32Array(count);
-  return {
-    count,
-    pixel: column(), parent: column(), kind: new Uint8Array(count), level: column(),
-    surface: column(), patch: column(), children: column(), way: column(),
-    sides: { left: column(), up: column(), upLeft: column(), upRight: column() },
+function seedling(n: number, rays: number, firstObject: Int32Array, scratch: Scratch): Growing {
+  if (!(rays >= n * n)) throw damaged(`the tree has more than its ${rays} rays`);
+  const { surface, patch, children, way, sides, before, group, reflected, refracted } = scratch;
+  const tree: Growing = {
+    count: rays,
+    pixel: new Int32Array(rays), parent: new Int32Array(rays), kind: new Uint8Array(rays), depth: new Uint8Array(rays),
+    surface, patch, children, way, sides, before, group, reflected, refracted,
   };
+  fillRaster(n, tree.sides);
+  for (let k = 0; k < n * n; k++) {
+    tree.pixel[k] = k;
+    tree.parent[k] = -1;
+    tree.kind[k] = KIND.camera;
+    tree.before[k] = firstObject[k] + 1;
+  }
+  return tree;
 }
 
-function cameras(n: number, firstObject: Int32Array, sides: Sides): Wave {
-  return {
-    pixel: ints(n * n, (k) => k),
-    parent: new Int32Array(n * n).fill(-1),
-    kind: new Uint8Array(n * n).fill(KIND.camera),
-    before: ints(n * n, (k) => firstObject[k] + 1),
-    sides,
-    paths: [0, n * n],
-  };
-}
-
-/** Writes a wave's own columns from row `first` on. */
-function place(tree: Structure, wave: Wave, level: number, first: number, firstBefore: number) {
-  tree.pixel.set(wave.pixel, first);
-  tree.kind.set(wave.kind, first);
-  tree.level.fill(level, first, first + wave.pixel.length);
-  shift(wave.parent, firstBefore, tree.parent, first);
-  for (const side of SIDES) shift(wave.sides[side], first, tree.sides[side], first);
-}
-
-const SIDES = ["left", "up", "upLeft", "upRight"] as const;
-
-/** Rows counted from `by` on, written at out[at ...]; -1 stays. */
-function shift(rows: Int32Array, by: number, out: Int32Array, at: number) {
-  for (let k = 0; k < rows.length; k++) out[at + k] = rows[k] < 0 ? -1 : rows[k] + by;
-}
-
-/** Small numbers, equal where before and patch are. */
-function dense(before: Int32Array, patch: Int32Array, base: number): Int32Array {
+/** Numbers the ways of these rays from `ways` on, and tells the number after the last. */
+function markWays(tree: Growing, first: number, end: number, patchOf: Int32Array, ways: number): number {
+  const { before, surface, patch, way, group } = tree;
+  const base = patchOf.length + 1;
   const known = new Map<number, number>();
-  return ints(before.length, (k) => {
-    const key = before[k] * base + patch[k];
-    let number = known.get(key);
-    if (number === undefined) known.set(key, (number = known.size));
-    return number;
-  });
+  let key = -1, number = 0; // neighbours mostly came the same way
+  for (let row = first; row < end; row++) {
+    const met = patchOf[surface[row]], mine = before[row] * base + met;
+    if (mine !== key) {
+      key = mine;
+      const found = known.get(mine);
+      number = found ?? ways + known.size;
+      if (found === undefined) known.set(mine, number);
+    }
+    patch[row] = met;
+    way[row] = number;
+    group[row] = number * base + surface[row];
+  }
+  return ways + known.size;
 }
 
-/** The children of a wave: path by path, reflected before refracted, in their parents' order. */
-function nextWave(wave: Wave, children: Int32Array, way: Int32Array): Wave {
-  let count = 0;
-  for (let row = 0; row < children.length; row++) count += (children[row] & (REFLECTED | TOTAL) ? 1 : 0) + (children[row] & REFRACTED ? 1 : 0);
-  const next: Wave = {
-    pixel: new Int32Array(count), parent: new Int32Array(count), kind: new Uint8Array(count), before: new Int32Array(count),
-    sides: { left: new Int32Array(count), up: new Int32Array(count), upLeft: new Int32Array(count), upRight: new Int32Array(count) },
-    paths: [0],
-  };
-  const child = [new Int32Array(children.length).fill(-1), new Int32Array(children.length).fill(-1)];
-  const down = new Uint8Array(count); // 1: refracted
-  let k = 0;
-  for (let path = 0; path + 1 < wave.paths.length; path++) {
-    for (const bits of [REFLECTED | TOTAL, REFRACTED]) {
-      const branch = bits === REFRACTED ? 1 : 0;
-      for (let row = wave.paths[path]; row < wave.paths[path + 1]; row++) {
-        if (!(children[row] & bits)) continue;
-        child[branch][row] = k;
-        down[k] = branch;
-        next.parent[k] = row;
-        next.pixel[k] = wave.pixel[row];
-        next.kind[k] = branch ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected;
-        next.before[k] = 2 * way[row] + branch;
+/** Adds the children of the rays on these paths: path by path, reflected before refracted, in
+ *  their parents' order. Returns the children's paths. */
+function branch(tree: Growing, paths: number[], depth: number, rays: number, ways: number): number[] {
+  const { children, pixel, parent, kind, way, before, reflected, refracted } = tree;
+  const end = paths[paths.length - 1];
+  const born = [end];
+  let k = end;
+  for (let path = 0; path + 1 < paths.length; path++) {
+    for (let down = 0; down < 2; down++) {
+      const bits = down ? REFRACTED : REFLECTED | TOTAL, child = down ? refracted : reflected;
+      for (let row = paths[path]; row < paths[path + 1]; row++) {
+        if ((children[row] & bits) === 0) {
+          child[row] = -1;
+          continue;
+        }
+        if (k === rays) throw damaged(`the tree has more than its ${rays} rays`);
+        child[row] = k;
+        parent[k] = row;
+        pixel[k] = pixel[row];
+        kind[k] = down ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected;
+        before[k] = 2 * (way[row] - ways) + down;
         k++;
       }
-      if (k > next.paths[next.paths.length - 1]) next.paths.push(k);
+      if (k > born[born.length - 1]) born.push(k);
     }
   }
-  for (const name of SIDES) {
-    const [of, out] = [wave.sides[name], next.sides[name]];
-    for (let row = 0; row < count; row++) {
-      const beside = of[next.parent[row]];
-      out[row] = beside < 0 ? -1 : child[down[row]][beside];
-    }
+  tree.depth.fill(depth, end, k);
+  besideParents(tree, end, k);
+  return born;
+}
+
+/** A child's neighbours are the like children of its parent's neighbours. */
+function besideParents(tree: Growing, first: number, end: number) {
+  const { parent, kind, reflected, refracted } = tree;
+  const { left, up, upLeft, upRight } = tree.sides;
+  for (let row = first; row < end; row++) {
+    const child = kind[row] === KIND.refracted ? refracted : reflected;
+    const of = parent[row];
+    const l = left[of], u = up[of], ul = upLeft[of], ur = upRight[of];
+    left[row] = l < 0 ? -1 : child[l];
+    up[row] = u < 0 ? -1 : child[u];
+    upLeft[row] = ul < 0 ? -1 : child[ul];
+    upRight[row] = ur < 0 ? -1 : child[ur];
   }
-  return next;
 }
