@@ -78,15 +78,16 @@ def shaded(light: Light, point: tuple[float, float, float]) -> np.ndarray:
     """The local colour of a point on a floor, seen from straight above."""
     materials, lights = tables(light)
     at, normal = np.array([point]), np.array([UP])
-    to_light, distance, facing = towards_light(at, normal, lights.position[0])
-    diffuse, specular = np.zeros((1, 1)), np.zeros((1, 1))
+    rows, material = np.zeros(1, np.int64), np.zeros(1, np.int32)
+    to_light, distance, facing = towards_light(rows, at, normal, lights.position[0])
+    diffuse, specular, colour = np.zeros((1, 1)), np.zeros((1, 1)), np.zeros((1, 3))
     light_factors(
-        materials, np.zeros(1, np.int32), normal, -normal, to_light, distance,
-        lights.intensity[0], lights.attenuation[0], diffuse[:, 0], specular[:, 0],
+        materials, rows, material, normal, -normal, to_light, distance,
+        lights.intensity[0], lights.attenuation[0], 0, diffuse, specular,
     )  # fmt: skip
-    row = np.zeros(1, np.int32)
-    colour = local_colours(materials, lights, row, facing[:, None], diffuse, specular)
-    return np.asarray(colour[0])
+    lit = facing[:, None]
+    local_colours(materials, lights, rows, material, lit, diffuse, specular, colour)
+    return colour[0]
 
 
 def test_the_local_colour_is_ambient_plus_diffuse_plus_specular() -> None:

@@ -15,13 +15,13 @@ from typing import Any
 import numpy as np
 
 from raywalk.bench.cases import Case
-from raywalk.geometry.compiled import Hits, Rays
+from raywalk.geometry.compiled import Hits
 from raywalk.optics.shade import towards_light
 from raywalk.scene.model import Scene
 from raywalk.trace.bounce import Bounced
-from raywalk.trace.lighting import SHORT_OF_LIGHT
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import kept_pixels, record
+from raywalk.trace.shadows import Cast, shadow_rays
 from raywalk.trace.tally import Tally
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
@@ -96,17 +96,13 @@ class _Shooting(Tracer):
         wave = super()._wave(shot)
         lit = np.flatnonzero(wave.lighting.local_weight > 0.0)
         if len(lit):
-            self._shoot(wave.hits.take(lit), wave.rays.take(lit))
+            self._shoot(wave.hits, lit)
         return wave
 
-    def _shoot(self, hits: Hits, rays: Rays) -> None:
+    def _shoot(self, hits: Hits, lit: np.ndarray) -> None:
         for place in self.lights.position:
-            direction, distance, facing = towards_light(hits.point, hits.geometric, place)
-            on = np.flatnonzero(facing)
-            shadow = Rays(
-                hits.point[on], direction[on], hits.object[on], hits.inside[on], hits.triangle[on]
-            )
-            self.compiled.nearest(shadow, distance[on] * SHORT_OF_LIGHT)
+            to_light, distance, facing = towards_light(lit, hits.point, hits.geometric, place)
+            self.compiled.nearest(*shadow_rays(hits, Cast(lit, to_light, distance, facing, facing)))
 
 
 SKIPS = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -35,7 +36,7 @@ class Rays(NamedTuple):
 
     def take(self, chosen: np.ndarray) -> Rays:
         """The rays at these indices (or where this mask holds)."""
-        return Rays(*(column[chosen] for column in self))
+        return Rays(*rows_of(self, chosen))
 
 
 class Hits(NamedTuple):
@@ -52,7 +53,16 @@ class Hits(NamedTuple):
 
     def take(self, chosen: np.ndarray) -> Hits:
         """The hits at these indices (or where this mask holds)."""
-        return Hits(*(column[chosen] for column in self))
+        return Hits(*rows_of(self, chosen))
+
+
+def rows_of(columns: Iterable[np.ndarray], chosen: np.ndarray) -> Iterator[np.ndarray]:
+    """Each column's rows at these indices (or where this mask holds).
+
+    `take` of rows of three is several times as fast as indexing with an array.
+    """
+    rows = np.flatnonzero(chosen) if chosen.dtype == bool else chosen
+    return (column.take(rows, axis=0) for column in columns)
 
 
 def rays_from(origin: np.ndarray, direction: np.ndarray) -> Rays:
@@ -117,7 +127,13 @@ class CompiledScene:
 
     def hits(self, rays: Rays) -> Hits:
         """The nearest hit of each ray with everything shading needs."""
-        t, met, triangle, uv = self._unsettled(rays)
+        return self.surface(rays, *self._unsettled(rays))
+
+    def surface(
+        self, rays: Rays, t: np.ndarray, met: np.ndarray, triangle: np.ndarray, uv: np.ndarray
+    ) -> Hits:
+        """The same of rays whose nearest hits are known, as `nearest` gives them where they have
+        to stop. t is settled in place."""
         count = len(t)
         point, normal = np.zeros((count, 3)), np.zeros((count, 3))
         inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)

@@ -22,10 +22,11 @@ def mirror_directions(direction, normal, geometric):
     """
     out = np.empty_like(direction)
     for i in range(direction.shape[0]):
-        d, n, g = direction[i], normal[i], geometric[i]
-        x, y, z = reflect(d[0], d[1], d[2], n[0], n[1], n[2])
-        if x * g[0] + y * g[1] + z * g[2] <= 0.0:
-            x, y, z = reflect(d[0], d[1], d[2], g[0], g[1], g[2])
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        gx, gy, gz = geometric[i, 0], geometric[i, 1], geometric[i, 2]
+        x, y, z = reflect(dx, dy, dz, normal[i, 0], normal[i, 1], normal[i, 2])
+        if x * gx + y * gy + z * gz <= 0.0:
+            x, y, z = reflect(dx, dy, dz, gx, gy, gz)
         out[i, 0], out[i, 1], out[i, 2] = x, y, z
     return out
 
@@ -35,10 +36,12 @@ def refracted_directions(direction, normal, geometric, n_from, n_to):
     """(n, 3) refracted directions into the surface; n_from, n_to: (n,) indices of refraction."""
     out = np.empty_like(direction)
     for i in range(direction.shape[0]):
-        d, n, g = direction[i], normal[i], geometric[i]
-        x, y, z = refract(d[0], d[1], d[2], n[0], n[1], n[2], n_from[i], n_to[i])
-        if x * g[0] + y * g[1] + z * g[2] >= 0.0:
-            x, y, z = refract(d[0], d[1], d[2], g[0], g[1], g[2], n_from[i], n_to[i])
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        gx, gy, gz = geometric[i, 0], geometric[i, 1], geometric[i, 2]
+        nx, ny, nz = normal[i, 0], normal[i, 1], normal[i, 2]
+        x, y, z = refract(dx, dy, dz, nx, ny, nz, n_from[i], n_to[i])
+        if x * gx + y * gy + z * gz >= 0.0:
+            x, y, z = refract(dx, dy, dz, gx, gy, gz, n_from[i], n_to[i])
         out[i, 0], out[i, 1], out[i, 2] = x, y, z
     return out
 
@@ -54,14 +57,15 @@ def glass_shares(direction, normal, n_from, n_to, reflect_share, transmit_share,
     reflected, refracted = np.empty(count), np.empty(count)
     total = np.empty(count, np.bool_)
     for i in range(count):
-        d, n = direction[i], normal[i]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        nx, ny, nz = normal[i, 0], normal[i, 1], normal[i, 2]
         both = reflect_share[i] + transmit_share[i]
-        sine_sq = sine_squared_beyond(d[0], d[1], d[2], n[0], n[1], n[2], n_from[i], n_to[i])
+        sine_sq = sine_squared_beyond(dx, dy, dz, nx, ny, nz, n_from[i], n_to[i])
         total[i] = sine_sq > 1.0
         if total[i]:
             reflected[i], refracted[i] = both, 0.0
         elif fresnel[i]:
-            cos_in = -(d[0] * n[0] + d[1] * n[1] + d[2] * n[2])
+            cos_in = -(dx * nx + dy * ny + dz * nz)
             share = fresnel_reflectance(cos_in, np.sqrt(1.0 - sine_sq), n_from[i], n_to[i])
             reflected[i], refracted[i] = both * share, both * (1.0 - share)
         else:

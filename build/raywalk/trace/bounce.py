@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.compiled import CompiledScene, Hits, Rays
+from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rows_of
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
 from raywalk.trace.media import indices_before, indices_in, settle_media
 from raywalk.trace.tables import Materials
@@ -41,36 +41,35 @@ def bounce(
     glass = np.flatnonzero(materials.transmit[hits.material] > 0.0)
     if len(glass):
         n_from, n_to, after = n_from.copy(), n_to.copy(), media.copy()
-        n_from[glass] = indices_before(media[glass], hits.object[glass], hits.inside[glass], ior_of)
+        met, direction = hits.take(glass), rays.direction.take(glass, axis=0)
+        crossed = media.take(glass, axis=0)
+        before = indices_before(crossed, met.object, met.inside, ior_of)
         # Straight on: where glass touches glass, all borders are crossed at once.
-        straight = Rays(
-            hits.point[glass], rays.direction[glass], hits.object[glass], ~hits.inside[glass],
-            hits.triangle[glass],
-        )  # fmt: skip
-        crossed = media[glass]
-        settle_media(crossed, *compiled.beyond(straight, hits.t[glass], straight=True))
-        n_to[glass], after[glass] = indices_in(crossed, ior_of), crossed
-        material = hits.material[glass]
+        straight = Rays(met.point, direction, met.object, ~met.inside, met.triangle)
+        settle_media(crossed, *compiled.beyond(straight, met.t, straight=True))
+        beyond = indices_in(crossed, ior_of)
+        n_from[glass], n_to[glass], after[glass] = before, beyond, crossed
         mirror[glass], through[glass], total[glass] = glass_shares(
-            rays.direction[glass], hits.normal[glass], n_from[glass], n_to[glass],
-            materials.reflect[material], materials.transmit[material], materials.fresnel[material],
+            direction, met.normal, before, beyond, materials.reflect[met.material],
+            materials.transmit[met.material], materials.fresnel[met.material],
         )  # fmt: skip
     back, on = np.flatnonzero(mirror * share > least), np.flatnonzero(through * share > least)
     faint = int(np.count_nonzero(mirror) + np.count_nonzero(through)) - len(back) - len(on)
-    reflected = mirror_directions(rays.direction[back], hits.normal[back], hits.geometric[back])
+    reflected = mirror_directions(*rows_of((rays.direction, hits.normal, hits.geometric), back))
     refracted = np.empty((0, 3))
     if len(on):
         refracted = refracted_directions(
-            rays.direction[on], hits.normal[on], hits.geometric[on], n_from[on], n_to[on]
+            *rows_of((rays.direction, hits.normal, hits.geometric, n_from, n_to), on)
         )
     parent = np.concatenate([back, on])
     weight = np.concatenate([mirror[back], through[on]])
     # A reflected ray stays on the side it came from, a refracted one changes it.
+    point, leaving, triangle = rows_of((hits.point, hits.object, hits.triangle), parent)
     onward = Rays(
-        hits.point[parent], np.concatenate([reflected, refracted]), hits.object[parent],
-        np.concatenate([hits.inside[back], ~hits.inside[on]]), hits.triangle[parent],
+        point, np.concatenate([reflected, refracted]), leaving,
+        np.concatenate([hits.inside[back], ~hits.inside[on]]), triangle,
     )  # fmt: skip
-    stacks = np.concatenate([media[back], after[on]])
+    stacks = np.concatenate([media.take(back, axis=0), after.take(on, axis=0)])
     if stacks.shape[1]:
         settle_media(stacks, *compiled.beyond(onward, hits.t[parent]))
     return Bounced(
