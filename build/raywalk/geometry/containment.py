@@ -32,12 +32,10 @@ def _primitives_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
 def winding_number(corners: np.ndarray, point: np.ndarray) -> float:
     """How often a closed mesh goes round a point: 1 inside, 0 outside.
 
-    The sum of its triangles' solid angles (van Oosterom and Strackee, IEEE Trans. Biomed.
-    Eng. 30(2), 1983). Unlike counting crossings, no ray can run into an edge.
-    corners: (n, 3, 3).
+    Unlike counting crossings, no ray can run into an edge. corners: (n, 3, 3).
     """
-    a, b, c = (corners - point).transpose(1, 0, 2)
-    la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
-    volume = (a * np.cross(b, c)).sum(axis=1)
-    rest = (a * b).sum(axis=1) * lc + (b * c).sum(axis=1) * la + (c * a).sum(axis=1) * lb
-    return float(np.arctan2(volume, la * lb * lc + rest).sum() / (2 * np.pi))
+    # Only here: a scene without a mesh runs none of it.
+    from raywalk.geometry.mesh_sides import turns_round
+
+    x, y, z = point.tolist()
+    return float(turns_round(corners, (x, y, z)))

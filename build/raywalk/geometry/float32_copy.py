@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.bvh import Bvh
+from raywalk.geometry.triangle import dot, minus
 from raywalk.optics.compiled import kernel
 
 # Lengths in the unit-sized copy. Rounding a ray and a vertex to float32 moves a hit by up to
@@ -90,10 +91,9 @@ def _rectangles(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def crowded(bvh, corners, core, asked, gap):
     """Whether another triangle comes closer than gap to the core of each asked one, bool."""
     answer = np.zeros(asked.shape[0], np.bool_)
-    stack = np.empty(64, np.int32)
+    stack, low, high = np.empty(64, np.int32), np.empty(3), np.empty(3)
     for i in range(asked.shape[0]):
         me = asked[i]
-        low, high = np.empty(3), np.empty(3)
         for k in range(3):
             low[k] = min(core[me, 0, k], core[me, 1, k], core[me, 2, k]) - gap
             high[k] = max(core[me, 0, k], core[me, 1, k], core[me, 2, k]) + gap
@@ -101,7 +101,10 @@ def crowded(bvh, corners, core, asked, gap):
         while depth > 0 and not answer[i]:
             depth -= 1
             node = stack[depth]
-            if (bvh.low[node] > high).any() or (bvh.high[node] < low).any():
+            misses = False
+            for k in range(3):
+                misses |= bvh.low[node, k] > high[k] or bvh.high[node, k] < low[k]
+            if misses:
                 continue
             if bvh.held[node] == 0:
                 stack[depth], stack[depth + 1] = bvh.second[node], node + 1
@@ -122,29 +125,45 @@ def apart(a, b, gap):
     without: it errs to the safe side.
     """
     for one in (a, b):
-        normal = np.cross(one[1] - one[0], one[2] - one[0])
+        p, q, r = corner_of(one, 0), corner_of(one, 1), corner_of(one, 2)
+        normal = cross(minus(q, p), minus(r, p))
         if gap_along(a, b, normal) > gap:
             return True
-        for k in range(3):
-            if gap_along(a, b, np.cross(one[(k + 1) % 3] - one[k], normal)) > gap:
+        for edge in (minus(q, p), minus(r, q), minus(p, r)):
+            if gap_along(a, b, cross(edge, normal)) > gap:
                 return True
     return False
 
 
 @kernel
 def gap_along(a, b, axis):
-    """Distance between two triangles' shadows on an axis; negative where they overlap."""
-    length = np.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    """Distance between two triangles' shadows on an axis; negative where they overlap.
+
+    a, b: (3, 3); axis: three numbers, as an array would be made anew for each.
+    """
+    length = np.sqrt(dot(axis, axis))
     if length == 0.0:
         return -np.inf
     a_low = b_low = np.inf
     a_high = b_high = -np.inf
+    start = corner_of(a, 0)
     for k in range(3):
         # From a's corner, so that a place far from the origin costs no digits.
-        on_a = on_b = 0.0
-        for c in range(3):
-            on_a += (a[k, c] - a[0, c]) * axis[c]
-            on_b += (b[k, c] - a[0, c]) * axis[c]
+        on_a, on_b = (
+            dot(minus(corner_of(a, k), start), axis),
+            dot(minus(corner_of(b, k), start), axis),
+        )
         a_low, a_high = min(a_low, on_a), max(a_high, on_a)
         b_low, b_high = min(b_low, on_b), max(b_high, on_b)
     return max(b_low - a_high, a_low - b_high) / length
+
+
+@kernel
+def corner_of(triangle, k):
+    """Corner k of one triangle (3, 3) as three numbers."""
+    return triangle[k, 0], triangle[k, 1], triangle[k, 2]
+
+
+@kernel
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

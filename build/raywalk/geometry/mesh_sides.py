@@ -45,11 +45,17 @@ def is_near(bvh, corners, o, radius, own):
 
 @kernel
 def is_around(corners, o):
-    """Whether a closed mesh goes round a point: the sum of its triangles' solid angles."""
+    """Whether a closed mesh goes round a point."""
+    return turns_round(corners, o) > 0.5
+
+
+@kernel
+def turns_round(corners, o):
+    """How often a closed mesh goes round a point: the sum of its triangles' solid angles."""
     turns = 0.0
     for k in range(corners.shape[0]):
         turns += solid_angle(o, corners, k)
-    return turns > 0.5
+    return turns
 
 
 @kernel

@@ -65,8 +65,13 @@ def levels(compiled: CompiledScene, k: int, points: np.ndarray) -> np.ndarray:
     """(n,) how far outside a closed object points are, about in shares of its size."""
     for mesh in compiled.meshes:
         if mesh.index == k:
-            turns = [winding_number(mesh.corners, point - mesh.centre) for point in points]
-            return 0.5 - np.array(turns)
+            local = points - mesh.centre
+            in_box = (local >= mesh.bvh.low[0]).all(axis=1) & (local <= mesh.bvh.high[0]).all(
+                axis=1
+            )
+            turns = np.zeros(len(points))
+            turns[in_box] = [winding_number(mesh.corners, point) for point in local[in_box]]
+            return 0.5 - turns
     table, row = compiled.primitives, compiled.primitives.row_of[k]
     shape, matrix = table.shape[row], table.to_local[row]
     local = [to_local(matrix, *(point - table.centre[row])) for point in points]
