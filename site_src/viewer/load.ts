@@ -3,7 +3,7 @@
  * modules, but runs these. Each calls raywalkReceive(name, base64 of gzip of JSON).
  */
 import { checkedBoxes } from "./trace/boxes";
-import { decode } from "./trace/decode";
+import { decodeWithRests } from "./trace/decode";
 import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
@@ -59,11 +59,11 @@ export function createLoader(root: string) {
     });
   }
 
-  async function load<T>(name: string, read: (json: unknown, name: string) => T): Promise<T> {
+  async function load<T>(name: string, read: (json: unknown, name: string) => T | Promise<T>): Promise<T> {
     try {
       const text = await script(name);
       if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
-      return read(await unpack(text), name);
+      return await read(await unpack(text), name);
     } catch (error) {
       failed.set(name, (failed.get(name) ?? 0) + 1);
       if (error instanceof LoadError) throw error;
@@ -72,7 +72,7 @@ export function createLoader(root: string) {
   }
 
   /** Remembers the last few; what failed is asked for anew. */
-  function remembering<T>(size: number, read: (json: unknown, name: string) => T) {
+  function remembering<T>(size: number, read: (json: unknown, name: string) => T | Promise<T>) {
     const known = new Map<string, Promise<T>>();
     return (name: string): Promise<T> => {
       const value = known.get(name) ?? load(name, read);
@@ -102,10 +102,13 @@ export function createLoader(root: string) {
   };
 }
 
-function traceFrom(json: unknown, name: string): Trace {
+function traceFrom(json: unknown, name: string): Promise<Trace> {
   const [scene, n] = name.split("/");
-  return decode(json, { scene, n: Number(n) });
+  return decodeWithRests(json, { scene, n: Number(n) }, nextTask);
 }
+
+/** Lets the browser answer keys and draw in between. */
+const nextTask = () => new Promise<void>((resolve) => setTimeout(resolve));
 
 function sceneFrom(json: unknown): SceneData {
   const scene = json as SceneData;

@@ -5,35 +5,66 @@
 import { Columns, NO_FEATURES } from "./columns";
 import { TraceError, damaged } from "./errors";
 import { checkedHeader, type Expected, type Header } from "./header";
-import { readLights } from "./lights";
+import { darkness, prepareLights } from "./lights";
 import { readHits } from "./hits";
 import { ABSENT, alike, fillRaster } from "./neighbours";
 import { normalsOn, pointsOn, recombine } from "./rebuild";
-import { scratchFor, type Scratch } from "./scratch";
+import { giveBack, takeScratch, type Scratch } from "./scratch";
 import { grow, type Structure } from "./structure";
 import { KIND, type Trace } from "./types";
 
+/** A level whose tiles can be shown and whose rays are known, but for what the lights give them. */
+export interface Level {
+  tiles: Uint8Array; // (3 * n * n) exact 8-bit colours
+  /** What is left to do, light by light; the trace at the end. */
+  light(): Generator<void, Trace>;
+}
+
 /** Throws TraceError if the file is damaged, or not of the expected scene and resolution. */
 export function decode(json: unknown, expected: Expected = {}): Trace {
+  const lights = begin(json, expected).light();
+  for (;;) {
+    const { done, value } = lights.next();
+    if (done) return value;
+  }
+}
+
+/** The same, with a rest between the parts for what a page does besides. */
+export async function decodeWithRests(json: unknown, expected: Expected, rest: () => Promise<void>): Promise<Trace> {
+  const lights = begin(json, expected).light();
+  for (;;) {
+    await rest();
+    const { done, value } = lights.next();
+    if (done) return value;
+  }
+}
+
+/** Throws as decode does; `light` as well. */
+export function begin(json: unknown, expected: Expected = {}): Level {
   const header = checkedHeader(json, expected);
+  return refusing(() => read(header, takeScratch(Math.max(header.rays, header.n * header.n))));
+}
+
+/** What a header lacks shows itself as any error. */
+function refusing<T>(run: () => T): T {
   try {
-    return read(header, scratchFor(Math.max(header.rays, header.n * header.n)));
+    return run();
   } catch (error) {
     if (error instanceof TraceError) throw error;
     throw damaged(`the header lacks something: ${error}`);
   }
 }
 
-function read(header: Header, scratch: Scratch): Trace {
-  const { n, rays: count, tables, materials, patches } = header;
+function read(header: Header, scratch: Scratch): Level {
+  const { n, rays: count, tables, materials, patches, lights } = header;
   const columns = new Columns(header, scratch.off);
   const signature = new Int32Array(n * n);
   const tree = plant(header, columns, signature, scratch);
   const { sides, surface, patch } = tree;
   const { near, number, counting } = scratch;
   const all = counting.subarray(0, count);
-  const ofSurface = (column: 1 | 2 | 3) => looked(surface, tables.surface.map((each) => each[column]), new Int16Array(count));
-  const material = ofSurface(1);
+  const ofSurface = (column: 1 | 2, out: Int16Array | Uint8Array) => looked(surface, tables.surface.map((each) => each[column]), out);
+  const material = ofSurface(1, new Int16Array(count)) as Int16Array, inside = ofSurface(2, new Uint8Array(count)) as Uint8Array;
   const object = looked(patch, patches.map((each) => each.object), new Int16Array(count));
   const point = new Float64Array(3 * count), t = new Float64Array(count);
   const hits = readHits(header, columns, signature, sides, scratch, point, t);
@@ -46,16 +77,26 @@ function read(header: Header, scratch: Scratch): Trace {
   for (let row = 0; row < count; row++) tests[row] = number[0][row];
   const tiles = readTiles(header, columns, tree, scratch);
   const weight = readWeights(header, columns, tree, material, scratch);
-  const lit = readLights(header, columns, tree, { object, material, point, normal }, scratch);
   const localWeight = looked(material, materials.map((each) => each.local), new Float64Array(count));
-  const colour = recombine(header, { count, parent: tree.parent, material, weight, localWeight, ...lit });
-  columns.finish();
-  return {
-    scene: header.scene, n, lights: header.lights.length, count,
+  const unlit = {
+    scene: header.scene, n, lights: lights.length, count,
     kind: tree.kind, parent: tree.parent, pixel: tree.pixel, depth: tree.depth,
-    object, material, inside: looked(surface, tables.surface.map((each) => each[2]), new Uint8Array(count)),
-    t, weight, localWeight, tests, point, normal, colour, ...lit, tiles,
+    object, material, inside, t, weight, localWeight, tests, point, normal, tiles,
     hitsStart: hits.start, hitsT: hits.hitsT, hitsObject: hits.hitsObject,
+  };
+  return {
+    tiles,
+    *light() {
+      const lit = darkness(count * lights.length);
+      const shine = refusing(() => prepareLights(header, columns, tree, unlit, scratch, lit));
+      for (let l = 0; l < lights.length; l++) {
+        refusing(() => shine(l));
+        yield;
+      }
+      columns.finish();
+      giveBack(scratch);
+      return { ...unlit, ...lit, colour: recombine(header, { ...unlit, ...lit }) };
+    },
   };
 }
 

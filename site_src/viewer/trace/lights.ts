@@ -23,43 +23,44 @@ export interface Known {
   normal: Float64Array;
 }
 
-export function readLights(header: Header, columns: Columns, tree: Structure, known: Known, scratch: Scratch): Lit {
-  const lights = header.lights.length;
-  const count = tree.count * lights;
-  const lit: Lit = {
-    visibility: new Uint8Array(count).fill(VISIBILITY.behind),
-    blocker: new Int16Array(count).fill(-1),
-    blockedAt: new Float64Array(count).fill(1),
-    passed: new Float64Array(count).fill(1),
-    diffuse: new Float64Array(count),
-    specular: new Float64Array(count),
-  };
+/** What is so where no light is; prepareLights writes the rest. */
+export const darkness = (count: number): Lit => ({
+  visibility: new Uint8Array(count).fill(VISIBILITY.behind),
+  blocker: new Int16Array(count).fill(-1),
+  blockedAt: new Float64Array(count).fill(1),
+  passed: new Float64Array(count).fill(1),
+  diffuse: new Float64Array(count),
+  specular: new Float64Array(count),
+});
+
+/** Tells how to read light l, one after the other. */
+export function prepareLights(header: Header, columns: Columns, tree: Structure, known: Known, scratch: Scratch, lit: Lit): (l: number) => void {
   const factors = colouredRays(header, tree, known, scratch);
-  for (let l = 0; l < lights; l++) {
+  const { kindHit } = scratch;
+  for (let row = 0; row < tree.count; row++) kindHit[row] = known.object[row] < 0 ? ABSENT : tree.surface[row];
+  return (l) => {
     readShadows(header, columns, tree, known, l, lit, scratch);
     for (const name of FACTORS) readFactors(header, columns, factors[name], known, name, l, lit, scratch);
-  }
-  return lit;
+  };
 }
 
 /** Whether a light is seen, and if not what stops it where. */
 function readShadows(
-  header: Header, columns: Columns, tree: Structure, { object, point }: Known, l: number, lit: Lit,
-  { symbol: seen, group, kind, rows: stopped, near, number: [number] }: Scratch,
+  header: Header, columns: Columns, tree: Structure, { point }: Known, l: number, lit: Lit,
+  { symbol: seen, group, kind, kindHit, rows: stopped, near, number: [number] }: Scratch,
 ) {
-  const { way, depth, count, surface } = tree;
+  const { way, depth, count } = tree;
   const { visibility, blocker, passed, blockedAt } = lit;
   const table = header.tables.visibility, lights = header.lights.length;
   const visibilities = Uint8Array.from(table, (each) => each[0]);
   const blockers = Int16Array.from(table, (each) => each[1]);
   const shares = Float64Array.from(table, (each) => each[2] ?? 1);
   const isDimmed = shares.some((share) => share !== 1);
-  for (let row = 0; row < count; row++) kind[row] = object[row] < 0 ? ABSENT : surface[row];
-  columns.symbols(`visibility${l}`, 0, count, way, kind, header.tables.surface.length, tree.sides, table.length, seen);
+  columns.symbols(`visibility${l}`, 0, count, way, kindHit, header.tables.surface.length, tree.sides, table.length, seen);
   let blocked = 0;
   for (let row = 0, at = l; row < count; row++, at += lights) {
     group[row] = ABSENT;
-    if (object[row] < 0) continue;
+    if (kindHit[row] < 0) continue;
     const of = seen[row];
     visibility[at] = visibilities[of];
     if (isDimmed) passed[at] = shares[of];

@@ -20,6 +20,7 @@ export interface Scratch {
   group: Int32Array;
   kind: Int32Array;
   kindLit: Int32Array;
+  kindHit: Int32Array;
   rows: Int32Array;
   moreRows: Int32Array;
   evenMoreRows: Int32Array;
@@ -30,10 +31,16 @@ export interface Scratch {
 
 let kept: Scratch | undefined;
 
-/** Arrays of at least `count`, which hold anything. */
-export function scratchFor(count: number): Scratch {
-  if (!kept || kept.off.length < count) kept = made(count);
-  return kept;
+/** Arrays of at least `count`, which hold anything, for one level until they are given back. */
+export function takeScratch(count: number): Scratch {
+  const scratch = kept && kept.off.length >= count ? kept : made(count);
+  kept = undefined;
+  return scratch;
+}
+
+/** Keeps the longest. */
+export function giveBack(scratch: Scratch) {
+  if (!kept || kept.off.length < scratch.off.length) kept = scratch;
 }
 
 function made(count: number): Scratch {
@@ -41,7 +48,7 @@ function made(count: number): Scratch {
   return {
     before: column(), reflected: column(), refracted: column(), surface: column(), patch: column(), children: column(), way: column(), sides: noSides(count),
     counting: column().map((_, k) => k), zeros: column(), near: noSides(count), nearLit: noSides(count),
-    group: column(), kind: column(), kindLit: column(), rows: column(), moreRows: column(), evenMoreRows: column(), symbol: column(),
+    group: column(), kind: column(), kindLit: column(), kindHit: column(), rows: column(), moreRows: column(), evenMoreRows: column(), symbol: column(),
     number: [numbers(), numbers(), numbers()], off: numbers(),
   };
 }

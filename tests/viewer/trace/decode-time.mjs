@@ -1,20 +1,16 @@
-/** node decode-time.mjs FILE.json.gz ... : milliseconds to unpack and to decode, best and middle of 15. */
+/** node decode-time.mjs FILE.json.gz ... : milliseconds to decode each in a process of its own: the first
+ *  time, and the best and the middle of 25. JSON.parse counts, unzipping does not. */
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { gunzipSync } from "node:zlib";
 import { loadDecoder } from "./bundle.mjs";
+import { best, decodingTimes, middle } from "./times.mjs";
 
-const { decode, unpack } = await loadDecoder();
-for (const file of process.argv.slice(2)) {
-  const text = readFileSync(file).toString("base64");
-  const [unpacking, decoding] = [[], []];
-  let trace;
-  for (let k = 0; k < 15; k++) {
-    const start = performance.now();
-    const json = await unpack(text);
-    const middle = performance.now();
-    trace = decode(json);
-    unpacking.push(middle - start);
-    decoding.push(performance.now() - middle);
-  }
-  const told = (times) => `first ${times[0].toFixed(1)}, best ${Math.min(...times).toFixed(1)}, middle ${times.sort((a, b) => a - b)[7].toFixed(1)}`;
-  console.log(`${file}: ${trace.count} rays, unpack ${told(unpacking)}, decode ${told(decoding)} ms`);
+const [first, ...others] = process.argv.slice(2);
+if (others.length) for (const file of [first, ...others]) spawnSync(process.execPath, [fileURLToPath(import.meta.url), file], { stdio: "inherit" });
+else {
+  const { count, times } = await decodingTimes(await loadDecoder(), gunzipSync(readFileSync(first)).toString(), 25);
+  const told = Object.entries(times).map(([name, each]) => `${name} ${each[0].toFixed(1)} ${best(each).toFixed(1)} ${middle(each).toFixed(1)}`);
+  console.log(`${first}: ${count} rays; first, best, middle: ${told.join(", ")} ms`);
 }

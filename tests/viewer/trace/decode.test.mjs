@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { loadDecoder } from "./bundle.mjs";
 
-const { decode, unpack, TraceError } = await loadDecoder();
+const { begin, decode, decodeWithRests, unpack, TraceError } = await loadDecoder();
 const packed = readFileSync(new URL("./glass-7.json.gz", import.meta.url)).toString("base64");
 const json = () => unpack(packed);
 const refused = (code) => (error) => error instanceof TraceError && error.code === code;
@@ -40,6 +40,27 @@ test("tiles are the rounded sums of their ray trees", async () => {
     const sum = 255 * Math.min(1, Math.max(0, trace.colour[k]));
     assert.ok(Math.abs(trace.tiles[k] - sum) <= 0.5 + 0.1); // the colour's own error is 0.1 of 255
   }
+});
+
+test("tiles are there before the lights, and levels that are decoded by turns do not disturb each other", async () => {
+  const whole = decode(await json());
+  const [one, other] = [begin(await json()), begin(await json())];
+  assert.deepEqual(one.tiles, whole.tiles);
+  const [first, second] = [one.light(), other.light()];
+  for (let l = 0; l < whole.lights; l++) for (const lights of [first, second]) assert.equal(lights.next().done, false);
+  for (const lights of [second, first]) assert.deepEqual(lights.next(), { done: true, value: whole });
+});
+
+test("rests between the parts change nothing", async () => {
+  let rests = 0;
+  assert.deepEqual(await decodeWithRests(await json(), {}, async () => void rests++), decode(await json()));
+  assert.ok(rests > 1);
+});
+
+test("what is left for later is known to be undamaged before", async () => {
+  const good = await json();
+  const columns = { ...good.columns, diffuse1: `${good.columns.diffuse1.slice(0, -1)}!` };
+  assert.throws(() => begin({ ...good, columns }), refused("damaged"));
 });
 
 test("hits along a camera ray begin with what it met, and never go back", async () => {
