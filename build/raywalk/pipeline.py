@@ -35,7 +35,7 @@ from raywalk.work.cluster import run_on_cluster
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
-from raywalk.work.pool import Finished, cores, run_all
+from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry, Store, damage_of
 
@@ -191,7 +191,7 @@ def write_files(files: dict[str, bytes], folder: Path) -> None:
 
 
 def trace_into(
-    store: Store, parts: dict[str, Parts], scene: Scene, threads: int, tell: Tell
+    store: Store, parts: dict[str, Parts], scene: Scene, threads: Threads, tell: Tell
 ) -> float:
     """Traces a scene into the store, under its key; returns the seconds it took."""
     # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
@@ -199,7 +199,9 @@ def trace_into(
 
     begun = time.monotonic()
     made_from = parts[scene.id]
-    store.entry(key_of(made_from), lambda folder: write_products(scene, folder, threads), made_from)
+    store.entry(
+        key_of(made_from), lambda folder: write_products(scene, folder, threads, tell), made_from
+    )
     return time.monotonic() - begun
 
 

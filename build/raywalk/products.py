@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,7 @@ from raywalk.scene.model import Mesh, Scene
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import RayTree, Visibility
-from raywalk.trace.wavefront import Tracer, trace_picture
+from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
 from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
 from raywalk.trace_file.script import write_script
@@ -27,38 +28,56 @@ TRACING = 0.7  # of a scene's time; the rest is encoding. Only the progress bar 
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
 
-def write_products(scene: Scene, folder: Path, threads: int, report: Tell = say_nothing) -> None:
+def write_products(
+    scene: Scene, folder: Path, threads: Threads, report: Tell = say_nothing
+) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
     boxes.js where there is a mesh, facts.json, display.npz into a folder. report: told the stage,
     and the share that is done."""
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     traced = trace_picture(tracer, threads, lambda share: report("tracing", TRACING * share))
-    report("picture", TRACING)
-    write_png(folder / "picture.png", traced.picture)
-    write_png(folder / "thumb.png", thumbnail(traced.picture))
-    levels = sorted(scene.render.resolutions)
-    for place, n in enumerate(levels):
-        report(f"grid {n}", TRACING + (1 - TRACING) * place / len(levels))
-        level = level_of(traced.tree, n)
-        write_level(folder, level, n, scene, traced.picture)
+    # The longest first, or a thread waits at the end.
+    grids = sorted(scene.render.resolutions, reverse=True)
+    stages = ["picture", "sections", *(f"grid {n}" for n in grids)]
+    works = [
+        partial(_write_pictures, folder, traced.picture),
+        partial(_write_cuts, folder, tracer),
+        *(partial(_write_grid, folder, scene, traced, n) for n in grids),
+    ]
+    for place, _ in enumerate(in_order(lambda k: works[k](), len(works), threads)):
+        report(stages[place], TRACING + (1 - TRACING) * (place + 1) / len(works))
     write_display(folder / "display.npz", scene, tracer)
-    sections = json.dumps(sections_of(tracer), separators=(",", ":"), allow_nan=False)
-    write_script(folder / "sections.js", f"{scene.id}/sections", sections.encode())
-    if tracer.compiled.meshes:
-        from raywalk.trace.boxes import boxes_of  # a scene without a mesh runs none of it
-
-        boxes = json.dumps(boxes_of(tracer), separators=(",", ":"), allow_nan=False)
-        write_script(folder / "boxes.js", f"{scene.id}/boxes", boxes.encode())
     facts = counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,
-        "finest": {"n": n, "rays": rays_of(level)},
+        "finest": {"n": grids[0], "rays": rays_of(level_of(traced.tree, grids[0]))},
         "triangles": sum(len(mesh.triangles.faces) for mesh in tracer.compiled.meshes),
         "dropped": dropped_triangles(tracer),
         "warnings": overlap_warnings(scene, tracer.compiled),
     }
     (folder / "facts.json").write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
+
+
+def _write_pictures(folder: Path, picture: np.ndarray) -> None:
+    write_png(folder / "picture.png", picture)
+    write_png(folder / "thumb.png", thumbnail(picture))
+
+
+def _write_grid(folder: Path, scene: Scene, traced: Traced, n: int) -> None:
+    write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
+
+
+def _write_cuts(folder: Path, tracer: Tracer) -> None:
+    """What the viewer draws of the geometry itself: outlines in planes, a mesh's boxes."""
+    drawn = {"sections": sections_of(tracer)}
+    if tracer.compiled.meshes:
+        from raywalk.trace.boxes import boxes_of  # a scene without a mesh runs none of it
+
+        drawn["boxes"] = boxes_of(tracer)
+    for name, data in drawn.items():
+        text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+        write_script(folder / f"{name}.js", f"{tracer.scene.id}/{name}", text.encode())
 
 
 def thumbnail(picture: np.ndarray) -> np.ndarray:

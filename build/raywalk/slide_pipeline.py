@@ -15,7 +15,7 @@ from raywalk.scene.model import Scene
 from raywalk.slides.layout import LAYOUTS, WIDE, Layout
 from raywalk.work.digests import digest, key_of
 from raywalk.work.keys import Parts, makers, plain
-from raywalk.work.pool import Finished, cores, run_all
+from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.store import Entry, Store
 
 WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
@@ -146,7 +146,7 @@ def make_sights(store: Store, made: Plan) -> Entry:
     )
 
 
-def _make(store: Store, made: Plan, threads: int, tell: Tell) -> float:
+def _make(store: Store, made: Plan, threads: Threads, tell: Tell) -> float:
     """One scene's slides; returns the seconds it took."""
     # Only here: a build with nothing to make never pays for numba, ReportLab and python-pptx.
     from raywalk.slide_products import write_scene_slides

@@ -6,7 +6,14 @@ from argparse import Namespace
 from collections.abc import Callable
 from typing import Any
 
-from raywalk.bench import speed_floor, speed_many, speed_memory, speed_rebuild, speed_skips
+from raywalk.bench import (
+    speed_cores,
+    speed_floor,
+    speed_many,
+    speed_memory,
+    speed_rebuild,
+    speed_skips,
+)
 from raywalk.bench.cases import Case
 from raywalk.scene import read_scenes
 
@@ -34,6 +41,13 @@ def _floor(chosen: Namespace, cases: list[Case]) -> Told:
     return list(speed_floor.as_table(rows))
 
 
+def _cores(chosen: Namespace, cases: list[Case]) -> Told:
+    scenes = read_scenes(chosen.scenes)
+    row = speed_cores.cores(scenes, 1 if chosen.quick else speed_cores.ROUNDS)
+    cases += speed_cores.core_cases(row, chosen.seed)
+    return list(speed_cores.as_table(row))
+
+
 def _memory(chosen: Namespace, cases: list[Case]) -> Told:
     scenes = read_scenes(chosen.scenes)
     peaks = [speed_memory.memory(scene.path) for scene in (scenes[2:3] if chosen.quick else scenes)]
@@ -58,6 +72,7 @@ PARTS: dict[str, tuple[str, Measure]] = {
         "Making a scene, over meeting its rays with surfaces and deflating",
         _floor,
     ),
+    "cores": ("All scenes on two cores beside one", _cores),
     "memory": ("Peak memory of making a scene", _memory),
     "many": ("Many scenes beside few", _many),
     "rebuild": ("Building again after a change", _rebuild),

@@ -118,7 +118,7 @@ def time_of_odd_directions(count: int, seed: int) -> Case:
 def same_twice(scene: Scene, seed: int) -> Case:
     """Picture and ray tree of two runs, with one worker and with two, byte for byte."""
     small = replace(scene, render=replace(scene.render, size=165, resolutions=(5, 11, 33)))
-    one, two = trace_scene(small, workers=1), trace_scene(small, workers=2)
+    one, two = trace_scene(small, threads=1), trace_scene(small, threads=2)
     differing = int((one.picture != two.picture).sum())
     for field in fields(RayTree):
         a, b = (np.asarray(getattr(traced.tree, field.name)) for traced in (one, two))

@@ -8,9 +8,10 @@ the deepest wave to the camera rays. Rays that some frustum resolution needs are
 
 from __future__ import annotations
 
+import os
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -34,6 +35,8 @@ from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace.wave import Wave, add_children
 
 Result = TypeVar("Result")
+# How many; if asked each time, threads join in when other scenes are done with their cores.
+Threads = int | Callable[[], int]
 
 # Rays in a strip: with all their columns they stay within a core's cache. 262,144 were up
 # to 54 % slower (ACCURACY.md, measured).
@@ -121,17 +124,17 @@ class Tracer:
         return Wave(*shot, hits=hits, lighting=lighting, colour=colour)
 
 
-def trace_scene(scene: Scene, workers: int = 2) -> Traced:
+def trace_scene(scene: Scene, threads: Threads = 2) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions."""
-    return trace_picture(Tracer(scene, least_share=LEAST_SHARE), workers)
+    return trace_picture(Tracer(scene, least_share=LEAST_SHARE), threads)
 
 
 def trace_picture(
-    tracer: Tracer, workers: int = 2, tell: Callable[[float], None] | None = None
+    tracer: Tracer, threads: Threads = 2, tell: Callable[[float], None] | None = None
 ) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions.
 
-    The result does not depend on the number of workers. tell: told the share that is traced.
+    The result does not depend on the number of threads. tell: told the share that is traced.
     Only the strips at work are in memory: what grows with the picture is the picture alone.
     """
     render = tracer.scene.render
@@ -146,7 +149,7 @@ def trace_picture(
         return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept, tally), tally
 
     picture, records, total = np.empty((size * size, 3), np.uint8), [], Tally()
-    for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, workers)):
+    for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, threads)):
         picture[ends[strip] : ends[strip + 1]] = colours
         records.append(recorded)
         total.add(tally)
@@ -155,17 +158,29 @@ def trace_picture(
     return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size), total)
 
 
-def in_order(work: Callable[[int], Result], count: int, workers: int) -> Iterator[Result]:
+def in_order(work: Callable[[int], Result], count: int, threads: Threads) -> Iterator[Result]:
     """work(0), work(1) ... in that order, by some threads, which run a little ahead at most."""
-    with ThreadPoolExecutor(workers) as pool:
-        ahead = deque(pool.submit(work, k) for k in range(min(count, 2 * workers)))
+    most = threads if isinstance(threads, int) else os.cpu_count() or 1
+    ahead: deque[Future[Result]] = deque()
+    with ThreadPoolExecutor(most) as pool:
         try:
             for k in range(count):
-                yield ahead.popleft().result()
-                if k + 2 * workers < count:
-                    ahead.append(pool.submit(work, k + 2 * workers))
+                _submit(pool, work, range(k + len(ahead), count), ahead, most, threads)
+                result = ahead.popleft().result()
+                _submit(pool, work, range(k + 1 + len(ahead), count), ahead, most, threads)
+                yield result
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _submit(
+    pool: Executor, work: Callable[[int], Result], still: range, ahead: deque[Future[Result]],
+    most: int, threads: Threads,
+) -> None:  # fmt: skip
+    """As many as may run now; twice as many if the pool itself lets no more run."""
+    allowed = threads if isinstance(threads, int) else threads()
+    wanted = allowed if allowed < most else 2 * most
+    ahead.extend(pool.submit(work, k) for k in still[: max(0, wanted - len(ahead))])
 
 
 def eight_bit(colour: np.ndarray) -> np.ndarray:

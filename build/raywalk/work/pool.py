@@ -24,12 +24,15 @@ from raywalk.progress import Progress, Tell
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+# How many threads a task may run at the moment: more when less is left to do.
+Threads = Callable[[], int]
 # work(task, threads, tell) -> result; tell(stage, share) as often as it likes.
-Work = Callable[[Task, int, Tell], Result]
+Work = Callable[[Task, Threads, Tell], Result]
 
 EVERY = 0.1  # seconds between two looks at how far the work is, and between two tellings
-# In a worker process: where progress goes to.
+# In a worker process: where progress goes to, and how many tasks are not finished.
 _told: Any = None
+_left: Any = None
 
 
 @dataclass(frozen=True)
@@ -55,17 +58,18 @@ def run_all(
     """work(task, threads, tell) for every task, in the order in which they finish, and how far
     each of them is, under its name.
 
-    One task gets all cores as threads; several get a process each, with one thread. The
-    results are the same either way. Processes are spawned, not forked: numba's and Embree's
+    One task gets all cores as threads; several get a process each, with one thread, and with
+    more when fewer are left than there are cores. The results are the same either way.
+    Processes are spawned, not forked: numba's and Embree's
     threads do not survive a fork. The first exception ends everything.
     """
     if len(tasks) < 2 or cores() < 2:
         yield from _one_by_one(work, tasks, name)
         return
     context = multiprocessing.get_context("spawn")
-    told = context.SimpleQueue()
+    told, left = context.SimpleQueue(), context.Value("i", len(tasks))
     with ProcessPoolExecutor(
-        min(cores(), len(tasks)), mp_context=context, initializer=_tell_to, initargs=(told,)
+        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=(told, left)
     ) as pool:
         waiting = {pool.submit(_in_process, work, task, name(task)): task for task in tasks}
         yield from follow(pool, waiting, told)
@@ -79,7 +83,7 @@ def _one_by_one(
     stopped = Flag()
 
     def run(task: Task) -> Result:
-        return work(task, cores(), teller(told, name(task), stopped))
+        return work(task, cores, teller(told, name(task), stopped))
 
     with ThreadPoolExecutor(1) as pool:
         try:
@@ -119,9 +123,9 @@ def teller(told: Any, of: str, stopped: Flag | None = None) -> Tell:
     return tell
 
 
-def _tell_to(told: Any) -> None:
-    global _told
-    _told = told
+def _begin(told: Any, left: Any) -> None:
+    global _told, _left
+    _told, _left = told, left
     Thread(target=_end_with_parent, daemon=True).start()
 
 
@@ -134,4 +138,13 @@ def _end_with_parent() -> None:
 
 
 def _in_process(work: Work[Task, Result], task: Task, of: str) -> Result:
-    return work(task, 1, teller(_told, of))
+    try:
+        return work(task, _share_of_cores, teller(_told, of))
+    finally:
+        with _left.get_lock():
+            _left.value -= 1
+
+
+def _share_of_cores() -> int:
+    """Of each task that is not finished."""
+    return max(1, cores() // max(1, _left.value))
