@@ -8,7 +8,7 @@ NODE_READY := node_modules/.ready
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site slides test check serve bench stress clean distclean help
+.PHONY: all site slides kiosk test check serve bench stress clean distclean help
 .DEFAULT_GOAL := all
 
 all: site
@@ -20,6 +20,9 @@ site: $(PYTHON_READY) $(NODE_READY) ## trace the scenes and build the site into 
 
 slides: site ## slides, handouts and worksheets of all lessons: dist/slides/
 	@ls dist/slides
+
+kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
+	@$(PYTHON) -m raywalk kiosk
 
 test: site $(TEST_READY) ## check types and style, run all tests, in a real browser too
 	@sh build/setup/browser.sh
@@ -38,7 +41,7 @@ stress: site $(TEST_READY) ## the tracer's hardest cases against their bounds (a
 	@$(PYTHON) -m raywalk stress
 
 clean: ## remove what was built; keeps installed packages
-	rm -rf dist dist.*.partial .work test-output
+	rm -rf dist dist-kiosk dist.*.partial .work test-output
 	@# compiled kernels too: each state of their sources has left a folder
 	find build tests -name __pycache__ -prune -exec rm -rf {} +
 

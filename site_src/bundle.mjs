@@ -1,6 +1,6 @@
 /**
  * node site_src/bundle.mjs --out DIR: the viewer as one classic script, DIR/viewer.js, and what only
- * a kiosk loads, DIR/kiosk.js.
+ * a kiosk loads, DIR/kiosk.js; DIR/packages.json names the npm packages that are in them.
  * Classic, not a module, because from file:// browsers refuse modules. Prints its size
  * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
  */
@@ -18,13 +18,14 @@ const EXTRAS = { kiosk: "./viewer/kiosk/main.ts" };
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 
 /** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
-export async function bundleViewer({ plugins = [], minify = true } = {}) {
+export async function bundleViewer({ plugins = [], minify = true, noteParts = () => {} } = {}) {
   const bundled = async (more) => {
-    const result = await build({ entryPoints: [ENTRY], bundle: true, write: false, target: TARGET, legalComments: "none", logLevel: "warning", ...more });
+    const result = await build({ entryPoints: [ENTRY], bundle: true, write: false, metafile: true, target: TARGET, legalComments: "none", logLevel: "warning", ...more });
+    noteParts(result.metafile);
     return result.outputFiles[0].text;
   };
   const own = await bundled({ format: "esm", external: ["three"], plugins });
-  const three = await slimThree(own, TARGET);
+  const three = await slimThree(own, TARGET, noteParts);
   const slim = {
     name: "slim",
     setup(build) {
@@ -40,10 +41,17 @@ export async function bundleViewer({ plugins = [], minify = true } = {}) {
   });
 }
 
+/** The packages that esbuild took something from. */
+const packagesIn = (metafiles) => {
+  const names = metafiles.flatMap(({ inputs }) => Object.keys(inputs)).map((path) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]);
+  return [...new Set(names.filter(Boolean))].sort();
+};
+
 /** A script of its own, beside the viewer's. */
-async function bundleExtra(path) {
+async function bundleExtra(path, noteParts) {
   const entry = fileURLToPath(new URL(path, import.meta.url));
-  const result = await build({ entryPoints: [entry], bundle: true, write: false, target: TARGET, legalComments: "none", logLevel: "warning", format: "iife", minify: true, banner: { js: "/* Raywalk, MIT */" } });
+  const result = await build({ entryPoints: [entry], bundle: true, write: false, metafile: true, target: TARGET, legalComments: "none", logLevel: "warning", format: "iife", minify: true, banner: { js: "/* Raywalk, MIT */" } });
+  noteParts(result.metafile);
   return result.outputFiles[0].text;
 }
 
@@ -51,14 +59,17 @@ async function main() {
   const at = process.argv.indexOf("--out");
   const folder = process.argv[at + 1];
   if (at < 0 || !folder) throw new Error("--out: no folder is named\n  usage: node site_src/bundle.mjs --out DIR");
-  const script = await bundleViewer();
+  const metafiles = [];
+  const noteParts = (metafile) => metafiles.push(metafile);
+  const script = await bundleViewer({ noteParts });
   const left = raysLeftIn(script);
   if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
   const size = gzipSync(script, { level: 9 }).length;
   if (size > GOAL_BYTES) throw new Error(`viewer.js is ${size} bytes gzipped; its goal is ${GOAL_BYTES}`);
   await mkdir(folder, { recursive: true });
   await writeFile(join(folder, "viewer.js"), script);
-  for (const [name, path] of Object.entries(EXTRAS)) await writeFile(join(folder, `${name}.js`), await bundleExtra(path));
+  for (const [name, path] of Object.entries(EXTRAS)) await writeFile(join(folder, `${name}.js`), await bundleExtra(path, noteParts));
+  await writeFile(join(folder, "packages.json"), JSON.stringify(packagesIn(metafiles)));
   console.log(`viewer.js ${(size / 1024).toFixed(1)} KB gzip`);
 }
 

@@ -25,6 +25,7 @@ COMMANDS = {
     "pixel": "pixel",
     "slides": "slides",
     "serve": "serve",
+    "kiosk": "kiosk",
     "bench": "bench",
     "stress": "stress",
 }

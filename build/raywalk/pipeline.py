@@ -23,9 +23,13 @@ from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.site import sizes
 from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words
 from raywalk.site.figures import has_glass, left_out, scene_figures
+from raywalk.site.licences import write_licences
 from raywalk.site.mesh_data import DisplayMesh
-from raywalk.site.pages import write_pages, write_sizes
+from raywalk.site.offline import write_icons, write_manifest, write_worker
+from raywalk.site.pages import face_of, write_pages, write_sizes
+from raywalk.site.preview import write_preview
 from raywalk.site.scene_data import Display, scene_data, scene_words
+from raywalk.site.sitemap import base_of, write_sitemap
 from raywalk.site.spared import as_table, spared_lines, spared_of
 from raywalk.slide_pipeline import last_decks, make_decks, plan, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
@@ -34,7 +38,7 @@ from raywalk.words.catalogue import DEFAULT
 from raywalk.work.cluster import run_on_cluster
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
-from raywalk.work.keys import Parts, page_data_parts, trace_parts, viewer_parts
+from raywalk.work.keys import Parts, page_data_parts, preview_parts, trace_parts, viewer_parts
 from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry, Store, damage_of
@@ -54,6 +58,7 @@ class Built:
 
 def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, Built]:
     """Builds the site, telling what was traced, kept and written."""
+    base = base_of(chosen.url)
     scenes = read_scenes(chosen.scenes)
     spoken = in_all_languages(scenes)
     store = Store(chosen.work)
@@ -78,8 +83,12 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
         notes += missing_translations(told, code)
     yield from notes
     viewer = yield from kept(store, viewer_parts(site_source), partial(bundle, site_source), chosen)
-    data = {}
+    data, previews = {}, {}
     for scene in scenes:
+        picture = entries[scene.id].folder / "picture.png"
+        previews[scene.id] = yield from kept(
+            store, preview_parts(scene.id, keys[scene.id]), partial(write_preview, picture), chosen
+        )
         data[scene.id] = yield from kept(
             store, page_data_parts(scene, keys[scene.id]),
             partial(write_page_data, scene, entries[scene.id]), chosen,
@@ -93,18 +102,23 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
     with staged(chosen.out) as out:
         assets = write_assets(out, site_source, viewer.folder)
         for scene in scenes:
-            publish_scene(out / "scenes" / scene.id, entries[scene.id], data[scene.id])
+            made = [entries[scene.id], data[scene.id], previews[scene.id]]
+            publish_scene(out / "scenes" / scene.id, made)
+        if scenes:
+            assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
         downloads = publish_slides(out / "slides", decks)
         publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
         for code, told in spoken.items():
-            write_edition(
-                out, site_source, [each.scene for each in told], facts, assets, downloads, code
-            )
+            said = [each.scene for each in told]
+            write_edition(out, site_source, said, facts, assets, downloads, code, base)
         weights = sizes.measured(out, scenes, facts)
         sizes.check(chosen.out, weights, budgets)
         sizes.keep(out, weights)
         write_sizes(out, site_source / "templates", weights, budgets, assets)
-    used = [*entries.values(), *data.values(), *decks, viewer]
+        write_licences(out, scenes, viewer.folder, bool(decks))
+        write_sitemap(out, base)
+        write_worker(out, site_source)
+    used = [*entries.values(), *data.values(), *previews.values(), *decks, viewer]
     store.prune(keep={entry.folder.name for entry in used})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
@@ -207,7 +221,7 @@ def trace_into(
 
 def write_edition(
     out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
-    assets: dict[str, str], downloads: dict[str, list[str]], code: str,
+    assets: dict[str, str], downloads: dict[str, list[str]], code: str, base: str,
 ) -> None:  # fmt: skip
     """The site in one language: its sentences, the scenes' words, its pages."""
     words = read_words(code)
@@ -218,7 +232,9 @@ def write_edition(
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     spared = {scene.id: spared_lines(facts[scene.id], words) for scene in scenes}
     told_by = assets | write_words(out, words)
-    write_pages(out, site_source / "templates", scenes, figures, told_by, words, spared, downloads)
+    templates = site_source / "templates"
+    write_pages(out, templates, scenes, figures, told_by, words, spared, downloads, base)
+    write_manifest(out, words, assets)
 
 
 def bundle(site_source: Path, folder: Path) -> None:
@@ -237,10 +253,10 @@ def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 
 
-def publish_scene(folder: Path, trace: Entry, data: Entry) -> None:
+def publish_scene(folder: Path, made: list[Entry]) -> None:
     """Copies a scene's files into the site."""
     folder.mkdir(parents=True)
-    for path in [*trace.files(), *data.files()]:
+    for path in [path for entry in made for path in entry.files()]:
         if path.name not in NOT_PUBLISHED:
             shutil.copyfile(path, folder / path.name)
 

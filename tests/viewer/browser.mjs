@@ -30,9 +30,11 @@ export function scenesOfSite() {
 /** The scene with mirrors if the site has it: its trees have several kinds of ray. */
 export const richScene = () => scenesOfSite().find((scene) => scene.key === "5") ?? scenesOfSite()[0];
 
-/** A page that notes console messages, errors and requests that leave the site. */
-export async function newPage(browser, options = {}) {
+/** A page that notes console messages, errors and requests that leave the site. worker: with the service worker, which
+ *  would answer from what it kept where other tests answer for the server. */
+export async function newPage(browser, { worker = false, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
+  if (!worker) await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "serviceWorker", { get: () => undefined }));
   page.setDefaultTimeout(15000);
   page.faults = [];
   page.on("console", (message) => page.faults.push(`console ${message.type()}: ${message.text()}`));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from argparse import Namespace
 from collections.abc import Iterator
@@ -33,6 +34,10 @@ def add_options(parser: Any) -> None:
         "--scheduler", metavar="tcp://HOST:PORT", help="trace on this Dask cluster, not here"
     )
     parser.add_argument("--stats", action="store_true", help="say what each scene did not need")
+    parser.add_argument(
+        "--url", default=os.environ.get("RAYWALK_URL", ""), metavar="https://HOST/PATH/",
+        help="where the site will be: for its sitemap and shared links (or RAYWALK_URL)",
+    )  # fmt: skip
     parser.set_defaults(slides_later=False)
 
 
@@ -40,7 +45,7 @@ def run(chosen: Namespace) -> Iterator[str | Event]:
     """Builds the site, telling what was traced, kept and written."""
     started = time.monotonic()
     last = LastBuild(chosen.work, chosen.out)
-    inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work)
+    inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
     said = None if chosen.stats else last.said(inputs)
     if said:
         yield from said["remarks"]

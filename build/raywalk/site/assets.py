@@ -24,12 +24,12 @@ def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
     sheet = b"\n".join(style.read_bytes() for style in styles)
     page = b"\n".join(path.read_bytes() for path in sorted((site_src / "page").glob("*.js")))
     scripts = {
-        f"{name}_js": _named(out, name, "js", (bundled / f"{name}.js").read_bytes())
+        f"{name}_js": named(out, name, "js", (bundled / f"{name}.js").read_bytes())
         for name in BUNDLED
     }
     return scripts | {
-        "style_css": _named(out, "style", "css", sheet),
-        "page_js": _named(out, "page", "js", page),
+        "style_css": named(out, "style", "css", sheet),
+        "page_js": named(out, "page", "js", page),
     }
 
 
@@ -39,7 +39,7 @@ def write_words(out: Path, words: Words) -> dict[str, str]:
     said = {key: part for key, part in words.tree.items() if key not in PAGES_ONLY}
     text = json.dumps(said, ensure_ascii=False, separators=(",", ":"))
     script = f"raywalkWords={text};\n".encode()
-    return {"words_js": _named(out, f"words-{words.code}", "js", script)}
+    return {"words_js": named(out, f"words-{words.code}", "js", script)}
 
 
 def bundle_viewer(site_src: Path, folder: Path) -> None:
@@ -56,7 +56,8 @@ def bundle_viewer(site_src: Path, folder: Path) -> None:
         raise BundleError((done.stderr or done.stdout).strip())
 
 
-def _named(out: Path, stem: str, ending: str, content: bytes) -> str:
+def named(out: Path, stem: str, ending: str, content: bytes) -> str:
+    """Writes an asset under a name with its hash; returns that name in the site."""
     name = f"assets/{stem}-{hashlib.sha256(content).hexdigest()[:10]}.{ending}"
     (out / "assets").mkdir(parents=True, exist_ok=True)
     (out / name).write_bytes(content)

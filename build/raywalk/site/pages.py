@@ -14,6 +14,7 @@ from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import Scene
 from raywalk.site.downloads import sorted_downloads
 from raywalk.site.figures import Figures, has_glass
+from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
@@ -21,16 +22,18 @@ from raywalk.words.catalogue import DEFAULT
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root
 Assets = dict[str, str]
+FACE = "5"
 
 
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
     words: Words | None = None, spared: dict[str, Figures] | None = None,
-    downloads: dict[str, list[str]] | None = None,
+    downloads: dict[str, list[str]] | None = None, base: str = "",
 ) -> None:  # fmt: skip
-    """index.html, model/, slides/ and scenes/<id>/index.html of one language: under `out` for
-    the default one, under out/<code> for another. scenes: in that language; downloads: names of
-    the files in slides/, by scene id or "course".
+    """index.html, model/, slides/, offline/ and scenes/<id>/index.html of one language: under
+    `out` for the default one, under out/<code> for another. scenes: in that language; downloads:
+    names of the files in slides/, by scene id or "course"; base: where the site will be, if that
+    is known.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -44,8 +47,12 @@ def write_pages(
         told = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
         page.write_text(environment.get_template(template).render(told), encoding="utf-8")
 
-    shared = {"home": home, "scenes": [_card(scene, home) for scene in scenes], **assets}
+    shared = {
+        "home": home, "scenes": [_card(scene, home) for scene in scenes], **assets,
+        "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
+    }  # fmt: skip
     write("index.html", "gallery.html")
+    write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
         glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
@@ -59,7 +66,19 @@ def write_pages(
             "spared": (spared or {}).get(scene.id),
             "downloads": decks.get(scene.id),
         }
-        write(f"scenes/{scene.id}/index.html", "scene.html", scene=told)
+        here = f"scenes/{scene.id}/index.html"
+        write(here, "scene.html", scene=told, preview=_preview(out, [scene]))
+
+
+def face_of(scenes: Sequence[Scene]) -> Scene:
+    """The scene whose picture stands for the whole site: many mirrors, if it is there."""
+    return next((scene for scene in scenes if scene.key == FACE), scenes[0])
+
+
+def _preview(out: Path, scenes: Sequence[Scene]) -> str:
+    """The preview picture of the first of these, "" where there is none."""
+    names = (f"scenes/{scene.id}/{PREVIEW}" for scene in scenes)
+    return next((name for name in names if (out / name).exists()), "")
 
 
 def home_of(code: str) -> str:

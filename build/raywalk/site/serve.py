@@ -15,6 +15,7 @@ from pathlib import Path
 
 from raywalk.site.live import Live, News
 
+WORKER = "sw.js"
 OURS = "/@raywalk/"  # addresses that are not the site's
 HEARTBEAT = 10.0  # seconds after which a page that has gone is noticed
 SWAP = 0.2  # seconds: longer than a build takes to put the new site in the old one's place
@@ -45,6 +46,8 @@ class _Live(_Quiet):
             self._events()
         elif asked in (OURS + "reload.js", OURS + "reload.css"):
             self._whole(self.extras / asked.removeprefix(OURS))
+        elif asked == f"/{WORKER}":
+            self._whole(self.extras / "no-worker.js")
         elif asked.endswith(("/", ".html")):
             self._page(Path(self.translate_path(asked)))
         else:
@@ -96,6 +99,7 @@ def followed(page: bytes, version: int) -> bytes:
     """A page with the script that follows the builds; it may talk to this server, no other."""
     script = f'<script src="{OURS}reload.js" data-version="{version}"></script></body>'
     sheet = f'<link rel="stylesheet" href="{OURS}reload.css"></head>'
+    page = page.replace(f' data-worker="{WORKER}"'.encode(), b"", 1)  # it would show what it kept
     page = page.replace(b"default-src 'none';", b"default-src 'none'; connect-src 'self';", 1)
     page = page.replace(b"</head>", sheet.encode(), 1)
     return script.encode().join(page.rsplit(b"</body>", 1))

@@ -63,6 +63,12 @@ def page_data_parts(scene: Scene, trace_key: str) -> Parts:
     }  # fmt: skip
 
 
+def preview_parts(id: str, trace_key: str) -> Parts:
+    """A scene's preview picture: its trace, our typeface, what draws it."""
+    own = makers(("site/preview.py",), ("pillow",))
+    return {"what": "preview", "of": id, "trace": trace_key, **own}
+
+
 def viewer_parts(site_source: Path) -> Parts:
     """The viewer's sources, its bundler and the packages that npm has installed."""
     sources = [*site_source.rglob("*.mjs"), *(site_source / "viewer").rglob("*")]

@@ -7,6 +7,30 @@ const OURS = "raywalk"; // what the page keeps in the browser begins so
 /** Pages that a kiosk's script runs on too, below a language's folder: all others would be dead ends. */
 const PAGES = /^(?:index\.html|model\/index\.html|scenes\/[^/]+\/index\.html)$/;
 
+const TRIES_EVERY = 5000; // ms
+
+/** From a disk, or kept by the service worker, or the host answers. */
+function canLoad(): Promise<boolean> {
+  if (location.protocol === "file:" || navigator.serviceWorker?.controller) return Promise.resolve(true);
+  const icon = document.querySelector<HTMLLinkElement>("link[rel=icon]")?.href ?? "";
+  return new Promise((done) => {
+    const image = new Image();
+    image.onload = () => done(true);
+    image.onerror = () => done(!/^http/.test(icon));
+    image.src = `${icon}?${Date.now()}`;
+  });
+}
+
+/** A newer build that waits until nobody looks: now nobody does. */
+async function takeNewest() {
+  try {
+    const registration = await navigator.serviceWorker?.getRegistration();
+    registration?.waiting?.postMessage({ does: "take over" });
+  } catch {
+    // from a disk there is none
+  }
+}
+
 export function createPlaces(hook: KioskHook, settings: KioskSettings, strikes: Strikes) {
   const root = new URL(hook.root || "./", location.href);
   root.hash = root.search = "";
@@ -15,8 +39,10 @@ export function createPlaces(hook: KioskHook, settings: KioskSettings, strikes: 
 
   const part = (visitor = settings.visitor) => writeKiosk({ ...settings, visitor, strikes: strikes.inAddress() ? strikes.count() : 0 });
 
-  /** From scratch, also where only the hash is another one. */
-  function go(to: URL) {
+  /** From scratch, also where only the hash is another one; not before the page can be had: without its network a
+   *  browser would show its own page, and stay there. */
+  async function go(to: URL) {
+    while (!(await canLoad())) await new Promise((done) => setTimeout(done, TRIES_EVERY));
     const isHere = to.href.split("#")[0] === location.href.split("#")[0];
     if (!isHere) return location.replace(to.href);
     history.replaceState(null, "", to.href);
@@ -44,7 +70,8 @@ export function createPlaces(hook: KioskHook, settings: KioskSettings, strikes: 
     /** As it was when it was switched on: scene, view, panels, language, and what the browser kept. */
     reset() {
       forgetVisitor();
-      go(start());
+      void takeNewest();
+      void go(start());
     },
     /** After a fault: this view for somebody who is there, else the start. Without WebGL if that was the fourth. */
     recover() {
@@ -52,7 +79,7 @@ export function createPlaces(hook: KioskHook, settings: KioskSettings, strikes: 
       const to = new URL(location.href);
       const view = to.hash.slice(1).split("&").filter((each) => !KIOSK_KEYS.includes(each.split("=")[0]) && !each.startsWith("gl="));
       to.hash = [part(), ...view, isFlat() && "gl=none"].filter(Boolean).join("&");
-      go(to);
+      void go(to);
     },
     visited(is: boolean) {
       settings.visitor = is;

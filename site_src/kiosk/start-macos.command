@@ -1,0 +1,37 @@
+#!/bin/sh
+# Raywalk as a kiosk on macOS: full screen, the display stays awake. Ends with Command+Q; comes back if the browser breaks down.
+# Settings as in start-linux.sh: ./start-macos.command "idle=60&warn=20"; RAYWALK_LANGUAGE=de begins in German.
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd) || exit 1
+course=course
+[ -z "$RAYWALK_LANGUAGE" ] || [ "$RAYWALK_LANGUAGE" = en ] || course=course/$RAYWALK_LANGUAGE
+page=$here/$course/@START@
+if [ ! -f "$page" ]; then
+  echo "start-macos.command: $page is not there: was the whole archive unpacked?" >&2
+  exit 1
+fi
+address=file://$(printf %s "$page" | sed 's/%/%25/g; s/ /%20/g; s/#/%23/g; s/?/%3F/g')
+address="$address#kiosk=1${1:+&$1}"
+
+browser=$RAYWALK_BROWSER
+for each in "Google Chrome" Chromium "Microsoft Edge" Firefox; do
+  [ -n "$browser" ] || [ ! -d "/Applications/$each.app" ] || browser="/Applications/$each.app/Contents/MacOS/$each"
+done
+case $browser in *Firefox*) browser="/Applications/Firefox.app/Contents/MacOS/firefox" ;; esac
+if [ -z "$browser" ]; then
+  echo "start-macos.command: no browser found: put Chrome, Chromium, Edge or Firefox into Applications" >&2
+  exit 1
+fi
+
+profile=$(mktemp -d)
+case $browser in
+  *irefox*) set -- --kiosk --no-remote --profile "$profile" ;;
+  *) set -- --kiosk --user-data-dir="$profile" \
+    --no-first-run --no-default-browser-check --noerrdialogs --hide-crash-restore-bubble \
+    --disable-pinch --overscroll-history-navigation=0 --disable-features=Translate \
+    --disable-sync --disable-background-networking --disable-component-update --password-store=basic ;;
+esac
+
+until caffeinate -d "$browser" "$@" "$address"; do
+  sleep 3
+done
+rm -rf "$profile"

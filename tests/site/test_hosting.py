@@ -1,0 +1,176 @@
+"""What a host gets besides the pages: worker, manifest, icons, previews, sitemap, licences."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from PIL import Image
+from pypdf import PdfReader
+
+from raywalk.errors import Told
+from raywalk.scene import read_scenes
+from raywalk.site.sitemap import base_of, write_sitemap
+
+ROOT = Path(__file__).parent.parent.parent
+DIST = ROOT / "dist"
+PAGES = sorted(DIST.rglob("*.html"))
+LICENCES = (DIST / "LICENSES.txt").read_text("utf-8") if DIST.is_dir() else ""
+
+
+def build() -> dict:
+    """What the worker was told of this build."""
+    line = (DIST / "sw.js").read_text("utf-8").partition("\n")[0]
+    return json.loads(line.removeprefix("const BUILD = ").removesuffix(";"))
+
+
+class Addresses(HTMLParser):
+    """Every href, src, srcset and content that is an address."""
+
+    def __init__(self, page: str):
+        super().__init__()
+        self.found: list[str] = []
+        self.feed(page)
+
+    def handle_starttag(self, tag, attrs):
+        told = dict(attrs)
+        self.found += [told[name] for name in ("href", "src", "poster") if told.get(name)]
+        if told.get("property") == "og:image":
+            self.found.append(told["content"])
+
+
+def test_every_address_in_every_page_is_relative_and_leads_to_a_file():
+    """So the site works under any path, from a disk too; model pages may name their sources."""
+    for page in PAGES:
+        for address in Addresses(page.read_text("utf-8")).found:
+            parts = urlsplit(address)
+            if parts.scheme in ("data", "http", "https"):
+                continue
+            assert not address.startswith("/"), f"{page}: {address}"
+            to = (page.parent / unquote(parts.path)).resolve() if parts.path else page
+            assert (to / "index.html" if to.is_dir() else to).is_file(), f"{page}: {address}"
+            assert to.is_relative_to(DIST.resolve()) or to == page
+
+
+def test_every_page_has_a_strict_policy_and_needs_nothing_from_elsewhere():
+    """No page may load or run what is not the site's own."""
+    assert len(PAGES) > 20
+    for page in PAGES:
+        text = page.read_text("utf-8")
+        policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]+)"', text)
+        assert policy, page
+        rules = dict(rule.strip().split(" ", 1) for rule in policy[1].split(";"))
+        assert rules["default-src"] == "'none'", page
+        assert "unsafe-eval" not in policy[1] and "http" not in policy[1], page
+        assert (
+            rules.get("script-src", "'none'") in ("'self'", "'none'")
+            or "sha256-" in rules["script-src"]
+        ), page
+        assert rules.get("worker-src", "'self'") == "'self'"
+
+
+def test_assets_are_named_by_their_content():
+    """A cache may keep them for ever."""
+    for asset in (DIST / "assets").iterdir():
+        assert hashlib.sha256(asset.read_bytes()).hexdigest()[:10] in asset.name
+
+
+def test_the_worker_knows_every_file_that_pages_need_as_it_is():
+    """Hashes and sizes are the files' own; what comes first is small."""
+    told = build()
+    for name, (digest, size) in told["files"].items():
+        content = (DIST / name).read_bytes()
+        assert (hashlib.sha256(content).hexdigest()[:16], len(content)) == (digest, size), name
+    for needed in ("index.html", "de/index.html", "scenes/01-shading/15.js", "LICENSES.txt"):
+        assert needed in told["files"]
+    assert not any(name.endswith((".pdf", ".pptx", ".json.gz")) for name in told["files"])
+    assert set(told["first"]) <= set(told["files"])
+    first = sum(told["files"][name][1] for name in told["first"])
+    assert first < 2_500_000, "bytes: both languages, thumbnails, icons; half of it gzipped"
+    assert not any(name.startswith("scenes/") and "thumb" not in name for name in told["first"])
+
+
+@pytest.mark.parametrize("home", ["", "de/"])
+def test_the_manifest_names_its_language_and_icons_that_are_there(home):
+    """Relative to itself, so it works under any path."""
+    manifest = json.loads((DIST / f"{home}manifest.webmanifest").read_text("utf-8"))
+    assert manifest["lang"] == (home.rstrip("/") or "en")
+    assert {icon["sizes"] for icon in manifest["icons"]} == {"48x48", "192x192", "512x512"}
+    for icon in manifest["icons"]:
+        with Image.open(DIST / home / icon["src"]) as image:
+            assert f"{image.width}x{image.height}" == icon["sizes"]
+    assert (DIST / home / manifest["start_url"]).is_file()
+    assert (DIST / home / manifest["scope"]).resolve() == DIST.resolve()
+
+
+def test_every_scene_has_a_preview_picture_that_its_pages_name():
+    """1200 x 630 and light: shared links are opened on phones."""
+    for scene in read_scenes(ROOT / "scenes"):
+        place = DIST / "scenes" / scene.id / "preview.jpg"
+        with Image.open(place) as image:
+            assert image.size == (1200, 630)
+        assert place.stat().st_size < 200_000
+        for home in ("", "de/"):
+            page = (DIST / f"{home}scenes/{scene.id}/index.html").read_text("utf-8")
+            assert re.search(rf'og:image" content="[^"]*scenes/{scene.id}/preview.jpg"', page)
+
+
+def test_the_sitemap_has_every_page_and_is_not_there_without_an_address(tmp_path):
+    """A sitemap of relative links would be none."""
+    (tmp_path / "offline").mkdir()
+    (tmp_path / "a b").mkdir()
+    for name in ("index.html", "a b/index.html", "offline/index.html"):
+        (tmp_path / name).touch()
+    write_sitemap(tmp_path, base_of(""))
+    assert not (tmp_path / "sitemap.xml").exists()
+    write_sitemap(tmp_path, base_of("https://school.example/rays"))
+    listed = re.findall("<loc>(.*?)</loc>", (tmp_path / "sitemap.xml").read_text("utf-8"))
+    assert listed == ["https://school.example/rays/a%20b/", "https://school.example/rays/"]
+
+
+@pytest.mark.parametrize(
+    "url", ["school.example", "ftp://a/", "https://", "https://a/?b", "http://["]
+)
+def test_an_address_that_is_none_is_refused_before_anything_is_built(url):
+    """With what is allowed."""
+    with pytest.raises(Told, match="not the address of a site\n  allowed: http"):
+        base_of(url)
+
+
+def test_the_licences_name_every_model_that_a_scene_shows():
+    """With its credit and its terms, as models.toml has them."""
+    for scene in read_scenes(ROOT / "scenes"):
+        page = (DIST / "scenes" / scene.id / "index.html").read_text("utf-8")
+        for title in ("The Stanford bunny", "The Stanford dragon"):
+            if title in page:
+                part = LICENCES.partition(title)[2]
+                assert scene.id in part and "Stanford Computer Graphics Laboratory" in part
+
+
+def test_the_licences_name_every_package_that_is_in_a_script():
+    """In full, as their licences ask for."""
+    assert "three 0." in LICENCES and "three.js authors" in LICENCES
+    held = {match for path in (DIST / "assets").glob("*.js")
+            for match in re.findall(r"Holds ([\w.]+)", path.read_text("utf-8"))}  # fmt: skip
+    assert held == {"three.js"}
+    assert (ROOT / "LICENSE").read_text("utf-8").strip() in LICENCES
+
+
+def test_the_licences_name_every_font_that_is_embedded():
+    """PDF readers come with the standard fonts; all others we ship."""
+    embedded = set()
+    for path in sorted((DIST / "slides").glob("01-*.pdf")):
+        for page in PdfReader(path).pages:
+            for font in (page["/Resources"].get("/Font") or {}).values():
+                name = str(font.get_object()["/BaseFont"])
+                if "+" in name:
+                    embedded.add(re.sub(r"^/[A-Z]+\+|[-_,].*$", "", name))
+    print(sorted(embedded))
+    assert embedded and all("arimo" in name.lower() for name in embedded)
+    assert "SIL OPEN FONT LICENSE" in LICENCES.upper()
+    assert "python-pptx" in LICENCES

@@ -1,0 +1,152 @@
+"""The kiosk's archive: whole, small, the same bytes each time, and started by flags that exist."""
+
+from __future__ import annotations
+
+import hashlib
+import mmap
+import re
+import shutil
+import subprocess
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from raywalk.errors import Told
+from raywalk.site import kiosk
+from raywalk.site.kiosk import SITE, TOP, write_archive
+
+ROOT = Path(__file__).parent.parent.parent
+DIST = ROOT / "dist"
+SOURCE = ROOT / "site_src"
+BROWSERS = ("/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome")
+# Firefox's own; --edge-kiosk-type and --kiosk-idle-timeout-minutes are Edge's, as Microsoft
+# documents them (learn.microsoft.com, "Configure Microsoft Edge kiosk mode").
+NOT_CHROMIUMS = {"no-remote", "profile", "edge-kiosk-type", "kiosk-idle-timeout-minutes"}
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory):
+    """The archive of the built site, once for all these tests."""
+    path = tmp_path_factory.mktemp("kiosk") / "raywalk-kiosk.zip"
+    write_archive(DIST, SOURCE, path)
+    return path
+
+
+def text(archive: Path, name: str) -> str:
+    return zipfile.ZipFile(archive).read(f"{TOP}/{name}").decode("utf-8-sig")
+
+
+def test_it_takes_less_than_40_mb_with_all_scenes_and_slides(archive):
+    """A mail server and an old stick take that."""
+    names = set(zipfile.ZipFile(archive).namelist())
+    print(f"{archive.stat().st_size / 1e6:.1f} MB, {len(names)} files")
+    assert archive.stat().st_size < 40_000_000
+    for folder in (DIST / "scenes").iterdir():
+        for needed in (f"scenes/{folder.name}/15.js", f"slides/{folder.name}.pdf"):
+            assert not (DIST / needed).exists() or f"{TOP}/{SITE}/{needed}" in names
+    assert f"{TOP}/START-HERE.txt" in names and f"{TOP}/{SITE}/LICENSES.txt" in names
+
+
+def test_nothing_that_a_page_links_to_is_left_out(archive):
+    """What is left out is for hosts and other programs."""
+    held = {name.removeprefix(f"{TOP}/{SITE}/") for name in zipfile.ZipFile(archive).namelist()}
+    left_out = {
+        path.relative_to(DIST).as_posix() for path in DIST.rglob("*") if path.is_file()
+    } - held
+    linked = re.compile(r'(?:href|src)="([^"#?]+)')
+    for page in sorted(DIST.rglob("*.html")):
+        for address in linked.findall(page.read_text("utf-8")):
+            if ":" in address:
+                continue
+            to = (page.parent / address).resolve().relative_to(DIST.resolve()).as_posix()
+            assert to not in left_out, f"{page}: {address}"
+
+
+def test_the_same_site_makes_the_same_bytes(archive, tmp_path):
+    """So that two archives can be compared, and copied by what changed."""
+    again = tmp_path / "again.zip"
+    write_archive(DIST, SOURCE, again)
+    assert (
+        hashlib.sha256(again.read_bytes()).digest() == hashlib.sha256(archive.read_bytes()).digest()
+    )
+
+
+def test_scripts_are_as_their_systems_want_them(archive):
+    """Unix: executable, bare line feeds; Windows: both, in scripts and in text."""
+    for info in zipfile.ZipFile(archive).infolist():
+        content = zipfile.ZipFile(archive).read(info)
+        mode = info.external_attr >> 16
+        if info.filename.endswith((".sh", ".command")):
+            assert (
+                mode & 0o111 == 0o111
+                and b"\r" not in content
+                and content.startswith(b"#!/bin/sh\n")
+            )
+        elif info.filename.endswith((".bat", ".txt")) and f"/{SITE}/" not in info.filename:
+            assert b"\n" not in content.replace(b"\r\n", b"")
+        else:
+            assert mode == 0o100644
+    for script in ("start-linux.sh", "start-macos.command"):
+        subprocess.run(["sh", "-n"], input=text(archive, script).encode(), check=True)
+
+
+def test_every_script_opens_the_first_scene_as_a_kiosk_and_needs_no_relaxed_rules(archive):
+    """The rules are those of any profile."""
+    for script in ("start-linux.sh", "start-macos.command", "start-windows.bat"):
+        said = text(archive, script)
+        assert "@" not in said.replace("$@", "").replace("@echo off", ""), "every place is filled"
+        assert "kiosk=1" in said and "file://" in said
+        assert re.search(r"scenes[\\/]01-shading[\\/]index\.html", said)
+        assert not re.search("allow-file-access|disable-web-security|no-sandbox", said)
+
+
+def test_every_flag_is_one_that_chromium_knows(archive):
+    """Chromium says nothing of a flag that it does not know: it is looked for in the program."""
+    browser = next((path for path in BROWSERS if Path(path).exists()), None)
+    if browser is None:
+        pytest.skip("no Chromium here to ask")
+    program = _program(Path(browser))
+    flags = set()
+    for script in ("start-linux.sh", "start-macos.command", "start-windows.bat"):
+        flags |= set(re.findall(r"(?<=\s)--([a-z-]+)", text(archive, script)))
+    assert {"kiosk", "user-data-dir", "disable-pinch", "noerrdialogs"} <= flags
+    with program.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as code:
+        unknown = [
+            flag
+            for flag in sorted(flags - NOT_CHROMIUMS)
+            if code.find(b"\0" + flag.encode() + b"\0") < 0
+        ]
+    assert not unknown
+
+
+def _program(browser: Path) -> Path:
+    """The program behind a start script: the largest file of that name."""
+    places = [
+        browser.resolve(),
+        *Path("/usr/lib").glob("chromium*/chromium*"),
+        *Path("/opt/google").glob("chrome*/chrome"),
+    ]
+    return max(
+        (place for place in places if place.is_file()), key=lambda place: place.stat().st_size
+    )
+
+
+def test_an_archive_that_outgrows_its_limit_is_not_written(tmp_path, monkeypatch):
+    """And one that was there stays."""
+    site = tmp_path / "site"
+    shutil.copytree(DIST / "scenes" / "01-shading", site / "scenes" / "01-shading")
+    shutil.copyfile(DIST / "index.html", site / "index.html")
+    out = tmp_path / "out.zip"
+    out.write_bytes(b"before")
+    monkeypatch.setattr(kiosk, "LIMIT", 1000)
+    with pytest.raises(Told, match=r"bytes; a kiosk's archive takes 1,000 at most"):
+        write_archive(site, SOURCE, out)
+    assert out.read_bytes() == b"before"
+    assert not list(tmp_path.glob("*.partial"))
+
+
+def test_without_a_built_site_the_next_step_is_named(tmp_path):
+    """make."""
+    with pytest.raises(Told, match="no built site is there\n  hint: run `make`"):
+        write_archive(tmp_path, SOURCE, tmp_path / "out.zip")

@@ -1,0 +1,133 @@
+/** On a host: without its network the site goes on, from what was kept; a newer build takes its place quietly. */
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { DIST, launch, newPage, open, press, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { serve } from "./server.mjs";
+
+const [first, second, third] = scenesOfSite();
+const UNDER = "/a/b/"; // a sub-path, as project pages have
+let browser, server, page, context;
+before(async () => {
+  browser = await launch();
+  server = await serve(DIST, UNDER);
+  page = await newPage(browser, { worker: true });
+  context = page.context();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const kept = () => page.evaluate(async () => (await Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url)))).flat());
+/** Until the worker has kept what this page used. */
+const isKept = async (part) => {
+  for (const end = Date.now() + 15000; Date.now() < end; await page.waitForTimeout(30)) if ((await kept()).some((url) => url.endsWith(part))) return;
+  throw new Error(`never kept: ${part}`);
+};
+const pictureShows = (selector) => page.locator(selector).first().evaluate((image) => image.complete && image.naturalWidth > 0);
+
+test("under a sub-path every page links to its own only, and the manifest is found", async () => {
+  await open(page, server.url, "index.html");
+  assert.equal(await page.locator("link[rel=manifest]").evaluate((link) => link.href), `${server.url}manifest.webmanifest`);
+  const links = new Set(await page.locator("a[href]").evaluateAll((all) => all.map((link) => link.href.split("#")[0])));
+  for (const link of links) {
+    assert.ok(link.startsWith(server.url), link);
+    assert.equal((await page.request.get(link)).status(), 200, link);
+  }
+  assert.deepEqual(page.faults, []);
+});
+
+test("what was looked at is there when the host is gone; what was not is said", async () => {
+  await open(page, server.url, first.path, "still=1&tiles=filled");
+  const { n } = await state(page);
+  await isKept(`${first.id}/${n}.js`);
+  await isKept(`${first.id}/picture.png`);
+  await press(page, "PageDown"); // a scene in the same page, through the worker by now
+  await until(page, (s, t, id) => s.scene === id && t.tiles.length > 0, second.id);
+  await isKept(`${second.id}/picture.png`);
+  server.close();
+  server.close = () => {};
+  await context.setOffline(true);
+  for (const scene of [first, second]) {
+    await open(page, server.url, scene.path, "still=1&tiles=filled");
+    assert.equal((await state(page)).scene, scene.id);
+    assert.ok((await stats(page)).tiles.length > 0);
+    assert.ok(await pictureShows(".picture img"));
+  }
+  await open(page, server.url, "de/index.html");
+  assert.ok(await pictureShows(".cards img"), "the gallery is there in every language");
+  await page.goto(`${server.url}${third.path}`);
+  assert.match(page.url(), /\/a\/b\/offline\/index\.html$/);
+  assert.match(await page.locator("h1").innerText(), /not kept for offline use/);
+  await page.goto(`${server.url}de/${third.path}`);
+  assert.match(await page.locator("h1").innerText(), /nicht offline/);
+  await page.getByRole("link", { name: "Alle Szenen" }).click();
+  await page.waitForURL(/de\/index\.html$/);
+  await context.setOffline(false);
+});
+
+test("one button keeps all scenes, tells how far it is, and then every scene opens without a network", async () => {
+  server = await serve(DIST, UNDER);
+  page.faults.length = 0;
+  await open(page, server.url, "index.html");
+  const panel = page.locator("#offline");
+  const button = panel.getByRole("button", { name: /Keep all scenes for offline use \([\d.]+ MB\)/ });
+  await button.waitFor();
+  const told = [];
+  await page.exposeFunction("heard", (text) => told.push(text));
+  await panel.locator("output").evaluate((output) => new MutationObserver(() => window.heard(output.textContent)).observe(output, { childList: true }));
+  await button.click();
+  await panel.getByText("All scenes are kept for offline use").waitFor({ timeout: 30000 });
+  assert.ok(told.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, told.join("; "));
+  await context.setOffline(true);
+  for (const { id, path } of scenesOfSite()) {
+    await open(page, server.url, path, "still=1&tiles=filled");
+    assert.equal((await state(page)).scene, id);
+    assert.ok((await stats(page)).tiles.length > 0, id);
+    assert.ok(await pictureShows(".picture img"), id);
+  }
+  await context.setOffline(false);
+  assert.deepEqual(page.faults, []);
+});
+
+test("a newer build says so quietly, opens when asked, and leaves nothing of the older behind", async () => {
+  const site = mkdtempSync(join(tmpdir(), "raywalk-newer-"));
+  const own = await serve(site, "/");
+  try {
+    for (const name of ["index.html", "assets", "de", "model", "offline", "LICENSES.txt", "manifest.webmanifest"]) cpSync(join(DIST, name), join(site, name), { recursive: true });
+    for (const { id } of scenesOfSite()) cpSync(join(DIST, `scenes/${id}/thumb.png`), join(site, `scenes/${id}/thumb.png`));
+    const worker = readFileSync(join(DIST, "sw.js"), "utf8");
+    writeFileSync(join(site, "sw.js"), worker);
+    const page = await newPage(browser, { worker: true });
+    await open(page, own.url, "index.html");
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.locator("#offline button").waitFor();
+    const names = await page.evaluate(() => caches.keys());
+    assert.equal(names.length, 1);
+    const version = /"version":"(\w+)"/.exec(worker)[1];
+    writeFileSync(join(site, "sw.js"), worker.replace(version, "0123456789abcdef"));
+    await page.reload();
+    await page.locator("#newer").waitFor();
+    assert.match(await page.locator("#newer").innerText(), /A newer version of this site is ready/);
+    await Promise.all([page.waitForEvent("load"), page.locator("#newer button").click()]);
+    await page.waitForFunction(async () => (await caches.keys()).every((name) => name.endsWith("0123456789abcdef")));
+    assert.ok(!(await page.locator("#newer").isVisible()));
+    assert.deepEqual(page.faults, []);
+    await page.close();
+  } finally {
+    own.close();
+    rmSync(site, { recursive: true });
+  }
+});
+
+test("from a disk there is neither worker nor manifest, and no word about them", async () => {
+  const page = await newPage(browser, { worker: true });
+  await page.goto(new URL("index.html", `file://${DIST}/`).href);
+  assert.equal(await page.locator("link[rel=manifest]").count(), 0);
+  assert.ok(!(await page.locator("#offline").isVisible()));
+  assert.deepEqual(page.faults, []);
+  await page.close();
+});
