@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -40,18 +41,20 @@ def write_products(
     # The longest first, or a thread waits at the end.
     grids = sorted(scene.render.resolutions, reverse=True)
     stages = ["picture", "sections", *(f"grid {n}" for n in grids)]
-    works = [
+    works: list[Callable[[], int | None]] = [
         partial(_write_pictures, folder, traced.picture),
         partial(_write_cuts, folder, tracer),
         *(partial(_write_grid, folder, scene, traced, n) for n in grids),
     ]
-    for place, _ in enumerate(in_order(lambda k: works[k](), len(works), threads)):
+    made: list[int | None] = []
+    for place, rays in enumerate(in_order(lambda k: works[k](), len(works), threads)):
+        made.append(rays)
         report(stages[place], TRACING + (1 - TRACING) * (place + 1) / len(works))
     write_display(folder / "display.npz", scene, tracer)
     facts = counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,
-        "finest": {"n": grids[0], "rays": rays_of(level_of(traced.tree, grids[0]))},
+        "finest": {"n": grids[0], "rays": made[stages.index(f"grid {grids[0]}")]},
         "triangles": sum(len(mesh.triangles.faces) for mesh in tracer.compiled.meshes),
         "dropped": dropped_triangles(tracer),
         "warnings": overlap_warnings(scene, tracer.compiled),
@@ -64,8 +67,11 @@ def _write_pictures(folder: Path, picture: np.ndarray) -> None:
     write_png(folder / "thumb.png", thumbnail(picture))
 
 
-def _write_grid(folder: Path, scene: Scene, traced: Traced, n: int) -> None:
-    write_level(folder, level_of(traced.tree, n), n, scene, traced.picture)
+def _write_grid(folder: Path, scene: Scene, traced: Traced, n: int) -> int:
+    """Returns how many rays it has."""
+    level = level_of(traced.tree, n)
+    write_level(folder, level, n, scene, traced.picture)
+    return rays_of(level)
 
 
 def _write_cuts(folder: Path, tracer: Tracer) -> None:

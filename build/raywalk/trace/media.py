@@ -50,27 +50,31 @@ def settle_media(stacks, ray, who, within):
     """
     for enters in (False, True):
         for k in range(ray.shape[0]):
-            stack = stacks[ray[k]]
-            if within[k] == enters and (stack == who[k]).any() != enters:
-                enter_or_leave(stack, who[k], enters)
+            # Element by element: views of rows would cost more than the search.
+            if within[k] == enters and holds(stacks, ray[k], who[k]) != enters:
+                enter_or_leave(stacks[ray[k]], who[k], enters)
+
+
+@kernel
+def holds(stacks, row, who):
+    """Whether an object is in a row's stack."""
+    place = 0
+    while place < stacks.shape[1] and stacks[row, place] != who:
+        place += 1
+    return place < stacks.shape[1]
 
 
 @kernel
 def indices_in(stacks, ior_of):
     """(n,) index of refraction of the medium on top of each stack."""
-    indices = np.empty(stacks.shape[0])
+    indices = np.ones(stacks.shape[0])  # outside everything
     for i in range(stacks.shape[0]):
-        indices[i] = index_in(stacks[i], ior_of)
+        held = 0
+        while held < stacks.shape[1] and stacks[i, held] >= 0:
+            held += 1
+        if held > 0:
+            indices[i] = ior_of[stacks[i, held - 1]]
     return indices
-
-
-@kernel
-def index_in(stack, ior_of):
-    """Index of refraction of the medium on top of a stack; 1 outside everything."""
-    held = 0
-    while held < stack.shape[0] and stack[held] >= 0:
-        held += 1
-    return ior_of[stack[held - 1]] if held > 0 else 1.0
 
 
 @kernel

@@ -5,6 +5,7 @@ Any predictor decodes to the same numbers, so this is free to try and to be repl
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,7 +33,10 @@ def fit_predictors(
     order, start = residuals.rows_by_kind(kind)
     for of in np.flatnonzero(np.diff(start) >= FEW).tolist():
         column = _Column(number, order[start[of] : start[of + 1]], near, known)
-        best = min(_choices(column), key=column.cost)
+        usual, best = column.cost(Predictor()), Predictor()
+        for choice in _choices(column, usual):
+            if (cost := column.cost(choice)) < usual:
+                usual, best = cost, choice
         if best != Predictor():
             found[of] = best
     return found
@@ -72,15 +76,18 @@ def how_and_taps(predictor: Predictor) -> tuple[int, np.ndarray]:
     return how, np.array(predictor.taps, float)
 
 
-def _choices(column: _Column) -> list[Predictor]:
-    choices = [Predictor(), Predictor(taps=_fit_taps(column, column.number))]
-    if len(column.features):
-        choices.append(Predictor(_fit_exactly(column), None))
-        short = _fit_differences(column)
-        if short:
-            taps = _fit_taps(column, column.off(Predictor(short)))
-            choices += [Predictor(short), Predictor(short, taps)]
-    return choices
+def _choices(column: _Column, usual: float) -> Iterator[Predictor]:
+    """Fitted predictors whose own place in the header may pay: usual: bits without any."""
+    count = len(column.features) + 1
+    if 6 * BITS_PER_NUMBER["tap"] < usual:
+        yield Predictor(taps=_fit_taps(column, column.number))
+    if count == 1:
+        return
+    if count * BITS_PER_NUMBER["exact"] < usual:
+        yield Predictor(_fit_exactly(column), None)
+    if count * BITS_PER_NUMBER["short"] < usual and (short := _fit_differences(column)):
+        yield Predictor(short)
+        yield Predictor(short, _fit_taps(column, column.off(Predictor(short))))
 
 
 def _fit_exactly(column: _Column) -> tuple[float, ...]:

@@ -23,11 +23,13 @@ def level_pixels(size: int, n: int) -> np.ndarray:
 
 def level_of(tree: RayTree, n: int) -> RayTree:
     """The rays of one n x n frustum; `pixel` keeps counting in the full picture."""
-    wanted = level_pixels(tree.size, n)
-    missing = np.setdiff1d(wanted, tree.pixel[: tree.cameras])
-    if len(missing):
-        raise TraceFileError("unfit", f"{len(missing)} pixels of level {n} were not kept")
-    return _rows(tree, np.flatnonzero(np.isin(tree.pixel, wanted)))
+    wanted = np.zeros(tree.size * tree.size, bool)
+    wanted[level_pixels(tree.size, n)] = True
+    chosen = wanted[tree.pixel]
+    missing = n * n - int(np.count_nonzero(chosen[: tree.cameras]))
+    if missing:
+        raise TraceFileError("unfit", f"{missing} pixels of level {n} were not kept")
+    return _rows(tree, np.flatnonzero(chosen))
 
 
 def in_file_order(tree: RayTree) -> RayTree:
@@ -44,7 +46,9 @@ def in_file_order(tree: RayTree) -> RayTree:
         rows = rows[np.lexsort((place, path[rows]))]
         rank[rows] = np.arange(len(rows))
         ordered.append(rows)
-        rows = np.flatnonzero(np.isin(tree.parent, rows))
+        of_these = np.zeros(len(tree.pixel) + 1, bool)  # the last serves parent -1
+        of_these[rows] = True
+        rows = np.flatnonzero(of_these[tree.parent])
     return _rows(tree, np.concatenate(ordered))
 
 
@@ -58,7 +62,7 @@ def _rows(tree: RayTree, rows: np.ndarray) -> RayTree:
     new_row = np.full(len(tree.pixel) + 1, -1, np.int32)  # the last serves parent -1
     new_row[rows] = np.arange(len(rows))
     columns = {
-        f.name: getattr(tree, f.name)[rows]
+        f.name: getattr(tree, f.name).take(rows, axis=0)
         for f in fields(tree)
         if f.name not in ("size", "hits_start", *PER_HIT)
     }
