@@ -61,13 +61,15 @@ class Dot:
 
 @dataclass(frozen=True)
 class Picture:
-    """Pixels; `on_screen` and `on_paper` are files of the same size for the two palettes."""
+    """Pixels; `on_screen` and `on_paper` are files of the same size for the two palettes,
+    `on_web` one for both that browsers read, b"" if there is none."""
 
     box: Box
     on_screen: bytes
     on_paper: bytes
     name: str
     alt: str
+    on_web: bytes = b""
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,10 @@ from pathlib import Path
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, one_line, text, title
-from raywalk.slides.figure import Item, Picture, Run, Slide
+from raywalk.slides.figure import Item, Run, Slide
 from raywalk.slides.layout import Box, Layout
 from raywalk.slides.lesson_words import Paragraph, paragraphs_of, title_and_body
-from raywalk.slides.pictures import TITLE_SIDE, traced_picture
+from raywalk.slides.pictures import TITLE_SIDE, picture_of, traced_picture
 from raywalk.slides.typeface import wrapped
 from raywalk.slides.words import say
 
@@ -34,7 +34,7 @@ def title_slide(scene: Scene, picture: Path, layout: Layout, kind: str = "title"
     top = box.top + max(0.0, (box.height - high - says.height() - 50) / 2)
     number = " · ".join(part for part in (say("slides.brand"), scene.key) if part)
     items: list[Item] = [
-        Picture(frame, data, data, say("slides.picture"), say("picture.alt", title=scene.title)),
+        picture_of(data, frame, say("picture.alt", title=scene.title)),
         one_line(number, Box(left, top, box.width, 24), BODY_SIZE, "soft"),
         text(lines, Box(left, top + 32, box.width, high), size, name="title", is_title=True),
         *flow_texts(says, Box(left, top + 32 + high + 14, box.width, says.height()), "soft"),
@@ -81,9 +81,7 @@ def course_slides(scenes: list[Scene], pictures: list[Path], layout: Layout) -> 
     first = Slide(
         say("slides.course"),
         (
-            Picture(
-                frame, data, data, say("slides.picture"), say("picture.alt", title=scenes[-1].title)
-            ),
+            picture_of(data, frame, say("picture.alt", title=scenes[-1].title)),
             one_line(say("slides.brand"), Box(left, top - 34, wide, 24), BODY_SIZE, "soft"),
             text(lines, Box(left, top, wide, high), BIG, name="title", is_title=True),
             *flow_texts(says, Box(left, top + high + 14, wide, says.height()), "soft"),

@@ -14,6 +14,7 @@ A4 = (595.28, 841.89)
 MARGIN, TOP, BOTTOM = 42.0, 60.0, 46.0
 GAP = 18.0
 LINE = 22.0  # from one line for notes to the next
+SHARP = 150 / 72  # pixels a point of paper: what a printer shows
 PER_SHEET = (2, 3, 6)
 
 
@@ -65,7 +66,7 @@ def _slide(canvas: Canvas, deck: Deck, items: tuple, place: Box, beside: bool) -
     path = canvas.beginPath()
     path.rect(0, 0, deck.width, deck.height)
     canvas.clipPath(path, stroke=0, fill=0)
-    draw_slide(canvas, items, deck, PRINT)
+    draw_slide(canvas, items, deck, PRINT, SHARP * scale)
     canvas.restoreState()
     canvas.setStrokeColor(PRINT["rule"])
     canvas.setLineWidth(0.75)

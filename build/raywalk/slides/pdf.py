@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable
+from functools import cache, lru_cache
 
 from reportlab import rl_config
+from reportlab.lib.colors import HexColor
 from reportlab.lib.utils import ImageReader
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
+from reportlab.pdfgen.pathobject import PDFPathObject
 
 from raywalk.slides.deck import COURSE
 from raywalk.slides.figure import (
@@ -19,13 +22,16 @@ from raywalk.slides.figure import (
     Item,
     Line,
     Picture,
+    Point,
     Polygon,
     Run,
     Table,
     Text,
     flat,
 )
+from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import DASH_LENGTHS, SCREEN, Palette
+from raywalk.slides.pictures import smaller
 from raywalk.slides.svg import arrow_head
 from raywalk.slides.table_parts import table_parts
 from raywalk.slides.typeface import ASCENT, font_file, is_right_to_left, run_width, width
@@ -75,12 +81,15 @@ def finished(canvas: Canvas, out: io.BytesIO) -> bytes:
     return out.getvalue()
 
 
-def draw_slide(canvas: Canvas, items: Iterable[Item], deck: Deck, palette: Palette) -> None:
-    """Everything of a slide with its lower left corner at the origin."""
+def draw_slide(
+    canvas: Canvas, items: Iterable[Item], deck: Deck, palette: Palette,
+    pixels: float | None = None,
+) -> None:  # fmt: skip
+    """Everything of a slide with its lower left corner at the origin; pixels: as Pen has it."""
     refuse_missing(items)
     canvas.setFillColor(palette["ground"])
     canvas.rect(0, 0, deck.width, deck.height, stroke=0, fill=1)
-    pen = Pen(canvas, deck.height, palette)
+    pen = Pen(canvas, deck.height, palette, pixels)
     for item in items:
         pen.draw(item)
 
@@ -119,11 +128,24 @@ def _face(bold: bool, italic: bool) -> dict[int, int]:
     return pdfmetrics.getFont(font(bold, italic)).face.charToGlyph
 
 
+# ReportLab would parse a colour's text, and decode a picture, each time it is drawn.
+_hex = cache(HexColor)
+
+
+@lru_cache(maxsize=64)
+def _image(data: bytes) -> ImageReader:
+    return ImageReader(io.BytesIO(data))
+
+
 class Pen:
     """Draws items on a canvas whose y goes up; ours goes down."""
 
-    def __init__(self, canvas: Canvas, height: float, palette: Palette):
+    def __init__(
+        self, canvas: Canvas, height: float, palette: Palette, pixels: float | None = None
+    ):
+        """pixels: that a picture has at most for each of the slide's points; None: all it has."""
         self.canvas, self.height, self.palette = canvas, height, palette
+        self.pixels = pixels
 
     def draw(self, item: Item) -> None:
         match item:
@@ -141,12 +163,15 @@ class Pen:
                 for part in table_parts(item):
                     self.draw(part)
             case Group():
-                for part in item.items:
-                    self.draw(part)
+                for piece in gathered(item.items):
+                    if isinstance(piece, list):
+                        self._mosaic(piece)
+                    else:
+                        self.draw(piece)
 
     def _line(self, line: Line) -> None:
         c = self.canvas
-        c.setStrokeColor(self.palette[line.colour])
+        c.setStrokeColor(self._colour(line.colour))
         c.setLineWidth(line.width)
         c.setDash(list(DASH_LENGTHS[line.dash]))
         c.line(line.start[0], self.height - line.start[1], line.end[0], self.height - line.end[1])
@@ -156,40 +181,62 @@ class Pen:
 
     def _polygon(self, area: Polygon) -> None:
         c = self.canvas
-        path = c.beginPath()
-        (x, y), *others = area.points
-        path.moveTo(x, self.height - y)
-        for x, y in others:
-            path.lineTo(x, self.height - y)
-        path.close()
+        path = self._path([area.points])
         if area.fill:
-            c.setFillColor(self.palette[area.fill])
+            c.setFillColor(self._colour(area.fill))
             c.setFillAlpha(area.opacity)
         if area.edge:
-            c.setStrokeColor(self.palette[area.edge])
+            c.setStrokeColor(self._colour(area.edge))
             c.setLineWidth(area.edge_width)
         c.drawPath(path, stroke=bool(area.edge), fill=bool(area.fill))
         if area.fill and area.opacity < 1:
             c.setFillAlpha(1)
 
+    def _mosaic(self, areas: list[Polygon]) -> None:
+        """A path a colour, and one for all edges."""
+        c = self.canvas
+        for colour, outlines in by_fill(areas).items():
+            if colour is None:
+                continue
+            c.setFillColor(self._colour(colour))
+            c.drawPath(self._path(outlines), stroke=0, fill=1)
+        if edge := areas[0].edge:
+            c.setStrokeColor(self._colour(edge))
+            c.setLineWidth(areas[0].edge_width)
+            c.drawPath(self._path(area.points for area in areas), stroke=1, fill=0)
+
+    def _path(self, outlines: Iterable[tuple[Point, ...]]) -> PDFPathObject:
+        path = self.canvas.beginPath()
+        for (x, y), *others in outlines:
+            path.moveTo(x, self.height - y)
+            for to_x, to_y in others:
+                path.lineTo(to_x, self.height - to_y)
+            path.close()
+        return path
+
+    def _colour(self, role: str) -> HexColor:
+        return _hex(self.palette[role])
+
     def _dot(self, dot: Dot) -> None:
         c = self.canvas
-        c.setFillColor(self.palette[dot.fill])
+        c.setFillColor(self._colour(dot.fill))
         if dot.edge:
-            c.setStrokeColor(self.palette[dot.edge])
+            c.setStrokeColor(self._colour(dot.edge))
             c.setLineWidth(1)
         c.circle(*(dot.centre[0], self.height - dot.centre[1]), dot.radius, bool(dot.edge), 1)
 
     def _picture(self, picture: Picture) -> None:
         data = picture.on_screen if self.palette is SCREEN else picture.on_paper
         box = picture.box
+        if self.pixels:
+            data = smaller(data, round(box.width * self.pixels))
         mask = "auto" if data.startswith(b"\x89PNG") else None
         place = (box.left, self.height - box.bottom, box.width, box.height)
-        self.canvas.drawImage(ImageReader(io.BytesIO(data)), *place, mask=mask)
+        self.canvas.drawImage(_image(data), *place, mask=mask)
 
     def _text(self, text: Text) -> None:
         c = self.canvas
-        c.setFillColor(self.palette[text.colour])
+        c.setFillColor(self._colour(text.colour))
         high = text.size * text.leading
         for k, line in enumerate(text.lines):
             y = text.box.top + k * high + (high - 1.117 * text.size) / 2 + ASCENT * text.size

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -15,46 +15,80 @@ from raywalk.slides.palette import PRINT, SCREEN, Palette
 from raywalk.slides.sights import Seen
 from raywalk.slides.words import say
 
-QUALITY = 85  # of JPEG; the views are pale, nothing of it shows
+PALE = 72  # JPEG's quality of the views: they are pale, nothing of it shows
+CLEAR = 82  # that of the traced picture
+FOR_WEB = 78  # WebP's, which browsers show and PowerPoint and PDF do not
+WEB_WASH = (SCREEN.wash + PRINT.wash) / 2  # one transparent view for both palettes
 SHARP = 2.0  # pixels a point of a fine grid
-PICTURE_SIDE = 480  # pixels of the traced picture beside a figure
-TITLE_SIDE = 900
+PICTURE_SIDE = 400  # pixels of the traced picture beside a figure
+TITLE_SIDE = 800
 
 
 @cache
-def washed(view: Path) -> tuple[bytes, bytes]:
-    """The view (RGBA file) laid pale on the ground: JPEG for the screen and for paper."""
+def washed(view: Path) -> tuple[bytes, bytes, bytes]:
+    """The view (RGBA file) laid pale on the ground: JPEG for the screen and for paper; and pale
+    by itself for browsers, which lay it on either."""
     pixels = np.asarray(Image.open(view), np.float32)
     presence = pixels[..., 3:] / 255
-    return _laid(pixels[..., :3], presence, SCREEN), _laid(pixels[..., :3], presence, PRINT)
+    pale = np.concatenate([pixels[..., :3], pixels[..., 3:] * WEB_WASH], axis=-1)
+    return (
+        _laid(pixels[..., :3], presence, SCREEN),
+        _laid(pixels[..., :3], presence, PRINT),
+        webp(Image.fromarray(np.rint(pale).astype(np.uint8))),
+    )
 
 
 def _laid(colours: np.ndarray, presence: np.ndarray, palette: Palette) -> bytes:
     ground = np.array([int(palette["ground"][k : k + 2], 16) for k in (1, 3, 5)], np.float32)
     strength = presence * palette.wash
-    return jpeg(Image.fromarray(np.rint(ground + strength * (colours - ground)).astype(np.uint8)))
+    laid = np.rint(ground + strength * (colours - ground)).astype(np.uint8)
+    return jpeg(Image.fromarray(laid), PALE)
 
 
-def jpeg(image: Image.Image) -> bytes:
+def jpeg(image: Image.Image, quality: int) -> bytes:
     out = io.BytesIO()
-    image.convert("RGB").save(out, "JPEG", quality=QUALITY, subsampling=0, optimize=True)
+    image.convert("RGB").save(out, "JPEG", quality=quality, optimize=True)
+    return out.getvalue()
+
+
+def webp(image: Image.Image) -> bytes:
+    out = io.BytesIO()
+    image.save(out, "WEBP", quality=FOR_WEB, method=4)
     return out.getvalue()
 
 
 @cache
-def traced_picture(file: Path, side: int) -> bytes:
-    """The scene's picture at most `side` pixels wide, as JPEG."""
+def traced_picture(file: Path, side: int) -> tuple[bytes, bytes]:
+    """The scene's picture at most `side` pixels wide, as JPEG and as WebP."""
     image = Image.open(file).convert("RGB")
     if image.width > side:
         image = image.resize((side, side), Image.Resampling.BOX)
-    return jpeg(image)
+    return jpeg(image, CLEAR), webp(image)
 
 
-def grid_picture(tiles: np.ndarray, n: int) -> bytes:
+def picture_of(data: tuple[bytes, bytes], frame: Box, alt: str) -> Picture:
+    """The traced picture in its frame."""
+    return Picture(frame, data[0], data[0], say("slides.picture"), alt, data[1])
+
+
+@lru_cache(maxsize=64)
+def smaller(data: bytes, wide: int) -> bytes:
+    """A JPEG at most so many pixels wide; other files as they are."""
+    if not data.startswith(b"\xff\xd8"):
+        return data
+    image = Image.open(io.BytesIO(data))
+    if image.width <= wide:
+        return data
+    high = max(1, round(image.height * wide / image.width))
+    return jpeg(image.resize((wide, high), Image.Resampling.BOX), PALE)
+
+
+def grid_picture(tiles: np.ndarray, n: int) -> tuple[bytes, bytes]:
     """A grid's tiles (3 * n * n,) 8-bit, seen from the front."""
     image = Image.fromarray(np.asarray(tiles, np.uint8).reshape(n, n, 3))
     side = n * max(1, round(PICTURE_SIDE / n))
-    return png(image.resize((side, side), Image.Resampling.NEAREST))
+    data = png(image.resize((side, side), Image.Resampling.NEAREST))
+    return data, data
 
 
 def png(image: Image.Image) -> bytes:

@@ -101,13 +101,14 @@ def _switched(drawing: Drawing, places: Places) -> list[Item]:
 
 
 def _view(drawing: Drawing) -> Picture:
-    on_screen, on_paper = washed(drawing.sight.picture)
+    on_screen, on_paper, on_web = washed(drawing.sight.picture)
     return Picture(
         drawing.box,
         on_screen,
         on_paper,
         say("slides.shaded"),
         say("slides.shadedAlt", title=drawing.scene.title),
+        on_web,
     )
 
 

@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
-from raywalk.slides.figure import Group, Item, Line, Picture, Polygon, Slide, Table
+from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
 from raywalk.slides.lines import KINDS
 from raywalk.slides.notes import step_notes
 from raywalk.slides.palette import KIND_DASH
-from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, traced_picture
+from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
 from raywalk.slides.placing import Placed
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
 from raywalk.slides.sights import Seen, Sight, trace_of
@@ -169,7 +169,7 @@ def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
     frame = Box(box.left, box.top, side, side)
     data = switched_picture(lesson, seen) or traced_picture(lesson.picture, PICTURE_SIDE)
     alt = say("picture.alt", title=lesson.placed.scene.title)
-    items: list[Item] = [Picture(frame, data, data, say("slides.picture"), alt)]
+    items: list[Item] = [picture_of(data, frame, alt)]
     if not seen.chosen:
         return items
     n, (column, row) = seen.view.n, seen.view.pixel
@@ -183,7 +183,7 @@ def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
     return items + _pixel_colour(seen, beside)
 
 
-def switched_picture(lesson: Lesson, seen: Seen) -> bytes | None:
+def switched_picture(lesson: Lesson, seen: Seen) -> tuple[bytes, bytes] | None:
     """The picture as the finest grid has it with the step's switches; None if none is set."""
     if not seen.view.switches.is_set:
         return None
