@@ -93,7 +93,12 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
             store, page_data_parts(scene, keys[scene.id]),
             partial(write_page_data, scene, entries[scene.id]), chosen,
         )  # fmt: skip
-    plans = [plan(scene, entries[scene.id].folder, keys[scene.id]) for scene in scenes]
+    plans = [
+        plan(scene, entries[scene.id].folder, keys[scene.id], spoken=each.scene, language=code)
+        for code, told in spoken.items()
+        for scene, each in zip(scenes, told, strict=True)
+        if each.is_translated
+    ]
     in_a_hurry = chosen.slides_later
     decks = last_decks(store, plans) if in_a_hurry else (yield from make_decks(store, plans))
     notes += slide_remarks(decks)
@@ -106,10 +111,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
             publish_scene(out / "scenes" / scene.id, made)
         if scenes:
             assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
-        downloads = publish_slides(out / "slides", decks)
+        published = publish_slides(out, decks)
         publish_reports(out, site_source / "templates", assets, scenes, chosen.work)
         for code, told in spoken.items():
             said = [each.scene for each in told]
+            downloads = published.get(DEFAULT, {}) | published.get(code, {})
             write_edition(out, site_source, said, facts, assets, downloads, code, base)
         weights = sizes.measured(out, scenes, facts)
         sizes.check(chosen.out, weights, budgets)
@@ -118,7 +124,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
         write_licences(out, scenes, viewer.folder, bool(decks))
         write_sitemap(out, base)
         write_worker(out, site_source)
-    used = [*entries.values(), *data.values(), *previews.values(), *decks, viewer]
+    slides = [deck.entry for deck in decks]
+    used = [*entries.values(), *data.values(), *previews.values(), *slides, viewer]
     store.prune(keep={entry.folder.name for entry in used})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
@@ -221,7 +228,7 @@ def trace_into(
 
 def write_edition(
     out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
-    assets: dict[str, str], downloads: dict[str, list[str]], code: str, base: str,
+    assets: dict[str, str], downloads: dict[str, dict[str, int]], code: str, base: str,
 ) -> None:  # fmt: skip
     """The site in one language: its sentences, the scenes' words, its pages."""
     words = read_words(code)

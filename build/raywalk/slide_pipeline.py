@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -13,6 +13,7 @@ from typing import Any
 from raywalk.progress import Tell
 from raywalk.scene.model import Scene
 from raywalk.slides.layout import LAYOUTS, WIDE, Layout
+from raywalk.words.catalogue import DEFAULT
 from raywalk.work.digests import digest, key_of
 from raywalk.work.keys import Parts, makers, plain
 from raywalk.work.pool import Finished, Threads, cores, run_all
@@ -27,20 +28,30 @@ SIGHT_STAGES = (
     )),
 )  # fmt: skip
 SIGHT_PACKAGES = ("numpy", "pillow")
-STAGES = ("slides", "slide_products.py", "lesson_text.py", "scene", "words", "trace_file")
+STAGES = (
+    "slides",
+    "slide_products.py",
+    "lesson_text.py",
+    "scene",
+    "words",
+    "telling",
+    "trace_file",
+)
 PACKAGES = ("numpy", "pillow", "markdown", "reportlab", "python-pptx", "python-bidi", "lxml")
 PUBLISHED = WIDE
+COURSE = "course"  # the id of the deck of all scenes
 KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course; not published
 REMARKS = "remarks.txt"  # what could not be written, and why; not published
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What one scene's slides are made from, and under which keys they are kept."""
+    """What one scene's slides in one language are made from, and under which keys they are kept."""
 
-    scene: Scene
+    scene: Scene  # in that language
+    language: str
     traced: Path  # the folder of the scene's trace
-    sights: Parts
+    sights: Parts  # the same in every language
     slides: Parts
 
     @property
@@ -48,87 +59,143 @@ class Plan:
         return key_of(self.slides)
 
 
-def plan(scene: Scene, traced: Path, trace_key: str, layout: Layout = PUBLISHED) -> Plan:
-    """trace_key: under which the store has the scene's trace."""
+@dataclass(frozen=True)
+class MadeDeck:
+    """A deck's files in the store."""
+
+    id: str  # the scene's, or the course's
+    language: str
+    entry: Entry
+
+
+def plan(
+    scene: Scene, traced: Path, trace_key: str, layout: Layout = PUBLISHED,
+    spoken: Scene | None = None, language: str = DEFAULT,
+) -> Plan:  # fmt: skip
+    """trace_key: under which the store has the scene's trace; spoken: the scene in the language."""
     sights: Parts = {
         "what": "sights", "of": scene.id, "trace": trace_key, "aspect": layout.name,
         "views": [[view for _, view in step.stops()] for step in scene.lesson],
         **makers(SIGHT_STAGES, SIGHT_PACKAGES),
     }  # fmt: skip
+    told = spoken or scene
     slides: Parts = {
-        "what": "slides", "of": scene.id, "sights": key_of(sights), "scene": plain(scene),
-        "sentences": sentences(), **makers(STAGES, PACKAGES),
+        "what": "slides", "of": _of(scene.id, language), "sights": key_of(sights),
+        "scene": plain(told), "sentences": sentences(language), **makers(STAGES, PACKAGES),
     }  # fmt: skip
-    return Plan(scene, traced, sights, slides)
+    return Plan(told, language, traced, sights, slides)
 
 
-def sentences() -> dict[str, str]:
-    """Hashes of the catalogues of sentences."""
-    return {path.name: digest(path) for path in sorted(WORDS.glob("*.json"))}
+def _of(id: str, language: str) -> str:
+    """What slides are of, by the site's address scheme."""
+    return id if language == DEFAULT else f"{language}/{id}"
+
+
+def sentences(language: str) -> dict[str, str]:
+    """Hashes of the catalogues of sentences that are spoken: what one lacks is the default's."""
+    return {code: digest(WORDS / f"{code}.json") for code in sorted({DEFAULT, language})}
 
 
 def course_parts(plans: list[Plan]) -> Parts:
-    """The course is made from all scenes' slides."""
-    return {"what": "slides", "of": "course", "decks": [each.key for each in plans]}
+    """The course is made from all scenes' slides in its language."""
+    of = _of(COURSE, plans[0].language)
+    return {"what": "slides", "of": of, "decks": [each.key for each in plans]}
 
 
-def make_decks(store: Store, plans: list[Plan]) -> Generator[str, None, list[Entry]]:
-    """Every scene's slides and the course's, on all cores; tells those that were not there."""
-    missing = [each for each in plans if not store.find(each.key)]
+def make_decks(store: Store, plans: list[Plan]) -> Generator[str, None, list[MadeDeck]]:
+    """Every scene's slides and the course's in each language, on all cores; tells those that were
+    not there."""
+    missing = _by_scene(each for each in plans if not store.find(each.key))
     if missing:
-        yield f"slides of {len(missing)} of {len(plans)} scenes on {cores()} cores"
+        scenes = len({each.scene.id for each in plans})
+        yield f"slides of {len(missing)} of {scenes} scenes on {cores()} cores"
     number = 0
-    for told in run_all(partial(_make, store), missing, lambda each: each.scene.id):
+    for told in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
         if isinstance(told, Finished):
             number += 1
-            yield f"[{number}/{len(missing)}] {told.task.scene.id}: {told.result:.1f} s"
-    decks = [store.get(each.key) for each in plans]
-    if not plans:
-        return decks
-    parts = course_parts(plans)
-    course = store.find(key_of(parts))
-    return [*decks, course or _make_course(store, plans, parts)]
+            yield f"[{number}/{len(missing)}] {told.task[0].scene.id}: {told.result:.1f} s"
+    courses = _by_language(plans)
+    lost = [of for of in courses if not store.find(key_of(course_parts(of)))]
+    for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
+        pass
+    return [
+        *(MadeDeck(each.scene.id, each.language, store.get(each.key)) for each in plans),
+        *(
+            MadeDeck(COURSE, of[0].language, store.get(key_of(course_parts(of))))
+            for of in courses
+        ),
+    ]  # fmt: skip
 
 
-def last_decks(store: Store, plans: list[Plan]) -> list[Entry]:
+def _by_scene(plans: Iterable[Plan]) -> list[tuple[Plan, ...]]:
+    """A scene's languages share its pictures, so one process makes them. Long work comes first,
+    or a core waits at the end: a scene's traces tell how much there is to draw and to trace."""
+    tasks: dict[str, list[Plan]] = {}
+    for each in plans:
+        tasks.setdefault(each.scene.id, []).append(each)
+    return sorted(map(tuple, tasks.values()), key=lambda task: -_traces_size(task[0].traced))
+
+
+def _traces_size(traced: Path) -> int:
+    return sum(path.stat().st_size for path in traced.glob("*.json.gz"))
+
+
+def _by_language(plans: list[Plan]) -> list[list[Plan]]:
+    courses: dict[str, list[Plan]] = {}
+    for each in plans:
+        courses.setdefault(each.language, []).append(each)
+    return list(courses.values())
+
+
+def last_decks(store: Store, plans: list[Plan]) -> list[MadeDeck]:
     """The decks as they were last made, for pages that shall not wait for new ones."""
-    made = [store.newest("slides", of) for of in [*(each.scene.id for each in plans), "course"]]
-    found = [store.find(key_of(made_from)) for made_from in made if made_from]
-    return [deck for deck in found if deck]
+    wanted = [(each.scene.id, each.language) for each in plans]
+    wanted += [(COURSE, of[0].language) for of in _by_language(plans)]
+    found = []
+    for id, language in wanted:
+        made_from = store.newest("slides", _of(id, language))
+        entry = store.find(key_of(made_from)) if made_from else None
+        found += [MadeDeck(id, language, entry)] if entry else []
+    return found
 
 
-def _make_course(store: Store, plans: list[Plan], parts: Parts) -> Entry:
+def _make_course(store: Store, plans: list[Plan], threads: Threads, tell: Tell) -> None:
     from raywalk.slide_products import write_course_slides
 
     kept = [store.get(each.key).folder / KEPT for each in plans]
     sources = [_sources(store, each) for each in plans]
-    return store.entry(
-        key_of(parts), lambda folder: write_course_slides(sources, kept, PUBLISHED, folder), parts
+    parts, language = course_parts(plans), plans[0].language
+    store.entry(
+        key_of(parts),
+        lambda folder: write_course_slides(sources, kept, PUBLISHED, folder, language),
+        parts,
     )
 
 
-def slide_remarks(decks: list[Entry]) -> list[str]:
+def slide_remarks(decks: list[MadeDeck]) -> list[str]:
     """What could not be written, and why."""
     told = []
     for deck in decks:
-        place = deck.folder / REMARKS
+        place = deck.entry.folder / REMARKS
         if place.is_file():
-            of = next(path.stem for path in deck.files() if path.suffix == ".html")
             lost = place.read_text(encoding="utf-8")
-            told.append(f"{of}: no PDF of the slides: their font has no {lost}")
+            told.append(f"{_of(deck.id, deck.language)}: not all PDFs were made: {lost}")
     return told
 
 
-def publish_slides(folder: Path, decks: list[Entry]) -> dict[str, list[str]]:
-    """Copies all decks into the site; the names of a deck's files, by its id."""
-    published: dict[str, list[str]] = {}
-    folder.mkdir(parents=True)
+def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict[str, int]]]:
+    """Copies all decks into the site, below slides/ or <language>/slides/; by language and id the
+    paths from the site's root and the sizes (bytes) of a deck's files."""
+    published: dict[str, dict[str, dict[str, int]]] = {}
     for deck in decks:
-        files = [path for path in deck.files() if path.name not in (KEPT, REMARKS)]
+        folder = out / _of("slides", deck.language)
+        folder.mkdir(parents=True, exist_ok=True)
+        files = [path for path in deck.entry.files() if path.name not in (KEPT, REMARKS)]
         for path in files:
             shutil.copyfile(path, folder / path.name)
-        of = next(path.stem for path in files if path.suffix == ".html")
-        published[of] = [path.name for path in files]
+        where = folder.relative_to(out).as_posix()
+        sizes = {f"{where}/{path.name}": path.stat().st_size for path in files}
+        published.setdefault(deck.language, {})[deck.id] = sizes
     return published
 
 
@@ -146,17 +213,21 @@ def make_sights(store: Store, made: Plan) -> Entry:
     )
 
 
-def _make(store: Store, made: Plan, threads: Threads, tell: Tell) -> float:
-    """One scene's slides; returns the seconds it took."""
+def _make(store: Store, task: tuple[Plan, ...], threads: Threads, tell: Tell) -> float:
+    """One scene's slides in some languages; returns the seconds it took."""
     # Only here: a build with nothing to make never pays for numba, ReportLab and python-pptx.
     from raywalk.slide_products import write_scene_slides
 
     begun = time.monotonic()
-    make_sights(store, made)
-    sources = _sources(store, made)
-    store.entry(
-        made.key, lambda folder: write_scene_slides(sources, PUBLISHED, folder), made.slides
-    )
+    for made in task:
+        make_sights(store, made)
+        sources = _sources(store, made)
+        language = made.language
+        store.entry(
+            made.key,
+            partial(write_scene_slides, sources, PUBLISHED, language=language),
+            made.slides,
+        )
     return time.monotonic() - begun
 
 

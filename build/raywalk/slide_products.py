@@ -6,6 +6,9 @@ import pickle
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from raywalk.errors import SourceError
+from raywalk.scene.model import Scene
+from raywalk.scene.translation import translation_file
 from raywalk.slide_pipeline import KEPT, REMARKS
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
@@ -17,7 +20,9 @@ from raywalk.slides.pdf import MissingGlyphs, deck_pdf
 from raywalk.slides.pptx import deck_pptx
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.svg import standalone
+from raywalk.slides.words import speaking, words
 from raywalk.slides.worksheet import worksheet
+from raywalk.words.catalogue import DEFAULT
 
 # What is published: paper's colours in PDF, the screen's in PPTX, both in HTML.
 DECK_FORMATS = ("html", "pdf", "pptx")
@@ -26,32 +31,42 @@ LEGEND_HIGH = 42.0  # points under a figure, for its legend
 LESSON_FORMATS = ("svg", "worksheet", "answers")
 FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
 PUBLISHED = FORMATS
+# Of a translation: figures have few words, and one handout shows what the others would.
+TRANSLATED = (*DECK_FORMATS, "handout-3", "worksheet", "answers")
+COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
 
 
-def write_scene_slides(sources: Sources, layout: Layout, folder: Path) -> None:
+def write_scene_slides(
+    sources: Sources, layout: Layout, folder: Path, language: str = DEFAULT
+) -> None:
     """Every published file of a scene, and its slides for the course."""
-    lesson = sources.lesson(layout)
-    deck = scene_deck(sources, layout, lesson=lesson)
-    write_files(folder, deck, PUBLISHED, lesson)
-    (folder / KEPT).write_bytes(pickle.dumps(lesson_slides(lesson), protocol=5))
+    with speaking(language):
+        lesson = sources.lesson(layout)
+        slides = lesson_slides(lesson)
+        deck = scene_deck(sources, layout, lesson=lesson, slides=slides)
+        formats = PUBLISHED if language == DEFAULT else TRANSLATED
+        write_files(folder, deck, formats, lesson, [sources.scene])
+    (folder / KEPT).write_bytes(pickle.dumps(slides, protocol=5))
 
 
 def write_course_slides(
-    all_sources: list[Sources], kept: list[Path], layout: Layout, folder: Path
-) -> None:
+    all_sources: list[Sources], kept: list[Path], layout: Layout, folder: Path,
+    language: str = DEFAULT,
+) -> None:  # fmt: skip
     """The course's deck. kept: the KEPT file of each scene."""
     lessons: list[list[Slide]] = [pickle.loads(path.read_bytes()) for path in kept]
-    deck = course_of(all_sources, lessons, layout)
-    write_files(folder, deck, DECK_FORMATS, None)
+    with speaking(language):
+        deck = course_of(all_sources, lessons, layout)
+        write_files(folder, deck, COURSE_FORMATS, None, [each.scene for each in all_sources])
 
 
 def write_files(
     folder: Path, deck: Deck, formats: tuple[str, ...], lesson: Lesson | None,
-    palette: Palette | None = None, strict: bool = False,
+    scenes: list[Scene], palette: Palette | None = None, strict: bool = False,
 ) -> None:  # fmt: skip
     """Each format as a file. Where the font lacks a letter there is no PDF, and REMARKS says why;
     strict: raises MissingGlyphs instead."""
-    remarks: dict[str, None] = {}
+    lost_letters: set[str] = set()
     for format in formats:
         try:
             for name, data in deck_files(deck, (format,), palette, lesson):
@@ -59,9 +74,31 @@ def write_files(
         except MissingGlyphs as lost:
             if strict:
                 raise
-            remarks[str(lost)] = None
-    if remarks:
-        (folder / REMARKS).write_text("\n".join(remarks), encoding="utf-8")
+            lost_letters |= set(lost.characters)
+    if lost_letters:
+        problem = missing_letters(scenes, sorted(lost_letters))
+        (folder / REMARKS).write_text(str(problem), encoding="utf-8")
+
+
+def missing_letters(scenes: list[Scene], characters: list[str]) -> SourceError:
+    """Where the first of the characters stands that the PDFs' font has not, and what to do."""
+    named = ", ".join(f"{c} (U+{ord(c):04X})" for c in characters[:8])
+    language = words().code
+    for scene in scenes:
+        file = scene.path if language == DEFAULT else translation_file(scene, language)
+        for k, step in enumerate(scene.lesson):
+            for of, text in (("text", step.text), ("answer", step.answer)):
+                if any(c in text for c in characters):
+                    return _no_letters(file, f"lesson[{k}].{of}", f"step {k + 1}: ", named)
+    return _no_letters(scenes[0].path, "", "", named)
+
+
+def _no_letters(file: Path, key: str, step: str, named: str) -> SourceError:
+    return SourceError(
+        file, key, f"{step}the font of PDF slides has no {named}",
+        hint="use --format html,svg,pptx, which the reader's own fonts set; or write it in "
+        "Latin, Greek, Cyrillic or Hebrew letters",
+    )  # fmt: skip
 
 
 def deck_files(

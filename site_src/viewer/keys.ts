@@ -76,7 +76,7 @@ export function listenToKeys(acts: KeyActs) {
     if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
     if (event.key !== "?" && document.querySelector("dialog[open]")) return; // the page below a sheet keeps still
     const target = event.target instanceof Element ? event.target : null;
-    if (target?.closest(TYPING)) return;
+    if (target?.closest(TYPING) || target?.closest("[popover]")) return;
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button
     if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;

@@ -47,7 +47,7 @@ def run(chosen: Namespace) -> Iterator[str]:
     scenes = _scenes(chosen)
     _refuse_steps(chosen, scenes)
     # Only now: what is wrong is told before anything heavy is imported.
-    from raywalk.slide_products import write_files
+    from raywalk.slide_products import missing_letters, write_files
     from raywalk.slides.deck import COURSE, Sources, course_of, lesson_slides, scene_deck
     from raywalk.slides.layout import LAYOUTS
     from raywalk.slides.palette import PALETTES
@@ -66,9 +66,9 @@ def run(chosen: Namespace) -> Iterator[str]:
     chosen.out.mkdir(parents=True, exist_ok=True)
     before = {path: path.stat().st_mtime_ns for path in chosen.out.iterdir()}
     try:
-        write_files(chosen.out, deck, chosen.format, lesson, palette, strict=True)
+        write_files(chosen.out, deck, chosen.format, lesson, scenes, palette, strict=True)
     except MissingGlyphs as lost:
-        raise SourceErrors([_lost(scenes, lost.characters)]) from None
+        raise SourceErrors([missing_letters(scenes, lost.characters)]) from None
     for path in sorted(chosen.out.iterdir()):
         if before.get(path) != path.stat().st_mtime_ns:
             yield f"{path}: {path.stat().st_size / 1000:.0f} KB"
@@ -154,19 +154,3 @@ def _prepared(chosen: Namespace, scene: Scene, layout: Any) -> Any:
         )
     made = plan(scene, found.folder, key_of(parts), layout)
     return found.folder, make_sights(store, made).folder
-
-
-def _lost(scenes: list[Scene], characters: list[str]) -> SourceError:
-    """Where the first of the characters stands that the font has not."""
-    named = ", ".join(f"{c} (U+{ord(c):04X})" for c in characters[:8])
-    path, key = scenes[0].path, "lesson"
-    for scene in scenes:
-        for k, step in enumerate(scene.lesson):
-            for of, text in (("text", step.text), ("answer", step.answer)):
-                if any(c in text for c in characters):
-                    path, key = scene.path, f"lesson[{k}].{of}"
-                    break
-    return SourceError(
-        path, key, f"the font of PDF slides has no {named}",
-        hint="formats html, svg and pptx are set by the reader's own fonts",
-    )  # fmt: skip

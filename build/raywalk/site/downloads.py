@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from raywalk.words import Words
+
 # In the order of the panel; the ending of the file's name, after the deck's id -> its word's key.
 FORMS = {
     ".html": "html",
@@ -13,16 +17,39 @@ FORMS = {
     "-worksheet.pdf": "worksheet",
     "-answers.pdf": "answers",
 }
+ABSENT = "-"  # in place of a size
 
 
-def sorted_downloads(id: str, names: list[str]) -> dict[str, list[dict[str, str]]]:
-    """{"files": word keys and file names as the panel shows them, "figures": the SVG files}."""
-    there = set(names)
+def sorted_downloads(id: str, sizes: dict[str, int], words: Words) -> dict[str, Any]:
+    """sizes: bytes by path from the site's root.
+
+    {"files": [{word key, path, ending after the id, size in words}] as the panel shows them,
+    "figures": paths of the SVG files, "compact": folder and sizes in one line, which the viewer
+    reads when it turns to the scene}.
+    """
+    by_ending = {path.rpartition(f"/{id}")[2]: path for path in sizes}
+    files = [
+        {
+            "word": word,
+            "path": by_ending[ending],
+            "after": ending,
+            "size": size_words(sizes[by_ending[ending]], words),
+        }
+        for ending, word in FORMS.items()
+        if ending in by_ending
+    ]
+    there = {file["after"]: file["size"] for file in files}
+    folder = next(iter(sizes)).rpartition("/")[0]
+    told = [there.get(ending, ABSENT) for ending in FORMS]
     return {
-        "files": [
-            {"word": word, "name": id + ending}
-            for ending, word in FORMS.items()
-            if id + ending in there
-        ],
-        "figures": [{"name": name} for name in sorted(there) if name.endswith(".svg")],
+        "files": files,
+        "figures": sorted(path for path in sizes if path.endswith(".svg")),
+        "compact": "|".join([f"{folder}/", *told]),
     }
+
+
+def size_words(size: int, words: Words) -> str:
+    """As a browser's list of downloads has it: 152 KB, 1.2 MB."""
+    if size < 999_500:
+        return words.say("pages.slides.kilobytes", size=max(1, round(size / 1000)))
+    return words.say("pages.slides.megabytes", size=words.numbers.fixed(size / 1e6, 1))

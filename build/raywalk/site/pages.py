@@ -12,7 +12,7 @@ from jinja2.bccache import Bucket
 
 from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import Scene
-from raywalk.site.downloads import sorted_downloads
+from raywalk.site.downloads import FORMS, sorted_downloads
 from raywalk.site.figures import Figures, has_glass
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
@@ -28,12 +28,12 @@ FACE = "5"
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
     words: Words | None = None, spared: dict[str, Figures] | None = None,
-    downloads: dict[str, list[str]] | None = None, base: str = "",
+    downloads: dict[str, dict[str, int]] | None = None, base: str = "",
 ) -> None:  # fmt: skip
     """index.html, model/, slides/, offline/ and scenes/<id>/index.html of one language: under
     `out` for the default one, under out/<code> for another. scenes: in that language; downloads:
-    names of the files in slides/, by scene id or "course"; base: where the site will be, if that
-    is known.
+    paths and sizes of the files to take away, by scene id or "course"; base: where the site will
+    be, if that is known.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -47,8 +47,10 @@ def write_pages(
         told = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
         page.write_text(environment.get_template(template).render(told), encoding="utf-8")
 
+    decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
         "home": home, "scenes": [_card(scene, home) for scene in scenes], **assets,
+        "decks": decks, "forms": {word: ending for ending, word in FORMS.items()},
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
     }  # fmt: skip
     write("index.html", "gallery.html")
@@ -58,9 +60,8 @@ def write_pages(
         glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
-    decks = {id: sorted_downloads(id, names) for id, names in (downloads or {}).items()}
     if decks:
-        write("slides/index.html", "slides.html", decks=decks)
+        write("slides/index.html", "slides.html")
     for scene in scenes:
         told = _scene(scene, figures[scene.id]) | {
             "spared": (spared or {}).get(scene.id),

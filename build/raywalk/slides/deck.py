@@ -38,16 +38,15 @@ def scene_deck(
     layout: Layout,
     steps: frozenset[int] | None = None,
     lesson: Lesson | None = None,
+    slides: list[Slide] | None = None,
 ) -> Deck:
-    """steps: which of the lesson, from 0; with them only their slides and no others. lesson:
-    that of these sources, where it is at hand."""
+    """steps: which of the lesson, from 0; with them only their slides and no others. lesson and
+    slides: those of these sources, where they are at hand."""
     scene, lesson = sources.scene, lesson or sources.lesson(layout)
-    slides: list[Slide] = []
+    slides = lesson_slides(lesson, steps) if slides is None else slides
     if steps is None:
-        slides += [title_slide(scene, lesson.picture, layout), *goals_slides(scene, layout)]
-    slides += lesson_slides(lesson, steps)
-    if steps is None:
-        slides += credits_slides([scene], layout)
+        front = [title_slide(scene, lesson.picture, layout), *goals_slides(scene, layout)]
+        slides = [*front, *slides, *credits_slides([scene], layout)]
     return Deck(scene.id, scene.title, layout.width, layout.height, tuple(slides), words().code)
 
 

@@ -208,9 +208,9 @@ class Pen:
     def _path(self, outlines: Iterable[tuple[Point, ...]]) -> PDFPathObject:
         path = self.canvas.beginPath()
         for (x, y), *others in outlines:
-            path.moveTo(x, self.height - y)
+            path.moveTo(round(x, 2), round(self.height - y, 2))
             for to_x, to_y in others:
-                path.lineTo(to_x, self.height - to_y)
+                path.lineTo(round(to_x, 2), round(self.height - to_y, 2))
             path.close()
         return path
 

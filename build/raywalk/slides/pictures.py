@@ -15,13 +15,13 @@ from raywalk.slides.palette import PRINT, SCREEN, Palette
 from raywalk.slides.sights import Seen
 from raywalk.slides.words import say
 
-PALE = 72  # JPEG's quality of the views: they are pale, nothing of it shows
-CLEAR = 82  # that of the traced picture
-FOR_WEB = 78  # WebP's, which browsers show and PowerPoint and PDF do not
+PALE = 64  # JPEG's quality of the views: they are pale, nothing of it shows
+CLEAR = 80  # that of the traced picture
+FOR_WEB = 72  # WebP's, which browsers show and PowerPoint and PDF do not
 WEB_WASH = (SCREEN.wash + PRINT.wash) / 2  # one transparent view for both palettes
 SHARP = 2.0  # pixels a point of a fine grid
 PICTURE_SIDE = 400  # pixels of the traced picture beside a figure
-TITLE_SIDE = 800
+TITLE_SIDE = 640
 
 
 @cache

@@ -7,11 +7,13 @@ long.
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from html import escape
 from typing import Any
 
-from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Polygon, Table, Text
+from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Point, Polygon, Table, Text
 from raywalk.slides.layout import Box
+from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import SCREEN, Palette
 from raywalk.slides.pptx_table import table_xml
 from raywalk.slides.pptx_text import text_body, wider
@@ -23,6 +25,8 @@ PRESET_DASH = {
     "solid": "solid", "dash": "dash", "long": "lgDash", "short": "sysDash", "dots": "sysDot",
     "dashdot": "dashDot", "hidden": "sysDash",
 }  # fmt: skip
+
+FINE = 20  # of an outline's own units in a point: short numbers, and no eye tells
 
 
 class ShapeWriter:
@@ -78,17 +82,33 @@ class ShapeWriter:
             f"{head if line.arrow and long_enough else ''}</a:ln></p:spPr></p:cxnSp>"
         )
 
+    def _mosaic(self, areas: list[Polygon]) -> list[str]:
+        """A shape a colour: hundreds of tiles one by one would be slow to open and to edit."""
+        first = areas[0]
+        return [
+            self._outlines(replace(first, fill=colour, name=colour or first.name), outlines)
+            for colour, outlines in by_fill(areas).items()
+        ]
+
     def _polygon(self, area: Polygon) -> str:
-        xs, ys = [p[0] for p in area.points], [p[1] for p in area.points]
+        return self._outlines(area, [area.points])
+
+    def _outlines(self, area: Polygon, outlines: list[tuple[Point, ...]]) -> str:
+        """One shape of one or more outlines, in the style of an area."""
+        xs, ys = ([p[k] for points in outlines for p in points] for k in (0, 1))
         box = Box(min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
-        steps = [f'<a:pt x="{emu(x - box.left)}" y="{emu(y - box.top)}"/>' for x, y in area.points]
-        path = f"<a:moveTo>{steps[0]}</a:moveTo>" + "".join(
-            f"<a:lnTo>{step}</a:lnTo>" for step in steps[1:]
-        )
+        path = ""
+        for points in outlines:
+            steps = [
+                f'<a:pt x="{round(FINE * (x - box.left))}" y="{round(FINE * (y - box.top))}"/>'
+                for x, y in points
+            ]
+            path += f"<a:moveTo>{steps[0]}</a:moveTo>"
+            path += "".join(f"<a:lnTo>{step}</a:lnTo>" for step in steps[1:]) + "<a:close/>"
         return (
             f"<p:sp {NAMESPACES}>{self._about(area.name)}<p:spPr>{place(box)}"
-            f'<a:custGeom><a:avLst/><a:pathLst><a:path w="{emu(box.width)}" '
-            f'h="{emu(box.height)}">{path}<a:close/></a:path></a:pathLst></a:custGeom>'
+            f'<a:custGeom><a:avLst/><a:pathLst><a:path w="{round(FINE * box.width)}" '
+            f'h="{round(FINE * box.height)}">{path}</a:path></a:pathLst></a:custGeom>'
             f"{self._fill(area.fill, area.opacity)}{self._edge(area.edge, area.edge_width)}"
             "</p:spPr></p:sp>"
         )
@@ -150,7 +170,11 @@ class ShapeWriter:
         return [frame, *(xml for sign in signs for xml in self.shapes(sign))]
 
     def _group(self, group: Group) -> list[str]:
-        inner = [xml for item in group.items for xml in self.shapes(item)]
+        inner = [
+            xml
+            for part in gathered(group.items)
+            for xml in (self._mosaic(part) if isinstance(part, list) else self.shapes(part))
+        ]
         if not inner:
             return []
         box = bounds(group)

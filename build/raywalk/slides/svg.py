@@ -22,8 +22,8 @@ LEAST_HEAD = 1.6  # points: the line width that the thinnest line's head goes by
 
 @dataclass(frozen=True)
 class Ink:
-    """How colours are written: `themed` also gives each its role as a class, for a style sheet
-    that has another palette, and pictures for both."""
+    """How colours are written: `themed` gives each its role as a class, for a style sheet that
+    has both palettes, and pictures for both."""
 
     palette: Palette
     themed: bool = False
@@ -38,8 +38,9 @@ class Ink:
     def _paint(self, attribute: str, letter: str, colour: str | None) -> str:
         if colour is None:
             return f'{attribute}="none"'
-        role = f' class="{letter}-{colour}"' if self.themed and not colour.startswith("#") else ""
-        return f'{attribute}="{self.palette[colour]}"{role}'
+        if self.themed and not colour.startswith("#"):
+            return f'class="{letter}-{colour}"'
+        return f'{attribute}="{self.palette[colour]}"'
 
 
 def standalone(items: Iterable[Item], frame: Box, palette: Palette, title: str, alt: str) -> str:
@@ -142,11 +143,11 @@ def _mosaic(areas: list[Polygon], ink: Ink) -> str:
     """A path a colour, with the edges of its areas."""
     edge = areas[0].edge
     line = f' {ink.stroke(edge)} stroke-width="{_n(areas[0].edge_width)}"' if edge else ""
-    paths = []
-    for colour, outlines in by_fill(areas).items():
-        fill = f'fill="{colour or "none"}"'
-        paths.append(f'<path d="{"".join(map(_outline, outlines))}" {fill}{line}/>')
-    return "".join(paths)
+    paths = "".join(
+        f'<path d="{"".join(map(_outline, outlines))}" fill="{colour or "none"}"/>'
+        for colour, outlines in by_fill(areas).items()
+    )
+    return f"<g{line}>{paths}</g>"
 
 
 def _outline(points: tuple[Point, ...]) -> str:
@@ -214,9 +215,10 @@ def _text(text: Text, ink: Ink) -> str:
         # The letters stand in the middle of their line: half of what is left goes above them.
         y = box.top + k * height + (height - 1.117 * text.size) / 2 + ASCENT * text.size
         words = "".join(_run(run.text, run.bold, run.italic) for run in line)
+        kept = ' xml:space="preserve"' if "  " in words else ""
         lines.append(
             f'<text x="{_n(x)}" y="{_n(y)}" font-size="{_n(text.size)}" '
-            f'{ink.fill(text.colour)}{shape} xml:space="preserve">{words}</text>'
+            f"{ink.fill(text.colour)}{shape}{kept}>{words}</text>"
         )
     return "".join(lines)
 

@@ -26,6 +26,18 @@ function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   return [...figures, [say("figures.rays", { n: trace.n }), list(kinds.map(([kind, rays]) => `${grouped(rays)} ${say(`line.${kind}`)}`))]];
 }
 
+/** Links and sizes of what can be taken away, for another scene than the one the pipeline wrote them for. */
+function writeSlides(root: string, { id }: SceneData, told: string | undefined) {
+  const [folder, ...sizes] = told?.split("|") ?? [];
+  for (const [k, link] of document.querySelectorAll<HTMLAnchorElement>("#take [data-after]").entries()) {
+    link.href = `${root}${folder}${id}${link.dataset.after}`;
+    link.parentElement!.hidden = !(parseFloat(sizes[k]) > 0);
+    link.lastElementChild!.textContent = sizes[k];
+  }
+  const more = document.querySelector<HTMLAnchorElement>(".take-more");
+  if (more) more.hash = id;
+}
+
 export function createPage({ root, article, title, links }: PageParts) {
   let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
 
@@ -59,6 +71,7 @@ export function createPage({ root, article, title, links }: PageParts) {
     show(scene: SceneData, trace: Trace | null) {
       if (written !== scene.id) {
         written = scene.id;
+        writeSlides(root, scene, links.find((link) => link.dataset.scene === scene.id)?.dataset.slides);
         write(scene, trace);
       }
       const heading = [scene.key, scene.title].filter(Boolean).join(" \u00b7 ");
