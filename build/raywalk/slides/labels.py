@@ -91,7 +91,7 @@ def crosses(box: Box, start: Point, end: Point) -> bool:
 def _drawn(box: Box, text: str, label: Label) -> list[Item]:
     corners = ((box.left, box.top), (box.right, box.top), (box.right, box.bottom),
                (box.left, box.bottom))  # fmt: skip
-    plate = Polygon(corners, "ground", opacity=0.7, name=f"plate of {text}")
+    plate = Polygon(corners, "ground", opacity=0.85, name=f"plate of {text}")
     inner = Box(box.left + PAD, box.top, box.width - 2 * PAD, box.height)
     runs = (Run(text, label.bold),)
     words = Text(inner, (runs,), SMALLEST, label.colour, leading=1.15, name=f"label {text}")

@@ -47,6 +47,6 @@ KIND_DASH = {
 }  # fmt: skip
 # Drawn and empty lengths in points of lines 2 points wide; hidden stretches are thinner.
 DASH_LENGTHS: dict[str, tuple[float, ...]] = {
-    "solid": (), "dash": (8, 5), "long": (16, 5), "short": (4, 3), "dots": (2, 4),
+    "solid": (), "dash": (8, 5), "long": (13, 4), "short": (4, 3), "dots": (2, 4),
     "dashdot": (8, 4, 2, 4), "hidden": (3, 3),
 }  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from raywalk.slides.blocks import flow, flow_texts, footer, title
+from raywalk.slides.blocks import Flow, flow, flow_texts, footer, title
 from raywalk.slides.figure import Run, Slide
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import Paragraph
@@ -14,11 +14,12 @@ from raywalk.slides.step_figure import Drawing, ray_order, step_figure
 from raywalk.slides.step_slide import Lesson, legend, step_place, where
 from raywalk.slides.sum_slide import told_pixel
 from raywalk.slides.words import kind_word, say, words
-from raywalk.telling import tell
+from raywalk.telling import Told, tell
 from raywalk.trace_file import Kind
 
 FEWEST = 2  # rays: the walk along a single one is the step itself
 SIZE = SMALLEST + 1
+LONG_NUMBERS = 90  # letters: two lines
 GATHERED = ("gather", "pixel")  # what comes back stands on the slide of the sum
 
 
@@ -46,13 +47,9 @@ def _ray(lesson: Lesson, index: int, number: int) -> list[Slide]:
     under = footer(where(lesson, seen), here, layout)
     told = [tell(event, words()) for event in pixel_events(lesson.placed, whole)
             if event.ray == ray and event.what not in GATHERED]  # fmt: skip
-    points = []
-    for each in told:
-        points.append(Paragraph(tuple(Run(text, mark is not None) for text, mark in each.says)))
-        points += [Paragraph((Run(each.numbers),))] if each.numbers else []
     notes = (here, *(" ".join(p for p in (t.sentence, t.numbers) if p) for t in told))
     box = _words_box(layout)
-    first, rest = flow(points, SIZE, box.width).split(box.height)
+    first, rest = _fitting(told, box).split(box.height)
     items = (title(head, layout.title), figure, *flow_texts(first, box), *under)
     slides = [Slide(head, items, notes, "ray", figure=figure)]
     while rest.lines:
@@ -61,6 +58,23 @@ def _ray(lesson: Lesson, index: int, number: int) -> list[Slide]:
         items = (title(again, layout.title), *flow_texts(part, box), *under)
         slides.append(Slide(again, items, (), "ray", True))
     return slides
+
+
+def _fitting(told: list[Told], box: Box) -> Flow:
+    """The events in the box: smaller where they are many, and then without the longest numbers,
+    which stand on the slide of the sum."""
+    for size, most in ((SIZE, None), (SMALLEST, None), (SMALLEST, LONG_NUMBERS)):
+        words = flow([_told(each, most) for each in told], size, box.width)
+        if words.height() <= box.height:
+            break
+    return words
+
+
+def _told(event: Told, most: int | None) -> Paragraph:
+    """most: numbers of more letters are left out; None: of none."""
+    says = tuple(Run(text, mark is not None) for text, mark in event.says)
+    shown = event.numbers if most is None or len(event.numbers) <= most else ""
+    return Paragraph((*says, Run(f" {shown}")) if shown else says)
 
 
 def _until(whole: Seen, sight: Sight, order: list[int], number: int) -> tuple[Seen, Sight]:

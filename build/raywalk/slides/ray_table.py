@@ -29,9 +29,11 @@ def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | Non
     shown = rays if len(rays) < most_rows else rays[: most_rows - 2]
     if not shown:
         return None
-    decimals = MOST_DECIMALS if box.width >= 330 else 2
-    body = [_row(scene, seen, k, ray, decimals) for k, ray in enumerate(shown, start=1)]
-    widths = _widths(body, box.width)
+    for decimals in (MOST_DECIMALS, 2):  # a name that is whole comes before a third decimal
+        body = [_row(scene, seen, k, ray, decimals) for k, ray in enumerate(shown, start=1)]
+        widths = _widths(body, box.width)
+        if all(width(row[1].text, SMALLEST) <= widths[1] - GAP for row in body):
+            break
     heading = tuple(Cell(word, bold=True) for word in columns())
     body = [
         (row[0], Cell(shortened(row[1].text, SMALLEST, widths[1] - GAP)), *row[2:]) for row in body

@@ -68,10 +68,13 @@ def _with_lights(lesson: Lesson, seen: Seen, slides: list[Slide]) -> list[Slide]
         Paragraph((Run(say("slides.sumOfRay", count=order.index(ray) + 1), True), Run(f" {told}")))
         for ray, told in lit_hits(lesson.placed, seen)
     ]
-    rest = flow(sums, SMALLEST + 1, layout.title.width)
     *done, last = slides
     under = last.items[-1]
     top = next(item.box.bottom for item in last.items if isinstance(item, Table)) + 14
+    room = layout.footer.top - 8 - top
+    rest = flow(sums, SMALLEST + 1, layout.title.width)
+    if rest.height() > room:
+        rest = flow(sums, SMALLEST, layout.title.width)
     while rest.lines:
         space = layout.footer.top - 8 - top
         if space >= rest.line_height:

@@ -1,0 +1,27 @@
+"""What a lesson's files are listed as: on its page, on the page of all slides, for the viewer."""
+
+from __future__ import annotations
+
+from raywalk.site.downloads import sorted_downloads
+from raywalk.words import read_words
+
+SIZES = {
+    "slides/04-balls.html": 143_200,
+    "slides/04-balls.pdf": 1_240_000,
+    "slides/04-balls-worksheet.pdf": 400,
+    "slides/04-balls-figure-01.svg": 9_000,
+}
+
+
+def test_files_come_in_the_panels_order_with_sizes_in_words():
+    told = sorted_downloads("04-balls", SIZES, read_words())
+    assert [(file["word"], file["size"]) for file in told["files"]] == [
+        ("html", "143 KB"), ("pdf", "1.2 MB"), ("worksheet", "1 KB"),
+    ]  # fmt: skip
+    assert told["figures"] == ["slides/04-balls-figure-01.svg"]
+
+
+def test_the_viewer_reads_folder_and_sizes_form_by_form():
+    """A form that is not there has no number; a language's comma does not part the list."""
+    told = sorted_downloads("04-balls", SIZES, read_words("de"))
+    assert told["compact"] == "slides/|143 KB|1,2 MB|-|-|-|-|1 KB|-"

@@ -1,0 +1,49 @@
+/** The panel over the live page with what can be taken away of the scene that is shown; straight from the disk. */
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { launch, newPage, ON_DISK, open, press, scenesOfSite, state, until } from "./browser.mjs";
+
+const scenes = scenesOfSite();
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+  await open(page, ON_DISK, scenes[0].path, "still=1&gl=none");
+});
+after(() => browser.close());
+const isOpen = () => page.evaluate(() => document.querySelector("#take").matches(":popover-open"));
+const boxes = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("#viewer *, header *, nav *")].map((each) => each.getBoundingClientRect())));
+const links = () => page.evaluate(() => [...document.querySelectorAll("#take a")].filter((a) => !a.parentElement.hidden).map((a) => ({ href: a.href, told: a.textContent })));
+
+test("it opens and closes by keyboard, nothing of the page moves, and the keys of the page rest meanwhile", async () => {
+  const [still, pixel] = [await boxes(), (await state(page)).pixel];
+  await page.focus(".take-open");
+  await press(page, "Enter");
+  assert.ok(await isOpen());
+  assert.equal(await boxes(), still);
+  assert.equal(await page.evaluate(() => document.activeElement.id), "take");
+  await press(page, "ArrowRight");
+  assert.deepEqual((await state(page)).pixel, pixel);
+  await press(page, "Escape");
+  assert.ok(!(await isOpen()));
+  assert.equal(await page.evaluate(() => document.activeElement.className), "take-open");
+  const { width, height } = await page.locator(".take-open").boundingBox();
+  assert.ok(width >= 44 && height >= 44);
+});
+
+test("every file it names is there, with its size; another scene's after turning to it", async () => {
+  for (const { id } of [scenes[0], scenes[scenes.length - 1]]) {
+    await page.evaluate((scene) => document.querySelector(`nav.scenes a[data-scene="${scene}"]`).click(), id);
+    await until(page, (_state, _stats, scene) => document.querySelector("nav.scenes [aria-current]").dataset.scene === scene, id);
+    const files = (await links()).filter(({ href }) => !href.includes("index.html"));
+    assert.ok(files.length >= 8, `${id}: ${files.length} files`);
+    for (const { href, told } of files) {
+      assert.match(href, new RegExp(`/slides/${id}[.-]`));
+      assert.ok(existsSync(fileURLToPath(href)), href);
+      assert.match(told, /\d (KB|MB)\s*$/);
+    }
+    assert.ok((await links()).some(({ href }) => href.endsWith(`slides/index.html#${id}`)));
+  }
+});
