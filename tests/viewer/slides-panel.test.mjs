@@ -14,7 +14,7 @@ before(async () => {
 });
 after(() => browser.close());
 const isOpen = () => page.evaluate(() => document.querySelector("#take").matches(":popover-open"));
-const boxes = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("#viewer *, header *, nav *")].map((each) => each.getBoundingClientRect())));
+const boxes = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("#viewer *, header *, nav *")].filter((each) => !each.closest("#take")).map((each) => each.getBoundingClientRect())));
 const links = () => page.evaluate(() => [...document.querySelectorAll("#take a")].filter((a) => !a.parentElement.hidden).map((a) => ({ href: a.href, told: a.textContent })));
 
 test("it opens and closes by keyboard, nothing of the page moves, and the keys of the page rest meanwhile", async () => {
@@ -22,7 +22,7 @@ test("it opens and closes by keyboard, nothing of the page moves, and the keys o
   await page.focus(".take-open");
   await press(page, "Enter");
   assert.ok(await isOpen());
-  assert.equal(await boxes(), still);
+  assert.ok((await boxes()) === still, "something moved");
   assert.equal(await page.evaluate(() => document.activeElement.id), "take");
   await press(page, "ArrowRight");
   assert.deepEqual((await state(page)).pixel, pixel);
