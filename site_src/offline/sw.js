@@ -64,7 +64,7 @@ async function keep(paths) {
 /** All that pages need, and what of it is not here yet. */
 async function list() {
   const kept = new Set((await (await caches.open(NAME)).keys()).map(({ url }) => pathOf(url)));
-  const all = Object.entries(BUILD.files).filter(([path]) => !path.startsWith("slides/"));
+  const all = Object.entries(BUILD.files).filter(([path]) => !/^(\w+\/)?slides\//.test(path));
   const sizes = ([, [, bytes]]) => bytes;
   return { bytes: all.reduce((sum, each) => sum + sizes(each), 0), missing: all.filter(([path]) => !kept.has(path)).map((each) => [each[0], sizes(each)]) };
 }
