@@ -35,7 +35,7 @@ VIEWER_MAY_IMPORT = {
     # event-words holds the sentences for the state's events, which only panels show.
     "panels": {"panels", "state", "trace", "event-words"},
 }
-FOR_ANYONE = {"words", "word-keys", "palette"}
+FOR_ANYONE = {"words", "word-keys", "palette", "tile-picture"}
 
 
 def python_files(folder: str) -> list[Path]:

@@ -57,6 +57,7 @@ function start(own: string) {
       beat.draw();
       navigation.writeSoon();
       void navigation.wantBoxes();
+      void navigation.wantFinest();
     },
     otherLevel: () => void navigation.loadTrace(),
   });

@@ -19,7 +19,8 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, s
   const isEmbedded = new URLSearchParams(location.search).has("embed");
   const sign = createKeySign();
 
-  function keep(blob: Blob | null, ending: string) {
+  type Done = (file: string) => void;
+  function keep(blob: Blob | null, ending: string, done: Done) {
     const { state } = session;
     if (!blob || !state) return notify(say("tools.notSaved"));
     const file = document.createElement("a");
@@ -27,6 +28,7 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, s
     file.download = `${state.scene}-${state.pixel.join("-")}.${ending}`;
     file.click();
     setTimeout(() => URL.revokeObjectURL(file.href), 1000);
+    done(file.download);
   }
   /** Browsers refuse for reasons of their own: no memory, a page in a frame without leave to. */
   function trying(act: () => void) {
@@ -36,12 +38,12 @@ export function createModes(session: Session, acts: Actions, { link, snapshot, s
       notify(say("tools.notSaved"));
     }
   }
-  const save = () => trying(() => snapshot()?.toBlob((blob) => trying(() => keep(blob, "png"))));
+  const save = (done: Done) => trying(() => snapshot()?.toBlob((blob) => trying(() => keep(blob, "png", done))));
 
-  function saveSlide() {
+  function saveSlide(done: Done) {
     const drawn = slide();
     if (drawn === null) notify(say("tools.noSlide"));
-    else trying(() => keep(new Blob([drawn], { type: "image/svg+xml" }), "svg"));
+    else trying(() => keep(new Blob([drawn], { type: "image/svg+xml" }), "svg", done));
   }
 
   function fullScreen() {

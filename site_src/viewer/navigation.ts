@@ -3,6 +3,7 @@ import { createAddressBar } from "./address-bar";
 import { createLoader } from "./load";
 import type { Notice } from "./panels/notice";
 import type { Session } from "./session";
+import { isSwitched } from "./state/switches";
 import { followAddress, readAddress } from "./state/address";
 import * as player from "./state/play";
 import type { Kept } from "./state/view-state";
@@ -37,6 +38,7 @@ export function createNavigation(session: Session, { root, home, links, withGl }
   let heading = home; // the scene that is shown, or on its way
   let addressTimer = 0;
   let wanted = ""; // the scene whose boxes have been asked for
+  let finest = ""; // the scene whose finest rays have been asked for
 
   function writeAddress(how: "replace" | "push") {
     clearTimeout(addressTimer);
@@ -216,6 +218,18 @@ export function createNavigation(session: Session, { root, home, links, withGl }
     ofKey(key: string) {
       const link = links.find((each) => each.dataset.key === key);
       if (link) void open(link.dataset.scene!);
+    },
+    /** The finest rays, where switches are set: the picture follows in as many pixels as there are. */
+    async wantFinest() {
+      const { state, scene } = session;
+      if (!state || !scene || !isSwitched(state.switches) || finest === scene.id) return;
+      finest = scene.id;
+      try {
+        session.finest = await loader.trace(scene.id, scene.levels[scene.levels.length - 1]);
+        draw();
+      } catch {
+        // The picture follows in the tiles that are here.
+      }
     },
     wantBoxes,
     /** Writes the state into the address when it rests. */

@@ -2,18 +2,19 @@
 import type { LineKind } from "./state/lines";
 
 /** How a kind of ray is drawn: never by hue alone, so each has its own dash.
- *  dash: [drawn, gap] in screen pixels; [1, 0] is a solid line. */
-export const LINES: Readonly<Record<LineKind, { colour: string; readonly dash: readonly [number, number] }>> = {
-  camera: { colour: "#F0E442", dash: [1, 0] },
-  reflected: { colour: "#56B4E9", dash: [12, 6] },
-  refracted: { colour: "#CC79A7", dash: [20, 4] },
-  total: { colour: "#56B4E9", dash: [4, 4] },
-  reached: { colour: "#FFFFFF", dash: [2, 5] },
-  blocked: { colour: "#D55E00", dash: [3, 7] },
+ *  dash: [drawn, gap] in screen pixels; [1, 0] is a solid line. wide: times as thick as the others. */
+export const LINES: Readonly<Record<LineKind, { colour: string; readonly dash: readonly [number, number]; readonly wide: number }>> = {
+  camera: { colour: "#F0E442", dash: [1, 0], wide: 1 },
+  reflected: { colour: "#56B4E9", dash: [12, 6], wide: 1 },
+  refracted: { colour: "#CC79A7", dash: [20, 4], wide: 1 },
+  total: { colour: "#56B4E9", dash: [4, 4], wide: 1 },
+  reached: { colour: "#FFFFFF", dash: [2, 5], wide: 1 },
+  blocked: { colour: "#D55E00", dash: [9, 5], wide: 1.6 }, // why a point is dark: not to be overlooked,
 };
 
 export const STAGE = {
   lamp: "#FFE9A8",
+  lampOff: "#A9B4C1",
   camera: "#E8ECF1",
   frustum: "#8B95A3",
   gridEmpty: "#AEB9C7",
@@ -21,14 +22,15 @@ export const STAGE = {
   ring: "#FFFFFF", // round an empty tile
   boxEntered: "#FFD9A0",
   boxMissed: "#8FA3B8",
-  casing: "", // round the selected rays
+  casing: "#0B0F14", // round the selected rays: they stand out from bright walls too
+  onPaper: false,
   wall: [0.4, 0.43, 0.48], // shares of its colour: walls step back behind the objects they carry
 };
 
 /** On a light page: as on paper, with a white casing so that dark lines show on dark things. */
 const LIGHT = {
   lines: { camera: "#000000", reflected: "#0072B2", refracted: "#CC79A7", total: "#0072B2", reached: "#009E73", blocked: "#D55E00" },
-  stage: { lamp: "#E69F00", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", wall: [1, 1, 1] },
+  stage: { lamp: "#E69F00", lampOff: "#5B6673", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", onPaper: true, wall: [1, 1, 1] },
 };
 const DARK_PAGE = { lines: Object.fromEntries(Object.entries(LINES).map(([kind, { colour }]) => [kind, colour])), stage: { ...STAGE } };
 let isLight = false;

@@ -44,12 +44,12 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const slice = createSlice({ pick: acts.pickAlong });
   const viewSwitch = createViewSwitch({ look: acts.look, slice: acts.slice });
   const picture = createPicture(pageParts.root, { ...acts, failed: pictureFailed });
-  const card = createCard(acts);
+  const code = createCode();
+  const card = createCard(acts, code.element);
   const controls = createControls(acts);
   const legend = createLegend();
   const lesson = createLesson(acts);
-  const code = createCode();
-  const player = createPlayer(acts, code.toggle);
+  const player = createPlayer(acts);
   const whatIf = createWhatIf(acts);
   const tileColours = createTileColours(acts);
   const page = createPage(pageParts);
@@ -63,7 +63,6 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       element(
         "div",
         "stage-row",
-        code.element,
         element(
           "section",
           "stage",
@@ -109,18 +108,19 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       const { scene, trace } = now; // as the switches make them
       const traced = { scene: session.scene, trace: session.traced() };
       const event = session.told();
+      const recombined = session.recombined();
       const ring = dark ? null : contrastWith(view.ringOn);
       const section = trace && session.sections?.scene === scene.id ? sectionOf(session.sections, state, scene, trace, view.plane) : null;
       if (section) {
-        slice.show({ section, scene, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen });
+        slice.show({ section, scene, trace: trace!, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen });
       } else {
         slice.show(null);
-        stage.show({ ...view, scene: traced.scene, trace, state, lit: lit ?? event, ring });
+        stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring });
       }
       stage.element.hidden = pad.element.hidden = section !== null;
       viewSwitch.show(state);
       legend.show(view.kinds, view.left);
-      picture.show(state, scene, traced.trace);
+      picture.show(state, scene, trace, recombined);
       card.show(state, scene, trace, missing);
       card.light(lit, event);
       controls.show(state, scene);

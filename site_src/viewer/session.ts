@@ -2,10 +2,12 @@
 import type { CardLine } from "./panels/card";
 import type { RayEvent } from "./state/events";
 import type { SectionsData } from "./state/section";
+import { isSwitched } from "./state/switches";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
 import type { ViewState } from "./state/view-state";
 import { createWhatIf } from "./state/what-if";
+import type { TilePicture } from "./tile-picture";
 import type { BoxesData } from "./trace/boxes";
 import type { SceneData, Trace } from "./trace/types";
 
@@ -19,6 +21,7 @@ export interface Listeners {
 export function createSession() {
   const shown = createShown();
   const whatIf = createWhatIf();
+  const fineWhatIf = createWhatIf();
   let listeners: Listeners | null = null;
   let loaded: Trace | null = null;
 
@@ -27,6 +30,7 @@ export function createSession() {
     scene: null as SceneData | null,
     sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
     missing: false, // the trace could not be loaded
+    finest: null as Trace | null, // of the finest grid, once switches were set
     boxes: null as BoxesData | null, // of the scene's meshes, once they were wanted
     lit: null as CardLine | null, // what the pointer is on
     pointed: null as readonly [number, number] | null, // the tile it is on
@@ -58,6 +62,14 @@ export function createSession() {
       const trace = session.traced();
       if (!state || !scene) return null;
       return trace ? whatIf.of(trace, scene, state.switches) : { scene, trace };
+    },
+
+    /** What the finished picture would be with the switches set, as fine as traces are here; null where nothing is switched. */
+    recombined(): TilePicture | null {
+      const { state, scene, finest } = session;
+      if (!state || !scene || !isSwitched(state.switches)) return null;
+      const trace = finest?.scene === state.scene ? finest : session.traced();
+      return trace && { n: trace.n, colours: fineWhatIf.of(trace, scene, state.switches).trace.tiles };
     },
 
     trace: (): Trace | null => session.switched()?.trace ?? null,

@@ -36,7 +36,7 @@ const STATES = [
   ["a slice", "still=1", (page) => press(page, "x")],
   ["the tree", "still=1&n=15&p=5,8", (page) => page.getByRole("tab").nth(1).click()],
   ["the sum", "still=1&n=15&p=5,8", (page) => page.getByRole("tab").nth(2).click()],
-  ["the pseudo-code", "still=1&e=3", (page) => page.locator("button", { hasText: "Code" }).first().click()],
+  ["the pseudo-code", "still=1&e=3", (page) => page.getByRole("tab").nth(3).click()],
 ];
 for (const home of ["", "de/"]) {
   for (const [name, hash, act] of STATES)

@@ -150,6 +150,24 @@ test("a large tree folds what hardly counts, unfolds at a press, and shows the t
   assert.equal(await page.locator(".node").count(), sizes[largest]);
 });
 
+test("a tree larger than its panel fades where it goes on, can be fitted, and its names stay inside their nodes", async () => {
+  await open(page, ON_DISK, glass.path, "still=1&gl=none&n=15&p=2,11");
+  await tab("The tree").click();
+  const panel = page.locator(".tree-window");
+  const goesOn = () => panel.evaluate((e) => [e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1, /more-(right|bottom|left|top)/.test(e.className)]);
+  assert.deepEqual(await goesOn(), [true, true]);
+  const touching = await page.locator(".node").evaluateAll((nodes) =>
+    nodes.filter((node) => {
+      const [name, outline] = [".node-name", ".outline"].map((part) => node.querySelector(part).getBoundingClientRect());
+      return name.left < outline.left + 4 || name.right > outline.right - 4;
+    }).map((node) => node.textContent));
+  assert.deepEqual(touching, []);
+  await page.getByRole("button", { name: "Fit the whole tree" }).click();
+  assert.deepEqual(await goesOn(), [false, false]);
+  await page.getByRole("button", { name: "Large enough" }).click();
+  assert.deepEqual(await goesOn(), [true, true]);
+});
+
 test("Copy and CSV fill the clipboard; where it is refused, a sheet has the text selected", async () => {
   await open(page, ON_DISK, rich.path, START);
   const { scene, trace } = await readTrace(rich.id, 15);

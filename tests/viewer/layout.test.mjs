@@ -47,6 +47,30 @@ test("on a phone the order is picture, sentence and player, stage, card, control
   assert.deepEqual(tops, [...tops].sort((a, b) => a - b));
 });
 
+test("on a phone picture, sentence, player and stage are seen together, and stepping moves none of them", async () => {
+  await size(page, 390, 844);
+  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+  const box = () => page.evaluate(() => Object.fromEntries([".picture-frame", ".lesson", ".play", ".timeline", ".stage-view"].map((part) => [part, document.querySelector(part).getBoundingClientRect().toJSON()])));
+  const before = await box();
+  for (const [part, { top, bottom }] of Object.entries(before)) assert.ok(top >= 0 && bottom <= 844, `${part}: ${top} to ${bottom}`);
+  assert.ok(before[".stage-view"].height >= 240 && before[".picture-frame"].width >= 160);
+  for (const act of [() => page.getByRole("button", { name: "One event on" }).click(), () => press(page, ".", "."), () => press(page, "Escape"), () => page.getByRole("button", { name: "Start the lesson" }).click(), () => press(page, "PageDown", ".")]) {
+    await act();
+    await press(page);
+    assert.deepEqual(await box(), before);
+  }
+});
+
+test("the pixel's name and colour have room for three digits each: nothing beside them moves", async () => {
+  await size(page, 1280, 800);
+  await open(page, ON_DISK, rich.path, "still=1&n=105&p=4,4&gl=none");
+  const box = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll(".card-head > *, .picture-frame, .card")].map((each) => each.getBoundingClientRect())));
+  const before = await box();
+  await follow(page, "still=1&n=105&p=104,104&gl=none");
+  assert.equal(await box(), before);
+  assert.equal(await page.locator(".pixel-name").evaluate((e) => e.scrollWidth <= e.parentElement.clientWidth), true);
+});
+
 // The dragon's scene has four coloured lamps: no sum has more numbers in it.
 for (const scene of [rich, scenesOfSite().find(({ key }) => key === "9") ?? rich])
   test(`whatever the player tells, the stage keeps its place, size and room (${scene.id}, 1280 x 800)`, async () => {

@@ -49,6 +49,40 @@ test("traced looks from the ray-tracing camera, and the picture covers the tiles
   }
 });
 
+test("the traced look gives the view of before back when it is left, from a link too", async () => {
+  const cam = "6,4,6,0,0,0";
+  await follow(page, `still=1&n=5&p=2,2&cam=${cam}`);
+  const before = (await state(page)).observer;
+  await press(page, "t");
+  assert.equal((await state(page)).observer, "camera");
+  await page.waitForFunction(() => location.hash.includes("look=traced"));
+  await follow(page, new URL(page.url()).hash.slice(1));
+  await button("Rasterised: every surface by itself").click();
+  assert.deepEqual((await state(page)).observer, before);
+});
+
+test("the stage follows switches: a light that is off is struck and gives nothing, shadows and terms go, and all come back", async () => {
+  await follow(page, "still=1&n=5&p=2,2&rays=none&tiles=filled&if=-shadows"); // its panel opens now and stays
+  await follow(page, "still=1&n=5&p=2,2&rays=none&tiles=filled");
+  const labels = () => page.locator(".stage-view .labels span:visible").allInnerTexts();
+  const asTraced = await stageShot();
+  for (const [switches, label] of [["l2x0", "light 2: off"], ["-shadows", "light 2"], ["-diffuse", "light 2"], ["-reflected", "light 2"]]) {
+    await follow(page, `still=1&n=5&p=2,2&rays=none&tiles=filled&if=${switches}`);
+    // The tiles are about two per cent of the stage; the room, which all of these change, is most of it.
+    assert.ok(different(asTraced, await stageShot()) > 0.04, switches);
+    assert.ok((await labels()).includes(label), switches);
+  }
+  await follow(page, "still=1&n=5&p=2,2&rays=none&tiles=filled");
+  assert.equal(different(asTraced, await stageShot()), 0);
+});
+
+test("a blocked shadow ray ends at what blocks it, which is named there", async () => {
+  await follow(page, "still=1&n=15&p=7,12");
+  const names = await page.locator("li.ray.blocked b:last-child").allInnerTexts();
+  assert.ok(names.length > 0);
+  assert.deepEqual(await page.locator(".labels .stop:visible").allInnerTexts(), names.slice(0, 3));
+});
+
 test("turning away from the camera shows the rasterised scene again", async () => {
   await follow(page, "still=1&n=5&p=2,2&look=traced");
   await button("Observer back to the start view").click();

@@ -18,11 +18,23 @@ before(async () => {
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
 
-test("Link copies the address of this very view", async () => {
+const places = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("header *, .tools *, .side > *, .card-head *, .stage-view")].map((each) => each.getBoundingClientRect())));
+/** What was done is said, its button ticked, and nothing has moved. */
+async function isSaid(before, says) {
+  const ticked = page.locator("button.done");
+  await ticked.first().waitFor();
+  assert.match(await page.locator(".done-sentence[role=status]").innerText(), says);
+  assert.equal(await places(), before);
+  await ticked.first().waitFor({ state: "detached" });
+}
+
+test("Link copies the address of this very view, and says so without moving anything", async () => {
   await open(page, ON_DISK, rich.path, START);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
   await press(page, "ArrowRight", "h");
+  const before = await places();
   await button("Copy the link").click();
+  await isSaid(before, /link .* is copied/);
   const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];
   assert.ok(copied.startsWith(ON_DISK));
   await open(page, ON_DISK, rich.path, new URL(copied).hash.slice(1));
@@ -33,7 +45,9 @@ for (const how of ["", "&gl=none", "&slice=row"])
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();
+    const before = await places();
     const [download] = await Promise.all([page.waitForEvent("download"), button("Save this view").click()]);
+    await isSaid(before, new RegExp(`saved: ${rich.id}-5-8.png`));
     assert.equal(download.suggestedFilename(), `${rich.id}-5-8.png`);
     const { PNG } = await import("pngjs");
     const image = PNG.sync.read(readFileSync(await download.path()));
@@ -47,7 +61,9 @@ for (const how of ["", "&gl=none", "&slice=row"])
 for (const how of ["", "&gl=none"])
   test(`Slide gives the view as an SVG whose rays end where the stage shows them (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
+    const before = await places();
     const [download] = await Promise.all([page.waitForEvent("download"), button("A figure of this view").click()]);
+    await isSaid(before, new RegExp(`saved: ${rich.id}-5-8.svg`));
     assert.equal(download.suggestedFilename(), `${rich.id}-5-8.svg`);
     const text = readFileSync(await download.path(), "utf8");
     assert.ok(!/href="(?!data:)|<script|style=/.test(text), "nothing from elsewhere");
@@ -144,14 +160,13 @@ for (const where of ["a file", "another origin"])
     }
   });
 
-test("the pseudo-code marks the told event's line, folds, and remembers it", async () => {
+test("the pseudo-code has a tab of the card, marks the told event's line, also while a question waits, and is remembered", async () => {
   await open(page, ON_DISK, rich.path, START);
   const code = page.getByRole("region", { name: "The algorithm" });
-  await page.evaluate(() => localStorage.setItem("raywalk code", "folded"));
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
   assert.equal(await code.isVisible(), false);
-  await button("the algorithm as pseudo-code").click();
+  const stage = await page.locator(".stage-view").boundingBox();
+  await page.getByRole("tab", { name: /pseudo-code/ }).click();
+  assert.deepEqual(await page.locator(".stage-view").boundingBox(), stage, "the stage keeps its room");
   const lines = [];
   const events = await page.evaluate(() => window.raywalk.stats().events.map((event) => event.what));
   for (const what of events) {
@@ -169,6 +184,10 @@ test("the pseudo-code marks the told event's line, folds, and remembers it", asy
   await page.evaluate(() => window.raywalk.ready);
   await settled(page);
   assert.equal(await code.isVisible(), true);
+  const asking = await page.evaluate(() => window.raywalk.lesson().findIndex((step) => step.answer));
+  await open(page, ON_DISK, rich.path, `still=1&gl=none&step=${asking + 1}`);
+  assert.equal(await code.isVisible(), true);
+  await page.evaluate(() => localStorage.clear());
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

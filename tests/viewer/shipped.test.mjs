@@ -42,7 +42,7 @@ test("the pages hold no inline script, no inline style, and a strict policy", ()
 });
 
 /** Which folder may import from which: main -> stage, panels -> state -> trace; palette and words are leaves. */
-const MAY = { trace: [], state: ["trace"], stage: ["state", "trace", "palette", "words"], panels: ["state", "trace", "palette", "words", "event-words"] };
+const MAY = { trace: [], state: ["trace"], stage: ["state", "trace", "palette", "tile-picture", "words"], panels: ["state", "trace", "palette", "tile-picture", "words", "event-words"] };
 
 test("imports keep their order: main -> stage, panels -> state -> trace", () => {
   for (const file of sources) {

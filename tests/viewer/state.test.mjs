@@ -5,7 +5,7 @@ import { load } from "./typescript.mjs";
 
 const { startState, select, move, stepLevel, setLevel, pressRender, advance, tilesShown, applyView, goToStep, isAsking, turnStep, writeAddress, followAddress, readAddress } =
   await load("state/view-state.ts", "state/address.ts");
-const { picturePlane, onPlane, observerOf, orbit, pan, zoom, createProjection, contrastWith, treeOf, linesOf } = await load(
+const { picturePlane, onPlane, observerOf, orbit, pan, zoom, createProjection, contrastWith, LINES, STAGE, rgb, lightColours, treeOf, linesOf } = await load(
   "state/frustum.ts", "state/observer.ts", "state/projection.ts", "state/lines.ts", "palette.ts",
 );
 
@@ -178,6 +178,21 @@ test("the selector's colour contrasts: black on white, light on dark, yellow in 
   assert.equal(contrastWith([10, 10, 10]), "#FFFFFF");
   assert.equal(contrastWith([128, 128, 128]), "#FFF04A");
   assert.equal(contrastWith(null), "#FFFFFF");
+});
+
+test("every kind of ray stands out from both pages and from its casing: at least 3 to 1; a blocked ray is the thickest", () => {
+  const linear = (v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4); // WCAG 2.2, relative luminance
+  const luminance = (hex) => rgb(hex).map(linear).reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+  const contrast = (a, b) => [luminance(a), luminance(b)].sort((p, q) => q - p).reduce((p, q) => (p + 0.05) / (q + 0.05));
+  // Top and bottom of the stage, as in styles/00-base.css and 88-projector.css.
+  for (const [light, grounds] of [[false, ["#1a212b", "#0f141a"]], [true, ["#ffffff"]]]) {
+    lightColours(light);
+    for (const [kind, { colour, wide }] of Object.entries(LINES)) {
+      for (const ground of [...grounds, STAGE.casing]) assert.ok(contrast(colour, ground) >= 2.99, `${kind} on ${ground}: ${contrast(colour, ground)}`); // 3, to two decimals
+      assert.ok(kind === "blocked" || wide < LINES.blocked.wide);
+    }
+  }
+  lightColours(false);
 });
 
 test("a pixel's tree is walked depth first, and its shadow rays end at the light or the blocker", () => {

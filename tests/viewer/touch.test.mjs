@@ -61,8 +61,8 @@ test("one finger on a tile selects it, and on the picture too", async () => {
 });
 
 test("the page scrolls when the finger is on the card", async () => {
-  const head = await page.locator(".card-head").boundingBox();
-  assert.equal(await page.locator(".card-head").evaluate((e) => getComputedStyle(e).touchAction), "auto");
+  const head = await page.locator(".card").boundingBox();
+  assert.equal(await page.locator(".card").evaluate((e) => getComputedStyle(e).touchAction), "auto");
   assert.ok(head.height >= 44);
 });
 

@@ -21,12 +21,13 @@ const switches = async () => (await state(page)).switches;
 const panel = () => page.getByRole("region", { name: "What if", exact: true });
 const opener = () => page.getByRole("button", { name: /^What if: / });
 const undo = () => page.getByRole("button", { name: "Undo all switches" });
+const recombined = () => page.locator(".picture .recombined");
 const hash = () => new URL(page.url()).hash;
 
 test("at first the panel is closed, nothing is switched and nothing says so", async () => {
   assert.equal(await panel().isVisible(), false);
   assert.equal(await undo().isVisible(), false);
-  assert.equal(await page.locator(".as-traced").isVisible(), false);
+  assert.equal(await recombined().isVisible(), false);
 });
 
 test("brackets lower and raise the bounce limit, and tell where it ends", async () => {
@@ -93,7 +94,7 @@ test("the first switch fills empty tiles: they show what it does", async () => {
   assert.equal((await state(page)).tiles, "filled");
 });
 
-test("by mouse: boxes and sliders do the same; As traced undoes all and goes; the picture says as traced", async () => {
+test("by mouse: boxes and sliders do the same; As traced undoes all and goes", async () => {
   await follow(page, START);
   await opener().click();
   if (!(await panel().isVisible())) await opener().click();
@@ -103,12 +104,29 @@ test("by mouse: boxes and sliders do the same; As traced undoes all and goes; th
   await settled(page);
   assert.deepEqual(await switches(), { bounces: null, lamps: [0, 1.5], shadows: true, without: ["specular"] });
   assert.deepEqual((await stats(page)).tiles, expected("l1x0,l2x1.5,-specular"));
-  assert.equal(await page.locator(".as-traced").isVisible(), true);
   await undo().click();
   await settled(page);
   assert.deepEqual((await stats(page)).tiles, [...trace.tiles]);
   assert.equal(await undo().isVisible(), false);
-  assert.equal(await page.locator(".as-traced").isVisible(), false);
+});
+
+test("the picture follows in the finest tiles, says so, and is itself again without switches; in the traced look too", async () => {
+  await follow(page, START);
+  await press(page, "l", "2");
+  await page.waitForFunction(() => document.querySelector(".picture .recombined").width === 105);
+  await settled(page);
+  const fine = readTrace(rich.id, 105);
+  const wanted = [...createWhatIf().of(fine.trace, fine.scene, readSwitches("l2x0", fine.scene)).trace.tiles];
+  const shown = (where) => page.locator(`${where} .recombined`).evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, 105, 105).data].filter((_, k) => k % 4 < 3));
+  assert.deepEqual(await shown(".picture"), wanted);
+  assert.equal(await page.locator(".recombined-size").innerText(), "105 × 105, recombined");
+  await press(page, "t");
+  assert.equal(await page.locator(".traced-picture .recombined").isVisible(), true);
+  assert.deepEqual(await shown(".traced-picture"), wanted);
+  await undo().click();
+  await settled(page);
+  for (const where of [".picture", ".traced-picture"]) assert.equal(await page.locator(`${where} .recombined`).isVisible(), false);
+  assert.equal(await page.locator(".recombined-size").isVisible(), false);
 });
 
 test("by keyboard alone: Tab reaches every switch, Space ticks, arrows dim", async () => {

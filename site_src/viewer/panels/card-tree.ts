@@ -3,13 +3,14 @@ import { LINES } from "../palette";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import { hexOf, percent, plain, say } from "../words";
 import { lightWords, rayWords, type CardLine, type LineActs } from "./card-rays";
-import { element } from "./element";
+import { button, element, setWord } from "./element";
 import { svg } from "./svg";
 
-const SLOT = 112; // pixels across, for a leaf
-const NODE = { width: 104, height: 46 };
+const SLOT = 126; // pixels across, for a leaf
+const NODE = { width: 114, height: 46 };
 const LEVEL = 98; // pixels down
-const LETTERS = 13; // of a name that fit
+const LETTERS = 12; // of a name that fit
+const LEGIBLE = 0.92; // smaller than this a tree is drawn on request only
 const MANY = 20; // rays: in a larger tree
 const SMALL = 0.01; // those with a smaller share of the pixel are folded
 const MARKS = 6; // lights shown one by one
@@ -81,7 +82,14 @@ export function createTree(acts: LineActs) {
     return [element("span", "", sign, ` ${say(`tree.${seen}`)}`)];
   }));
   const window = element("div", "tree-window", drawing as unknown as HTMLElement);
-  const root = element("div", "tree", window, key);
+  const fit = button(say("tree.fit.word"), say("tree.fit.help"), () => {
+    fits = !fits;
+    scale();
+    showNode(nodes.get(lit?.ray ?? rows[0].ray) ?? nodes.get(rows[0].ray)!, true);
+  }, { className: "tree-fit" });
+  const root = element("div", "tree", window, element("div", "tree-foot", key, fit));
+  let size = { width: 1, height: 1 }; // of the drawing, unscaled
+  let fits = false; // the whole tree, however small
   let rows: readonly RayRow[] = [];
   let isOpen = false;
   let nodes = new Map<number, SVGElement>(); // by ray
@@ -150,12 +158,14 @@ export function createTree(acts: LineActs) {
     const placed = place(rows, isOpen);
     const all = (node: Placed): Placed[] => [node, ...node.below.flatMap(all)];
     const [width, height] = [placed.across * SLOT, (placed.down - 1) * LEVEL + NODE.height + 30];
-    for (const [name, value] of Object.entries({ width, height, viewBox: `0 0 ${width} ${height}` })) drawing.setAttribute(name, String(value));
+    size = { width, height };
+    drawing.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const places = all(placed.root);
     const made = places.map(nodeOf);
     drawing.replaceChildren(...edges(placed.root), ...made);
     made[0].setAttribute("tabindex", "0");
     walkWithArrows(places, made);
+    scale();
     show(lit, false);
   }
 
@@ -187,10 +197,33 @@ export function createTree(acts: LineActs) {
     );
   }
 
+  /** As large as the panel lets it be, and legible; or whole. */
+  function scale() {
+    const room = Math.min(window.clientWidth / size.width, window.clientHeight / size.height);
+    const share = room > 0 ? Math.min(1, fits ? room : Math.max(LEGIBLE, room)) : 1;
+    for (const side of ["width", "height"] as const) drawing.setAttribute(side, String(Math.floor(size[side] * share)));
+    fit.hidden = !fits && (room <= 0 || room >= LEGIBLE);
+    const does = fits ? "large" : "fit";
+    setWord(fit, say(`tree.${does}.word`), say(`tree.${does}.help`));
+    cue();
+  }
+
+  /** Where the drawing goes on, it fades. */
+  function cue() {
+    const { scrollLeft: x, scrollTop: y, scrollWidth, scrollHeight, clientWidth, clientHeight } = window;
+    const more = { left: x > 1, right: x + clientWidth < scrollWidth - 1, top: y > 1, bottom: y + clientHeight < scrollHeight - 1 };
+    for (const [side, on] of Object.entries(more)) window.classList.toggle(`more-${side}`, on);
+  }
+  window.addEventListener("scroll", cue);
+  new ResizeObserver(() => rows.length && scale()).observe(window);
+  window.addEventListener("pointermove", (event) => {
+    if (event.pointerType === "mouse" && event.buttons === 1) window.scrollBy(-event.movementX, -event.movementY);
+  });
+
   /** Scrolls the drawing alone. */
-  function showNode(node: SVGElement) {
+  function showNode(node: SVGElement, middle = false) {
     const [of, at] = [window.getBoundingClientRect(), node.getBoundingClientRect()];
-    if (at.left < of.left || at.right > of.right || node === nodes.get(rows[0].ray)) window.scrollLeft += (at.left + at.right - of.left - of.right) / 2;
+    if (middle || at.left < of.left || at.right > of.right || node === nodes.get(rows[0].ray)) window.scrollLeft += (at.left + at.right - of.left - of.right) / 2;
     if (at.top < of.top || at.bottom > of.bottom) window.scrollTop += (at.top + at.bottom - of.top - of.bottom) / 2;
   }
 

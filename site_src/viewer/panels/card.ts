@@ -8,7 +8,8 @@ import { createRays, type CardLine } from "./card-rays";
 import { createSums } from "./card-sum";
 import { createTree } from "./card-tree";
 import { copy, treeTable, treeText } from "./copy";
-import { button, element, setWord, swatch } from "./element";
+import { sayDone } from "./done";
+import { button, element, swatch } from "./element";
 import { createTabs } from "./tabs";
 
 export type { CardLine };
@@ -20,9 +21,8 @@ export interface CardActs {
   tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void;
 }
 
-const COPIED_FOR = 1500; // ms in which the button says so
-
-export function createCard(acts: CardActs) {
+/** code: the algorithm, which has its tab here too. */
+export function createCard(acts: CardActs, code: HTMLElement) {
   const chip = swatch("#000");
   const pixel = element("span", "pixel-name");
   const rgb = element("span", "pixel-colour numbers");
@@ -31,10 +31,7 @@ export function createCard(acts: CardActs) {
   const copies = (["text", "table"] as const).map((what) => {
     const made = button(say(`copy.${what}.word`), say(`copy.${what}.help`), () => {
       if (!rows.length) return;
-      void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), () => {
-        setWord(made, say("copy.done"));
-        setTimeout(() => setWord(made, say(`copy.${what}.word`)), COPIED_FOR);
-      });
+      void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), () => sayDone(made, say(`copy.${what}.done`)));
     });
     return made;
   });
@@ -42,7 +39,7 @@ export function createCard(acts: CardActs) {
   const rays = createRays(acts);
   const tree = createTree(acts);
   const sums = createSums(acts);
-  const tabs = createTabs("card", say("card.tabs"), (["rays", "tree", "sum"] as const).map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: element("div", "tab-panel", { rays, tree, sum: sums }[id].element) })), () => draw());
+  const tabs = createTabs("card", say("card.tabs"), (["rays", "tree", "sum", "code"] as const).map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: element("div", "tab-panel", { rays, tree, sum: sums, code: { element: code } }[id].element) })), () => draw());
   const note = element("p", "note");
   const body = element("div", "card-body", ...tabs.panels);
   const root = element("section", "card", tabs.bar, note, body);
@@ -57,11 +54,13 @@ export function createCard(acts: CardActs) {
   /** Only the panel that is seen is made. */
   function draw() {
     bright = [];
+    body.hidden = !now && tabs.chosen() !== "code"; // the algorithm gives no answer away
+    note.hidden = !body.hidden;
     if (!now) return;
     const { state, scene, trace } = now;
     if (tabs.chosen() === "rays") rays.show(rows);
     else if (tabs.chosen() === "tree") tree.show(rows);
-    else sums.show(rows, scene, trace, tileColour(trace, pixelIndex(state)));
+    else if (tabs.chosen() === "sum") sums.show(rows, scene, trace, tileColour(trace, pixelIndex(state)));
   }
 
   /** Scrolls the list alone: the page stays where it is. */
@@ -93,8 +92,6 @@ export function createCard(acts: CardActs) {
       const colour = isOpen ? tileColour(trace, index) : null;
       rgb.textContent = colour?.join(", ") ?? "";
       chip.style.backgroundColor = colour ? `rgb(${colour.join()})` : "transparent";
-      note.hidden = isOpen;
-      body.hidden = !isOpen;
       for (const each of copies) each.setAttribute("aria-disabled", String(!isOpen));
       now = isOpen ? { state, scene, trace } : null;
       rows = isOpen ? rayRows(trace, scene, index) : [];

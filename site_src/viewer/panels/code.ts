@@ -3,8 +3,7 @@ import type { RayEvent } from "../state/events";
 import { treeOf } from "../state/lines";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
-import { button, element } from "./element";
-import { recall, remember } from "./remember";
+import { element } from "./element";
 
 type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | "mirror" | "clear" | "back", ...whats: RayEvent["what"][]];
 
@@ -28,7 +27,6 @@ const LINES: readonly Line[] = [
 const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], unasked: ["add"], local: ["ambient", "add"], reflected: ["trace"], refracted: ["trace"], total: ["trace"], camera: ["trace"] };
 
 const MOST_CALLS = 4; // told of a chain
-const OPEN_FROM = 1500; // CSS pixels of width: on a narrower page it is folded at first
 
 export function createCode() {
   const lines = LINES.map(([indent, name]) => {
@@ -37,24 +35,12 @@ export function createCode() {
     return line;
   });
   const calls = element("p", "code-calls numbers");
-  const root = element("section", "code", element("h2", "", say("code.title")), calls, element("ol", "code-lines", ...lines));
-  root.id = "code";
+  const root = element("section", "code", calls, element("ol", "code-lines", ...lines));
   root.setAttribute("aria-label", say("code.title"));
-  const toggle = button(say("code.word"), say("code.help"), () => fold(!root.hidden), { className: "code-toggle" });
-  toggle.setAttribute("aria-controls", root.id);
-
-  function fold(away: boolean) {
-    root.hidden = away;
-    toggle.setAttribute("aria-expanded", String(!away));
-    remember("code", away ? "folded" : "open");
-  }
-  const kept = recall("code");
-  fold(kept ? kept === "folded" : innerWidth < OPEN_FROM);
   let shown: RayEvent | null | undefined;
 
   return {
     element: root,
-    toggle,
     show(told: RayEvent | null, trace: Trace | null, pixel: number) {
       if (shown === told) return;
       shown = told;

@@ -1,9 +1,9 @@
 /** The finished picture with the tile grid and the selected pixel on it. */
 import { contrastWith } from "../palette";
-import { isSwitched } from "../state/switches";
 import { isAsking, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
+import { createTilePicture, type TilePicture } from "../tile-picture";
 import { element } from "./element";
 
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
@@ -14,8 +14,9 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   const image = element("img");
   image.alt = ""; // until there is a scene
   const marks = element("canvas", "marks");
-  const badge = element("span", "as-traced", say("whatIf.badge"));
-  const frame = element("div", "picture-frame", image, marks, badge);
+  const recombined = createTilePicture("recombined");
+  const badge = element("span", "recombined-size");
+  const frame = element("div", "picture-frame", image, recombined.element, marks, badge);
   const whole = element("section", "picture", frame);
   whole.setAttribute("aria-label", say("picture.region"));
   const brush = marks.getContext("2d")!;
@@ -84,14 +85,17 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
 
   return {
     element: whole,
-    show(state: ViewState, scene: SceneData, trace: Trace | null) {
+    /** trace: of the tiles that are seen; instead: what stands in place of the finished picture while switches are set. */
+    show(state: ViewState, scene: SceneData, trace: Trace | null, instead: TilePicture | null) {
       // A question about colours: the picture would give the answer away.
       now = { state, trace, covered: isAsking(state, scene) && state.tiles === "empty" };
-      badge.hidden = !isSwitched(state.switches); // the picture cannot follow, only tiles can
+      recombined.show(now.covered ? null : instead);
+      badge.hidden = recombined.element.hidden;
+      if (instead) badge.textContent = say("whatIf.recombined", { n: instead.n });
       if (shownScene !== scene.id) {
         shownScene = scene.id;
         image.src = `${root}scenes/${scene.id}/${scene.picture}`;
-        image.alt = say("picture.alt", { title: scene.title });
+        image.alt = say("picture.alt", { title: scene.title }); // with switches the badge beside it says that tiles stand before it
       }
       draw();
     },

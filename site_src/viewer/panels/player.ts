@@ -31,7 +31,7 @@ function paint({ events, starts }: Timeline): string {
   return `linear-gradient(90deg, ${stops.join(", ")})`;
 }
 
-export function createPlayer(acts: PlayerActs, code: HTMLElement) {
+export function createPlayer(acts: PlayerActs) {
   const back = button("", say("player.back"), () => acts.event(-1), { className: "sign" });
   const play = button(say("player.play.word"), say("player.play.help"), acts.play, { key: "P", className: "play" });
   const on = button("", say("player.on"), () => acts.event(1), { className: "sign" });
@@ -59,7 +59,7 @@ export function createPlayer(acts: PlayerActs, code: HTMLElement) {
   });
   const bar = element("div", "timeline", colours, ahead, range);
   const count = element("span", "event-count numbers");
-  const root = element("section", "player", back, play, on, bar, count, speed, code, end);
+  const root = element("section", "player", back, play, on, bar, count, speed, end);
   root.setAttribute("aria-label", say("player.region"));
   let shown: { timeline?: Timeline | null; playing?: boolean } = {};
 

@@ -1,27 +1,28 @@
 /** The page's own buttons: link, picture, full screen, projector, help; and embedded, the way to the whole page. */
 import { say } from "../words";
 import { copy } from "./copy";
-import { button, element, pressed, setWord } from "./element";
+import { sayDone } from "./done";
+import { button, element, pressed } from "./element";
 
 export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
   link: () => string;
-  save: () => void;
-  slide: () => void;
+  /** done: with the file's name. */
+  save: (done: (file: string) => void) => void;
+  slide: (done: (file: string) => void) => void;
   fullScreen: () => void;
   projector: () => void;
   help: () => void;
 }
 
-const COPIED_FOR = 1500; // ms in which the button says so
-
 export function createTools(acts: ToolActs) {
   const link = button(say("tools.link.word"), say("tools.link.help"), () =>
-    void copy(acts.link(), () => {
-      setWord(link, say("copy.done"));
-      setTimeout(() => setWord(link, say("tools.link.word")), COPIED_FOR);
-    }),
+    void copy(acts.link(), () => sayDone(link, say("tools.link.done"))),
   );
+  const saving = (what: "save" | "slide") => {
+    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts[what]((file) => sayDone(made, say(`tools.${what}.done`, { file }))));
+    return made;
+  };
   const projector = button(say("tools.projector.word"), say("tools.projector.help"), acts.projector);
   const screen = button(say("tools.fullScreen.word"), say("tools.fullScreen.help"), acts.fullScreen);
   screen.hidden = !document.fullscreenEnabled;
@@ -29,8 +30,8 @@ export function createTools(acts: ToolActs) {
     "div",
     "tools",
     link,
-    button(say("tools.save.word"), say("tools.save.help"), acts.save),
-    button(say("tools.slide.word"), say("tools.slide.help"), acts.slide),
+    saving("save"),
+    saving("slide"),
     projector,
     screen,
     button("?", say("tools.keys"), acts.help, { className: "sign" }),

@@ -84,7 +84,7 @@ function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick
   if (!kept) return;
   const [a, b] = kept.map(projection.project);
   const { colour, dash } = LINES[kind];
-  if (STAGE.casing && width >= 1) {
+  if (width >= 1) {
     brush.strokeStyle = STAGE.casing;
     brush.lineWidth = width + 4;
     brush.beginPath();
@@ -93,7 +93,7 @@ function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick
     brush.stroke();
   }
   brush.strokeStyle = brush.fillStyle = colour;
-  brush.lineWidth = width;
+  brush.lineWidth = width * LINES[kind].wide;
   brush.setLineDash(dash[0] === 1 ? [] : [...dash]);
   brush.beginPath();
   brush.moveTo(a.x, a.y);
@@ -135,6 +135,24 @@ function drawDot(brush: Brush, projection: Projection, at: Vec3, radius: number,
   brush.arc(x, y, radius, 0, 2 * Math.PI);
   brush.fillStyle = colour;
   brush.fill();
+}
+
+/** A cross where a light is blocked; with a ring, a lamp that is off. */
+function drawCross(brush: Brush, projection: Projection, at: Vec3, radius: number, colour: string, ring: boolean) {
+  const { x, y, depth } = projection.project(at);
+  if (depth <= 0) return;
+  const arm = radius * Math.SQRT1_2;
+  brush.beginPath();
+  brush.moveTo(x - arm, y - arm);
+  brush.lineTo(x + arm, y + arm);
+  if (!ring) brush.moveTo(x - arm, y + arm), brush.lineTo(x + arm, y - arm);
+  else brush.moveTo(x + radius, y), brush.arc(x, y, radius, 0, 2 * Math.PI);
+  for (const [width, stroke] of [[6, STAGE.casing], [3, colour]] as const) {
+    brush.lineWidth = width;
+    brush.strokeStyle = stroke;
+    brush.stroke();
+  }
+  brush.lineWidth = 1;
 }
 
 export function createFlatRenderer(): StageRenderer {
@@ -187,7 +205,10 @@ export function createFlatRenderer(): StageRenderer {
       const chosen = new Set(view.chosen);
       for (const line of [...view.thin, ...view.chosen])
         if (line.light < 0 && !line.leaves && !line.growing) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);
-      for (const light of view.scene.lights) drawDot(brush, projection, light.position, 8, STAGE.lamp);
+      for (const line of view.chosen) if (line.kind === "blocked" && !line.growing) drawCross(brush, projection, line.to, 9, LINES.blocked.colour, false);
+      for (const { position, intensity } of view.switched.lights)
+        if (intensity > 0) drawDot(brush, projection, position, 8, STAGE.lamp);
+        else drawCross(brush, projection, position, 8, STAGE.lampOff, true);
       if (length(sub(observer.eye, eye)) > near) drawDot(brush, projection, eye, 7, STAGE.camera);
     },
     resize(width, height, ratio) {

@@ -4,9 +4,11 @@ export interface Label {
   text: string;
   x: number; // CSS pixels: what the label belongs to
   y: number;
-  kind: "sign" | "hit"; // hit: coordinates, in figures of equal width
+  kind: "sign" | "hit" | "stop"; // hit: coordinates, in figures of equal width; stop: what is in a light's way
   below?: boolean; // rather than beside: the thing is wide
 }
+
+const LARGE = { wide: 1.36, high: 27 }; // on a projector: 19 pixels instead of 14
 
 export interface Box {
   left: number;
@@ -16,27 +18,28 @@ export interface Box {
 }
 
 const GAP = 12; // from the thing to its label
-const CHAR = { sign: 7.4, hit: 7.8 }; // width of a character at most
+const CHAR = { sign: 7.4, hit: 7.8, stop: 7.8 }; // width of a character at most
 const HEIGHT = 22;
 
 const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 /** Right, left, below, above: the first that is free, inside and not struck through by a line; failing
  *  that, the first that is free. strokes: places along the lines, x y x y ... */
-function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[]): Box | null {
-  const w = label.text.length * CHAR[label.kind] + 8;
+function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[], large: boolean): Box | null {
+  const w = label.text.length * CHAR[label.kind] * (large ? LARGE.wide : 1) + 8;
+  const high = large ? LARGE.high : HEIGHT;
   const spots = [
-    [label.x + GAP, label.y - HEIGHT / 2],
-    [label.x - GAP - w, label.y - HEIGHT / 2],
+    [label.x + GAP, label.y - high / 2],
+    [label.x - GAP - w, label.y - high / 2],
     [label.x - w / 2, label.y + GAP],
-    [label.x - w / 2, label.y - GAP - HEIGHT],
+    [label.x - w / 2, label.y - GAP - high],
     [label.x + GAP, label.y + GAP],
-    [label.x + GAP, label.y - GAP - HEIGHT],
+    [label.x + GAP, label.y - GAP - high],
     [label.x - GAP - w, label.y + GAP],
-    [label.x - GAP - w, label.y - GAP - HEIGHT],
+    [label.x - GAP - w, label.y - GAP - high],
   ];
-  if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - HEIGHT]);
-  const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + HEIGHT }));
+  if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - high]);
+  const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + high }));
   const inside = (b: Box) => b.left >= 4 && b.top >= 4 && b.right <= width - 4 && b.bottom <= height - 4;
   const free = boxes.filter((box) => inside(box) && !taken.some((other) => overlap(box, other)));
   const struck = ({ left, top, right, bottom }: Box) => {
@@ -65,7 +68,7 @@ export function createLabels() {
   return {
     element,
     /** Most important first; taken: places that are not free. */
-    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = []) {
+    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = [], large = false) {
       const used = [...taken];
       const alive = new Set(labels.map((label) => label.key));
       for (const [key, span] of spans) if (!alive.has(key)) span.remove(), spans.delete(key);
@@ -73,7 +76,7 @@ export function createLabels() {
         const span = spanOf(label);
         if (span.textContent !== label.text) span.textContent = label.text;
         span.className = label.kind;
-        const box = place(label, width, height, used, strokes);
+        const box = place(label, width, height, used, strokes, large);
         span.hidden = !box;
         if (!box) continue;
         used.push(box);

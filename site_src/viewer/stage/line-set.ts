@@ -9,7 +9,7 @@ import {
   Mesh,
   type ShaderMaterial,
 } from "three";
-import { LINES, rgb, STAGE } from "../palette";
+import { LINES, rgb } from "../palette";
 import type { Line } from "../state/lines";
 import { createLineMaterial } from "./line-shader";
 
@@ -46,7 +46,7 @@ export function createLineSet(thick: boolean) {
     object.add(drawn);
     return drawn;
   };
-  if (thick && STAGE.casing) put(body, createLineMaterial("casing", 7, 0.75), 3.5);
+  if (thick) put(body, createLineMaterial("casing", 3, 0.75), 3.5);
   const drawn = createLineMaterial("line", thick ? 3 : 1, thick ? 1 : 0.6);
   put(body, drawn, 4);
   put(heads, createLineMaterial("arrow", thick ? 13 : 8, thick ? 1 : 0.75), 4);
@@ -56,20 +56,20 @@ export function createLineSet(thick: boolean) {
   return {
     object,
     show(lines: readonly Line[], lit: LitLine | null) {
-      const attribute = () => new Float32Array(3 * lines.length);
-      const [from, to, tints, styles] = [attribute(), attribute(), attribute(), attribute()];
+      const attribute = (size = 3) => new Float32Array(size * lines.length);
+      const [from, to, tints, styles] = [attribute(), attribute(), attribute(), attribute(4)];
       lines.forEach((line, k) => {
         from.set(line.from, 3 * k);
         to.set(line.to, 3 * k);
         tints.set(rgb(LINES[line.kind].colour), 3 * k);
-        styles.set([...LINES[line.kind].dash, lit && lit.ray === line.ray && lit.light === line.light ? 1 : 0], 3 * k);
+        styles.set([...LINES[line.kind].dash, lit && lit.ray === line.ray && lit.light === line.light ? 1 : 0, LINES[line.kind].wide], 4 * k);
       });
       for (const geometry of [body, heads]) {
         geometry.dispose(); // sizes differ from pixel to pixel: let three make new buffers
         geometry.setAttribute("lineFrom", new InstancedBufferAttribute(from, 3));
         geometry.setAttribute("lineTo", new InstancedBufferAttribute(to, 3));
         geometry.setAttribute("tint", new InstancedBufferAttribute(tints, 3));
-        geometry.setAttribute("style", new InstancedBufferAttribute(styles, 3));
+        geometry.setAttribute("style", new InstancedBufferAttribute(styles, 4));
         geometry.instanceCount = lines.length;
       }
       heads.instanceCount = lines.length > ARROWS_UP_TO ? 0 : lines.length;

@@ -2,13 +2,14 @@
  * Lines of a given width in screen pixels, dashed in screen pixels, with arrow heads. One instance a
  * line. The vertex shader divides by w itself, so that lengths along a line are screen lengths.
  */
-import { ShaderMaterial, Vector2, type ShaderMaterialParameters } from "three";
+import { Color, ShaderMaterial, Vector2, type ShaderMaterialParameters } from "three";
+import { STAGE } from "../palette";
 
 const VERTEX = `
 attribute vec3 lineFrom, lineTo, tint;
-attribute vec3 style; // drawn and gap in pixels; 1 if the line is lit up
+attribute vec4 style; // drawn and gap in pixels; 1 if the line is lit up; times as wide as others
 uniform vec2 stage;   // pixels
-uniform float width;
+uniform float width, around; // of a casing on both sides of its line
 varying vec3 vTint;
 varying vec2 vDash;
 varying float vLit, vAlong;
@@ -30,12 +31,12 @@ void main() {
   vec2 ahead = span > 0.0 ? run / span : vec2(1.0, 0.0);
   vec2 aside = vec2(-ahead.y, ahead.x);
 #ifdef ARROW
-  float size = span < 3.0 * width ? 0.0 : width * (1.0 + 0.3 * style.z);
+  float size = span < 3.0 * width ? 0.0 : width * (1.0 + 0.3 * style.z) * sqrt(style.w);
   vec3 at = mix(p, q, 0.56);
   at.xy += (ahead * position.x + aside * position.y) * size * 2.0 / stage;
 #else
   vec3 at = mix(p, q, position.x);
-  at.xy += aside * position.y * width * (1.0 + 0.6 * style.z) / stage;
+  at.xy += aside * position.y * (width * (1.0 + 0.6 * style.z) * style.w + around) / stage;
 #endif
   vTint = tint;
   vDash = style.xy;
@@ -46,12 +47,13 @@ void main() {
 
 const FRAGMENT = `
 uniform float opacity;
+uniform vec3 casing;
 varying vec3 vTint;
 varying vec2 vDash;
 varying float vLit, vAlong;
 void main() {
 #ifdef CASING
-  gl_FragColor = vec4(1.0, 1.0, 1.0, opacity);
+  gl_FragColor = vec4(casing, opacity);
   return;
 #endif
 #ifndef ARROW
@@ -66,7 +68,7 @@ export function createLineMaterial(kind: "line" | "arrow" | "casing", width: num
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     defines: { arrow: { ARROW: 1 }, casing: { CASING: 1 }, line: {} }[kind],
-    uniforms: { stage: { value: new Vector2(1, 1) }, width: { value: width }, opacity: { value: opacity } },
+    uniforms: { stage: { value: new Vector2(1, 1) }, width: { value: width }, around: { value: kind === "casing" ? 4 : 0 }, casing: { value: new Color(STAGE.casing) }, opacity: { value: opacity } },
     transparent: true, // drawn with the see-through things, that is after the walls
     depthWrite: false,
     side: 2,

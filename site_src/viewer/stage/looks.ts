@@ -13,7 +13,10 @@ import {
   type Material,
   type Side,
 } from "three";
+import type { Part } from "../state/switches";
 import type { MaterialData, Vec3 } from "../trace/types";
+
+type Paints = Readonly<Record<string, Part>>;
 
 const SIZE = 128; // pixels across a painted ball
 type Paint = (x: number, y: number, z: number) => [number, number, number, number];
@@ -71,17 +74,20 @@ export interface Looks {
   of: (material: MaterialData, onlyFace?: Side, flat?: boolean) => Material;
   /** Is it drawn as something to look through? */
   isClear: (material: MaterialData) => boolean;
+  /** Only these parts of the surfaces' colours count: what brings the others is black. */
+  count: (isOn: (part: Part) => boolean) => void;
   dispose: () => void;
 }
 
 /** plain: no mirror and no glass, every surface is matte in its own colour. */
 export function createLooks(plain: boolean): Looks {
   const balls = { chrome: paintedBall(chrome), clear: paintedBall(clear) };
-  const made: Material[] = [];
-  const keep = <M extends Material>(material: M): M => (made.push(material), material);
+  const made: { look: Material; paints: Paints; full?: number[][] }[] = [];
+  /** paints: which of its colours stands for which part. */
+  const keep = <M extends Material>(look: M, paints: Paints): M => (made.push({ look, paints }), look);
 
   function glass(side: Side, flat: boolean) {
-    const look = keep(new MeshMatcapMaterial({ matcap: balls.clear, transparent: true, depthWrite: false, side, flatShading: flat }));
+    const look = keep(new MeshMatcapMaterial({ matcap: balls.clear, transparent: true, depthWrite: false, side, flatShading: flat }), { color: "refracted" });
     look.onBeforeCompile = (shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
         "#include <opaque_fragment>",
@@ -96,7 +102,7 @@ export function createLooks(plain: boolean): Looks {
     isClear,
     of(material, side = FrontSide, flat = false) {
       if (isClear(material)) return glass(side, flat);
-      if (!plain && material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }));
+      if (!plain && material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }), { color: "reflected" });
       return keep(
         new MeshPhongMaterial({
           color: colour(material.diffuse),
@@ -106,10 +112,18 @@ export function createLooks(plain: boolean): Looks {
           side,
           flatShading: flat,
         }),
+        { color: "diffuse", emissive: "ambient", specular: "specular" },
       );
     },
+    count(isOn) {
+      for (const each of made) {
+        const colours = Object.entries(each.paints).map(([name, part]) => ({ part, colour: (each.look as unknown as Record<string, Color>)[name] }));
+        each.full ??= colours.map(({ colour }) => colour.toArray()); // only now: walls have toned theirs down
+        for (const [k, { part, colour }] of colours.entries()) colour.fromArray(each.full[k]).multiplyScalar(isOn(part) ? 1 : 0);
+      }
+    },
     dispose() {
-      for (const each of made) each.dispose();
+      for (const { look } of made) look.dispose();
       balls.chrome.dispose();
       balls.clear.dispose();
     },

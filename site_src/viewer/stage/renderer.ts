@@ -6,11 +6,14 @@ import type { Line } from "../state/lines";
 import type { Observer } from "../state/observer";
 import type { Projection } from "../state/projection";
 import type { ViewState } from "../state/view-state";
+import type { TilePicture } from "../tile-picture";
 import type { SceneData, Trace } from "../trace/types";
 import type { LitLine } from "./line-set";
 
 export interface StageView {
-  scene: SceneData;
+  scene: SceneData; // as it was traced
+  switched: SceneData; // as the switches make it: its lights and materials
+  recombined: TilePicture | null; // the picture with the switches set; null where nothing is switched
   plane: PicturePlane;
   trace: Trace | null; // null while it loads or if it is missing
   state: ViewState;

@@ -3,13 +3,14 @@ import { hexOf, say } from "../words";
 import { LINES, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { CURVE, frameOf, type Curve, type Flat, type Section } from "../state/section";
+import { silhouetteOf } from "../state/silhouette";
 import type { Costs } from "../state/costs";
 import { triple } from "../state/vectors";
-import type { SceneData, Vec3 } from "../trace/types";
+import type { SceneData, Trace, Vec3 } from "../trace/types";
 import { createLabels, type Label } from "./labels";
 
 const EDGE = 34; // CSS pixels round the drawing, for labels
-const ASIDE = 110; // more on its left, for the switch
+const ASIDE = 140; // more on its left, for the switch
 const NARROW = 700; // below, that stands above the drawing
 const FAINT = 0.34; // of a row's other rays
 const HEAD = 9; // of an arrow
@@ -18,11 +19,13 @@ const PALEST = 0.42; // mirrors and glass have no colour of their own: their out
 
 export interface SliceView {
   section: Section;
-  scene: SceneData;
+  scene: SceneData; // as the switches make it
+  trace: Trace;
   tile: number; // the selected one along the section
   tiles: number; // filled, in scan order
   costs: Costs | null; // their colours
   chosen: readonly Line[];
+  large: boolean; // words, on a projector
 }
 
 export function createSlice(acts: { pick: (along: number) => void }) {
@@ -44,16 +47,17 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const { section, scene, chosen, tiles, costs, tile } = now;
+    const { section, scene, chosen, tiles, costs, tile, large } = now;
     const aside = width < NARROW ? 0 : ASIDE;
-    const [left, top, right, bottom] = frameOf(section, scene);
+    const [left, top, right, bottom] = frameOf({ ...section, curves: [...section.curves, ...besidePlane()] }, scene);
     const zoom = Math.min((width - aside - 2 * EDGE) / Math.max(right - left, 1e-9), (height - 2 * EDGE) / Math.max(bottom - top, 1e-9));
     const [shiftX, shiftY] = [(width + aside) / 2 - (zoom * (left + right)) / 2, height / 2 - (zoom * (top + bottom)) / 2];
     const at = ([x, y]: Flat): Flat => [shiftX + zoom * x, shiftY + zoom * y];
     back = (x, y) => [(x - shiftX) / zoom, (y - shiftY) / zoom];
     const on = (point: Vec3) => at(section.flat(point));
 
-    for (const curve of section.curves) drawCurve(curve, at, zoom, scene);
+    for (const curve of section.curves) drawCurve(curve, at, zoom, scene, false);
+    for (const curve of besidePlane()) drawCurve(curve, at, zoom, scene, true);
     brush.lineWidth = 1;
     brush.globalAlpha = FAINT;
     for (const ray of section.rays) stroke([at(section.eye), at(ray.end)], LINES.camera.colour, []);
@@ -61,10 +65,22 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     for (const [k, ray] of section.rays.entries()) drawTile(ray.tile.map(at), k === tile, costs && ray.ray < tiles ? triple(costs.colours, ray.ray) : null);
     const drawnLines = chosen.map((line) => ({ line, from: on(line.from), to: on(line.to) }));
     for (const { line, from, to } of drawnLines) drawRay(line, from, to);
-    for (const light of scene.lights) dot(on(light.position), 7, STAGE.lamp);
+    for (const { line, to } of drawnLines) if (line.kind === "blocked" && !line.growing) cross(to, 7, LINES.blocked.colour);
+    for (const { position, intensity } of scene.lights) {
+      dot(on(position), 7, intensity > 0 ? STAGE.lamp : STAGE.lampOff);
+      if (intensity === 0) cross(on(position), 9, STAGE.lampOff);
+    }
     dot(at(section.eye), 6, STAGE.camera);
     const strokes = drawnLines.flatMap(({ from, to }) => Array.from({ length: 24 }, (_, k) => [from[0] + ((to[0] - from[0]) * k) / 24, from[1] + ((to[1] - from[1]) * k) / 24]).flat());
-    labels.show(named(at, on, width, height), width, height, [], strokes);
+    labels.show(named(at, on, width, height), width, height, [], strokes, large);
+  }
+
+  /** Outlines of what blocks a light and does not reach into the plane, as seen from above it. */
+  function besidePlane(): Curve[] {
+    const { section, scene, trace, chosen } = now!;
+    const blockers = new Set(chosen.filter(({ kind }) => kind === "blocked").map(({ ray, light }) => trace.blocker[ray * trace.lights + light]));
+    for (const { object } of section.curves) blockers.delete(object);
+    return [...blockers].flatMap((object) => (object < 0 ? [] : (silhouetteOf(object, scene, section.flat) ?? [])));
   }
 
   function named(at: (f: Flat) => Flat, on: (p: Vec3) => Flat, width: number, height: number): Label[] {
@@ -72,13 +88,17 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     const label = (key: string, text: string, [x, y]: Flat, below = false): Label => ({ key, text, x, y, kind: "sign", below });
     const inside = ([x, y]: Flat) => x >= 0 && y >= 0 && x <= width && y <= height;
     const found = [label("eye", say("slice.eye"), at(section.eye), true)];
-    for (const light of scene.lights) if (inside(on(light.position))) found.push(label(`light ${light.name}`, light.name, on(light.position)));
+    for (const light of scene.lights) if (inside(on(light.position))) found.push(label(`light ${light.name}`, light.intensity > 0 ? light.name : say("stage.off", { light: light.name }), on(light.position)));
     const seen = new Set<number>();
     for (const curve of section.curves) {
       if (seen.has(curve.object)) continue;
       seen.add(curve.object);
       const place = anchor(curve, at, inside);
       if (place) found.push(label(`object ${curve.object}`, scene.objects[curve.object].name, place, curve.kind !== CURVE.open || isFlat(curve)));
+    }
+    for (const curve of besidePlane()) {
+      const place = anchor(curve, at, inside);
+      if (place) found.push({ ...label(`aside ${curve.object}`, say("slice.aside", { name: scene.objects[curve.object].name }), place, true), kind: "stop" });
     }
     return found;
   }
@@ -98,9 +118,9 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     return inside(from) ? from : inside(to) ? to : null;
   }
 
-  function drawCurve({ object, kind, points }: Curve, at: (f: Flat) => Flat, zoom: number, scene: SceneData) {
+  function drawCurve({ object, kind, points }: Curve, at: (f: Flat) => Flat, zoom: number, scene: SceneData, isAside: boolean) {
     const material = scene.materials[scene.objects[object].material];
-    const paint = hexOf(material.diffuse.map((v) => (STAGE.casing ? INK * v : PALEST + (1 - PALEST) * v)) as unknown as Vec3);
+    const paint = hexOf(material.diffuse.map((v) => (STAGE.onPaper ? INK * v : PALEST + (1 - PALEST) * v)) as unknown as Vec3);
     const path = new Path2D();
     if (kind === CURVE.ellipse) {
       const [centre, u, v] = points;
@@ -112,7 +132,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
       for (const [k, point] of points.entries()) k ? path.lineTo(...at(point)) : path.moveTo(...at(point));
       if (kind === CURVE.closed) path.closePath();
     }
-    if (kind !== CURVE.open) {
+    if (kind !== CURVE.open && !isAside) {
       brush.globalAlpha = material.transmit > 0 ? 0.12 : 0.3;
       brush.fillStyle = paint;
       brush.fill(path);
@@ -120,7 +140,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     }
     brush.lineWidth = 2;
     brush.strokeStyle = paint;
-    brush.setLineDash([]);
+    brush.setLineDash(isAside ? [7, 6] : []);
     brush.stroke(path);
   }
 
@@ -135,8 +155,8 @@ export function createSlice(acts: { pick: (along: number) => void }) {
   }
 
   function drawRay({ kind, leaves, growing }: Line, from: Flat, to: Flat) {
-    const { colour, dash } = LINES[kind];
-    brush.lineWidth = 3;
+    const { colour, dash, wide } = LINES[kind];
+    brush.lineWidth = 3 * wide;
     stroke([from, to], colour, dash[0] === 1 ? [] : [...dash]);
     const way = [to[0] - from[0], to[1] - from[1]];
     const long = Math.hypot(way[0], way[1]);
@@ -171,6 +191,12 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     brush.setLineDash([]);
     brush.strokeStyle = "#0d1116";
     brush.stroke();
+  }
+
+  function cross([x, y]: Flat, arm: number, colour: string) {
+    brush.lineWidth = 3.5;
+    stroke([[x - arm, y - arm], [x + arm, y + arm]], colour, []);
+    stroke([[x - arm, y + arm], [x + arm, y - arm]], colour, []);
   }
 
   function pick(event: PointerEvent) {

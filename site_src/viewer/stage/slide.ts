@@ -14,15 +14,16 @@ function ray(line: Line, projection: Projection, near: number): string {
   const kept = clipToFront(projection.project(line.from), projection.project(line.to), line.from, line.to, near);
   if (!kept) return "";
   const [a, b] = kept.map(projection.project);
-  const { colour, dash } = LINES[line.kind];
+  const { colour, dash, wide } = LINES[line.kind];
   const dashes = dash[0] === 1 ? "" : ` stroke-dasharray="${dash.join(" ")}"`;
   const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
   const [ux, uy] = [((b.x - a.x) / long) * HEAD, ((b.y - a.y) / long) * HEAD];
   const head = [[b.x, b.y], [b.x - ux - 0.4 * uy, b.y - uy + 0.4 * ux], [b.x - ux + 0.4 * uy, b.y - uy - 0.4 * ux]];
   return (
-    `<line x1="${n(a.x)}" y1="${n(a.y)}" x2="${n(b.x)}" y2="${n(b.y)}" stroke="${colour}" stroke-width="3"${dashes}/>` +
+    `<line x1="${n(a.x)}" y1="${n(a.y)}" x2="${n(b.x)}" y2="${n(b.y)}" stroke="${colour}" stroke-width="${3 * wide}"${dashes}/>` +
     (long > 2 * HEAD ? `<polygon points="${head.map((p) => p.map(n).join()).join(" ")}" fill="${colour}"/>` : "") +
-    (line.light < 0 && !line.leaves && !line.growing ? `<circle cx="${n(b.x)}" cy="${n(b.y)}" r="4.5" fill="${colour}"/>` : "")
+    (line.light < 0 && !line.leaves && !line.growing ? `<circle cx="${n(b.x)}" cy="${n(b.y)}" r="4.5" fill="${colour}"/>` : "") +
+    (line.kind === "blocked" && !line.growing ? `<path d="M${n(b.x - 6)} ${n(b.y - 6)}l12 12m0 -12l-12 12" stroke="${colour}" stroke-width="3"/>` : "")
   );
 }
 

@@ -18,12 +18,14 @@ import {
 } from "three";
 import { meshOf } from "../state/mesh";
 import { isWithin, planeOf, toWorld } from "../state/placing";
+import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
 import { createWall } from "./wall";
 
 const ROUND = 64; // segments round a sphere: no corner shows at full screen
+const EVERYWHERE = 0.22 * Math.PI; // strength of the light that comes from all sides
 const SHADOW_PIXELS = 512; // of each of a light's six sides
 
 function geometryOf(object: ObjectData, scene: SceneData): BufferGeometry {
@@ -60,8 +62,10 @@ function sideOf(object: ObjectData, scene: SceneData): Side {
 
 function lightsOf(scene: SceneData, plain: boolean) {
   const group = new Group();
+  const lamps: PointLight[] = [];
   // A little light from everywhere, so that shapes keep their form in the shade.
-  group.add(new AmbientLight(0xffffff, 0.22 * Math.PI));
+  const everywhere = new AmbientLight(0xffffff, EVERYWHERE);
+  group.add(everywhere);
   for (const { position, colour, intensity } of scene.lights) {
     const light = new PointLight(0xffffff, intensity * Math.PI, 0, 0); // three divides by pi
     light.color.setRGB(...colour);
@@ -72,9 +76,10 @@ function lightsOf(scene: SceneData, plain: boolean) {
     light.shadow.camera.far = scene.bounds.radius * 6;
     light.shadow.bias = -0.0003;
     light.shadow.normalBias = scene.bounds.radius / 400;
+    lamps.push(light);
     group.add(light);
   }
-  return group;
+  return { group, lamps, everywhere };
 }
 
 /** plain: each surface by itself, without shadows, mirrors or glass. */
@@ -82,7 +87,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
   const object = new Group();
   const looks = createLooks(plain);
   const lights = lightsOf(scene, plain);
-  object.add(lights);
+  object.add(lights.group);
   const walls = scene.objects.filter((each) => each.type === "plane");
   for (const each of scene.objects) {
     const material = scene.materials[each.material];
@@ -100,6 +105,17 @@ export function createSolids(scene: SceneData, plain: boolean) {
   }
   return {
     object,
+    /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of
+     *  lights or shadow maps would compile every shader anew. */
+    follow(switched: SceneData, { without, bounces }: Switches) {
+      const isOn = (part: Part) => !without.includes(part) && !(bounces === 0 && (part === "reflected" || part === "refracted"));
+      for (const [k, lamp] of lights.lamps.entries()) {
+        lamp.intensity = switched.lights[k].intensity * Math.PI;
+        lamp.shadow.intensity = switched.shadows ? 1 : 0;
+      }
+      lights.everywhere.intensity = isOn("ambient") ? EVERYWHERE : 0;
+      looks.count(isOn);
+    },
     dispose() {
       object.traverse((each) => {
         if (each instanceof Mesh) each.geometry.dispose();

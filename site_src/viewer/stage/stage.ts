@@ -9,6 +9,7 @@ import { listenToGestures } from "./gestures";
 import { createLabels, type Box, type Label } from "./labels";
 import type { LitLine } from "./line-set";
 import type { Line } from "../state/lines";
+import type { Trace } from "../trace/types";
 import type { StageRenderer, StageView } from "./renderer";
 import { createTracedPicture } from "./traced-picture";
 import { slideSvg } from "./slide";
@@ -28,6 +29,7 @@ const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const RECOVER_AFTER = 1000; // ms: the driver needs a moment
 const RECOVERIES = 2; // a graphics card that goes on dropping drawings is left alone
 const NEAR_A_LINE = 9; // pixels
+const BLOCKERS = 3; // named at most
 const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
 /** root: relative path to the site's root. over: what stands on the stage and must not hide a label. */
@@ -84,7 +86,7 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     draw();
   }
 
-  function labelsOf({ scene, trace, chosen, state }: StageView): Label[] {
+  function labelsOf({ scene, switched, trace, chosen, state }: StageView): Label[] {
     const label = (key: string, text: string, at: readonly [number, number, number], kind: Label["kind"]): Label[] => {
       const seen = projection!.project(at);
       const inside = seen.depth > 0 && seen.x > 0 && seen.y > 0 && seen.x < size.width && seen.y < size.height;
@@ -97,9 +99,20 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     const hit = trace && lit !== undefined && arrived && state.tiles !== "filling" && trace.object[lit] >= 0 ? triple(trace.point, lit) : null;
     return [
       ...(hit ? label("hit", vector(hit), hit, "hit") : []),
+      ...blockersOf(chosen, trace).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
       ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign").map((each) => ({ ...each, below: true }))),
-      ...scene.lights.flatMap((light) => label(`light ${light.name}`, light.name, light.position, "sign")),
+      ...scene.lights.flatMap(({ name, position }, k) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), position, "sign")),
     ];
+  }
+
+  /** Where shadow rays end too early, and at what: of the ray that is told, else of the first few. */
+  function blockersOf(chosen: readonly Line[], trace: Trace | null) {
+    const ended = trace ? chosen.filter((line) => line.kind === "blocked" && !line.growing) : [];
+    const told = ended.filter((line) => line.ray === view!.lit?.ray);
+    return (told.length ? told : ended).slice(0, BLOCKERS).flatMap((line) => {
+      const by = trace!.blocker[line.ray * trace!.lights + line.light];
+      return by < 0 ? [] : [{ line, by }];
+    });
   }
 
   /** Places every few pixels along the chosen lines, for labels to keep clear of. */
@@ -119,8 +132,8 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     observer = observerOf(view.state.observer, view.scene, view.plane, size.width / size.height);
     projection = createProjection(observer, size.width, size.height);
     renderer.draw(view, observer, projection);
-    traced.show(view.state.look === "traced" && view.state.observer === "camera" ? view.scene : null, view.plane, projection);
-    labels.show(labelsOf(view), size.width, size.height, taken(), strokesOf(view.chosen));
+    traced.show(view.state.look === "traced" && view.state.observer === "camera" ? view.scene : null, view.plane, projection, view.recombined);
+    labels.show(labelsOf(view), size.width, size.height, taken(), strokesOf(view.chosen), view.state.projector);
     frames++;
   }
 

@@ -11,8 +11,17 @@ import type { StageRenderer, StageView } from "./renderer";
 import { createSolids } from "./solids";
 import { createTiles } from "./tiles";
 
-const hitDots = (lines: readonly Line[]): Dot[] =>
-  lines.filter((line) => line.light < 0 && !line.leaves && !line.growing).map((line) => ({ at: line.to, colour: LINES[line.kind].colour }));
+const endsOf = (lines: readonly Line[], blocked: boolean): Dot[] =>
+  lines
+    .filter((line) => (blocked ? line.kind === "blocked" : line.light < 0) && !line.leaves && !line.growing)
+    .map((line) => ({ at: line.to, colour: LINES[line.kind].colour, ...(blocked ? { sign: 1 as const } : {}) }));
+
+/** How bright a lamp's sign is: a faint light is a fainter sign, one that is off a struck ring. */
+const lampDots = ({ scene, switched }: StageView): Dot[] =>
+  scene.lights.map(({ position, intensity }, k) => {
+    const share = intensity > 0 ? switched.lights[k].intensity / intensity : 1;
+    return share > 0 ? { at: position, colour: STAGE.lamp, bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
+  });
 
 const KEPT_SETS = 4;
 const DOTS_UP_TO = 1500; // lines: beyond, the dots would hide what they lie on
@@ -26,15 +35,15 @@ function createSet(view: StageView) {
   const tiles = createTiles(view.plane);
   const sign = createCameraSign(view.plane, view.scene.bounds.radius);
   const lamps = createDots(34, 0.55);
-  lamps.show(view.scene.lights.map((light) => ({ at: light.position, colour: STAGE.lamp })));
   const chosen = createLineSet(true);
   const thin = createLineSet(false);
   const hits = createDots(9);
   const thinHits = createDots(6);
+  const stops = createDots(19);
   const boxes = createBoxSet();
-  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits, boxes];
+  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes];
   world.add(...parts.map((part) => part.object));
-  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown; boxes?: unknown } = {};
+  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown; boxes?: unknown; switched?: unknown } = {};
   return {
     world,
     show(now: StageView, fromEye: boolean) {
@@ -42,18 +51,23 @@ function createSet(view: StageView) {
       sign.show(!fromEye);
       if (shown.chosen !== now.chosen || shown.lit !== now.lit) {
         chosen.show(now.chosen, now.lit);
-        hits.show(hitDots(now.chosen));
+        hits.show(endsOf(now.chosen, false));
+        stops.show(endsOf(now.chosen, true));
       }
       if (shown.boxes !== now.boxLines) boxes.show(now.boxLines);
       if (shown.thin !== now.thin) {
         thin.show(now.thin, null);
-        thinHits.show(now.thin.length > DOTS_UP_TO ? [] : hitDots(now.thin));
+        thinHits.show(now.thin.length > DOTS_UP_TO ? [] : endsOf(now.thin, false));
       }
-      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit, boxes: now.boxLines });
+      if (shown.switched !== now.switched) {
+        solids.follow(now.switched, now.state.switches);
+        lamps.show(lampDots(now));
+      }
+      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit, boxes: now.boxLines, switched: now.switched });
     },
     resize(width: number, height: number, ratio: number) {
       for (const lines of [chosen, thin]) lines.resize(width, height);
-      for (const dots of [lamps, hits, thinHits]) dots.resize(ratio);
+      for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio);
     },
     dispose: () => parts.forEach((part) => part.dispose()),
   };

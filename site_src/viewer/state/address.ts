@@ -30,7 +30,8 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   if (state.rays.join() !== start.rays.join()) put("rays", state.rays.join() || "none");
   const filled = ({ tiles }: ViewState) => (tiles === "empty" ? tiles : "filled");
   if (filled(state) !== filled(start)) put("tiles", filled(state));
-  if (placeOf(state.observer) !== placeOf(start.observer)) put("cam", placeOf(state.observer));
+  const [at, from] = [state, start].map(({ before, observer }) => placeOf(before ?? observer)); // the traced look has one place only
+  if (at !== from) put("cam", at);
   if (state.look !== start.look) put("look", state.look);
   if (state.slice !== start.slice) put("slice", state.slice);
   if (writeSwitches(state.switches) !== writeSwitches(start.switches)) put("if", writeSwitches(state.switches) || "none");

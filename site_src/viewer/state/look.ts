@@ -5,12 +5,12 @@ export type Look = "plain" | "approximate" | "traced";
 export const LOOKS: readonly Look[] = ["plain", "approximate", "traced"];
 
 /** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */
-export const withLook = (state: ViewState, look: Look): ViewState => ({
-  ...state,
-  look,
-  slice: "none",
-  observer: look === "traced" ? "camera" : state.observer,
-});
+export function withLook(state: ViewState, look: Look): ViewState {
+  if (look === state.look) return { ...state, slice: "none" };
+  const next = { ...state, look, slice: "none" as const };
+  if (look === "traced") return { ...next, observer: "camera", before: state.observer };
+  return { ...next, observer: state.before ?? state.observer, before: null };
+}
 
 export const nextLook = ({ look }: ViewState): Look => LOOKS[(LOOKS.indexOf(look) + 1) % LOOKS.length];
 
@@ -18,5 +18,6 @@ export const nextLook = ({ look }: ViewState): Look => LOOKS[(LOOKS.indexOf(look
 export const withObserver = (state: ViewState, observer: ViewState["observer"]): ViewState => ({
   ...state,
   observer,
+  before: observer === "camera" ? state.before : null, // the person has gone elsewhere
   look: state.look === "traced" && observer !== "camera" ? "approximate" : state.look,
 });

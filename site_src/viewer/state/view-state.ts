@@ -24,6 +24,7 @@ export interface ViewState {
   speed: number;
   observer: ObserverChoice;
   look: Look;
+  before: ObserverChoice | null; // in the traced look: the observer to whom any other look goes back
   slice: Slice; // the plane of the selected row's or column's rays, drawn flat instead of the stage
   step: number | null; // of the lesson
   revealed: boolean; // the step's answer
@@ -59,6 +60,7 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     drawn: 0,
     observer: "start",
     look: "approximate",
+    before: null,
     slice: "none",
     step: null,
     revealed: false,
@@ -136,6 +138,7 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     tiles: view.tiles ?? start.tiles,
     observer: view.look === "traced" ? "camera" : (view.observer ?? start.observer), // the picture's only place
     look: view.look ?? start.look,
+    before: view.look === "traced" ? (view.observer ?? start.observer) : null,
     slice: view.slice ?? start.slice,
     switches: switchesFrom(view.switches, scene),
     colours: view.colours ?? start.colours,

@@ -1,0 +1,54 @@
+/** An object's outline as it is seen straight from above a flat drawing: what lies beside the drawn plane, laid onto it. */
+import type { ObjectData, SceneData, Vec3 } from "../trace/types";
+import { meshOf } from "./mesh";
+import { toWorld } from "./placing";
+import { CURVE, type Curve, type Flat } from "./section";
+
+const ROUND = 32; // corners of a circle
+const MOST = 3000; // of a mesh's vertices: the outline of more looks the same
+
+/** Corners of an object in its own frame, whose hull is its outline; null where it has none. */
+function corners({ type, mesh }: ObjectData, { meshes }: SceneData): Vec3[] | null {
+  const circle = (z: number) => Array.from({ length: ROUND }, (_, k): Vec3 => [Math.cos((2 * Math.PI * k) / ROUND), Math.sin((2 * Math.PI * k) / ROUND), z]);
+  if (type === "disc") return circle(0);
+  if (type === "cylinder") return [...circle(-1), ...circle(1)];
+  if (type === "triangle") return [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+  if (type === "box") return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1]);
+  const data = mesh ? meshes[mesh] : undefined;
+  if (!data) return null;
+  const { positions } = meshOf(data);
+  const step = Math.ceil(positions.length / 3 / MOST);
+  return Array.from({ length: Math.floor(positions.length / 3 / step) }, (_, k): Vec3 => [positions[3 * k * step], positions[3 * k * step + 1], positions[3 * k * step + 2]]);
+}
+
+/** Convex hull, by A. M. Andrew's monotone chain (1979). */
+export function hull(points: readonly Flat[]): Flat[] {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const turn = (a: Flat, b: Flat, c: Flat) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const chain = (of: readonly Flat[]) => {
+    const kept: Flat[] = [];
+    for (const point of of) {
+      while (kept.length > 1 && turn(kept[kept.length - 2], kept[kept.length - 1], point) <= 0) kept.pop();
+      kept.push(point);
+    }
+    return kept.slice(0, -1);
+  };
+  return [...chain(sorted), ...chain(sorted.reverse())];
+}
+
+/** flat: of a point in the world; affine. null for a plane, which has no outline. */
+export function silhouetteOf(index: number, scene: SceneData, flat: (point: Vec3) => Flat): Curve | null {
+  const object = scene.objects[index];
+  const at = (p: Vec3) => flat(toWorld(object.transform, p));
+  if (object.type === "sphere") {
+    // An ellipsoid's shadow is an ellipse: two half axes that span the same as its three do.
+    const centre = at([0, 0, 0]);
+    const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as const).map((axis) => at(axis).map((v, k) => v - centre[k]));
+    const sum = (of: (a: number[]) => number) => axes.reduce((total, axis) => total + of(axis), 0);
+    const wide = Math.sqrt(sum(([x]) => x * x));
+    const slope = sum(([x, y]) => x * y) / wide;
+    return { object: index, kind: CURVE.ellipse, points: [centre, [wide, slope], [0, Math.sqrt(Math.max(0, sum(([, y]) => y * y) - slope ** 2))]] };
+  }
+  const all = corners(object, scene);
+  return all && { object: index, kind: CURVE.closed, points: hull(all.map(at)) };
+}
