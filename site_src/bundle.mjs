@@ -4,11 +4,12 @@
  * Classic, not a module, because from file:// browsers refuse modules. Prints its size
  * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
  */
-import { mkdir, writeFile } from "node:fs/promises";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
+import { tight } from "./slim/shaders.mjs";
 import { slimThree } from "./slim/three.mjs";
 import { raysLeftIn } from "./strip-rays.mjs";
 
@@ -17,6 +18,17 @@ const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
 const EXTRAS = { kiosk: "./viewer/kiosk/main.ts" };
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 
+/** Our own shaders without comments and spaces, as three's: template texts with a shader's main in them. */
+const tightShaders = {
+  name: "tight shaders",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]viewer[\\/]stage[\\/][\w-]+\.ts$/ }, async ({ path }) => ({
+      contents: (await readFile(path, "utf8")).replace(/`([^`$]*\bvoid main\(\) \{[^`$]*)`/g, (_, shader) => JSON.stringify(tight(shader))),
+      loader: "ts",
+    }));
+  },
+};
+
 /** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
 export async function bundleViewer({ plugins = [], minify = true, noteParts = () => {} } = {}) {
   const bundled = async (more) => {
@@ -24,7 +36,7 @@ export async function bundleViewer({ plugins = [], minify = true, noteParts = ()
     noteParts(result.metafile);
     return result.outputFiles[0].text;
   };
-  const own = await bundled({ format: "esm", external: ["three"], plugins });
+  const own = await bundled({ format: "esm", external: ["three"], plugins: [...plugins, tightShaders] });
   const three = await slimThree(own, TARGET, noteParts);
   const slim = {
     name: "slim",
@@ -37,7 +49,7 @@ export async function bundleViewer({ plugins = [], minify = true, noteParts = ()
     format: "iife",
     minify,
     banner: { js: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */" },
-    plugins: [...plugins, slim],
+    plugins: [...plugins, tightShaders, slim],
   });
 }
 

@@ -1,4 +1,4 @@
-/** Every control of VIEWER.md up to R: by key, by pointer and by its button; from a disk and from a server. */
+/** Every control of VIEWER.md up to R: by key, by pointer and by its button; what depends on where the page comes from, from a server too. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats, tileOnPage, until, DIST } from "./browser.mjs";
@@ -25,10 +25,12 @@ for (const where of ["a disk", "a server, in a folder"]) {
       await open(page, base(), rich.path, "still=1");
     });
     after(() => page.close());
+    /** The hand's work is the same wherever the page comes from. */
+    const onDisk = where === "a disk" ? test : () => {};
     const fresh = (hash = "still=1") => follow(page, hash);
     const button = (name) => page.getByRole("button", { name });
 
-    test("the arrows move the selected pixel and wrap round at the edges", async () => {
+    onDisk("the arrows move the selected pixel and wrap round at the edges", async () => {
       await fresh("still=1&n=5&p=0,0");
       await press(page, "ArrowLeft");
       assert.deepEqual((await state(page)).pixel, [4, 0]);
@@ -40,7 +42,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.deepEqual((await state(page)).pixel, [0, 0]);
     });
 
-    test("A, H and V turn the rays of the frame, the row and the column on and off", async () => {
+    onDisk("A, H and V turn the rays of the frame, the row and the column on and off", async () => {
       await fresh("still=1&n=5&p=1,2");
       const alone = (await stats(page)).thin;
       assert.equal(alone, 0);
@@ -62,7 +64,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       }
     });
 
-    test("the lines drawn are the trace's: a camera ray a tile, and no line for a pixel that shows none", async () => {
+    onDisk("the lines drawn are the trace's: a camera ray a tile, and no line for a pixel that shows none", async () => {
       await fresh("still=1&n=5&rays=none");
       assert.equal((await stats(page)).chosen, 0);
       assert.deepEqual((await stats(page)).kinds, []);
@@ -72,7 +74,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.equal(await page.locator(".legend li:visible").count(), (await stats(page)).kinds.length);
     });
 
-    test("plus and minus change the grid and keep the ray wherever the grids share it", async () => {
+    onDisk("plus and minus change the grid and keep the ray wherever the grids share it", async () => {
       await fresh("still=1&n=5&p=2,2");
       await press(page, "+", "+", "+");
       await until(page, (s, t) => s.n === 15 && t.tiles.length === 3 * 15 * 15);
@@ -104,7 +106,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.equal((await state(page)).tiles, "filling");
     });
 
-    test("the speed button makes rendering faster, and a fast one ends by itself", async () => {
+    onDisk("the speed button makes rendering faster, and a fast one ends by itself", async () => {
       await fresh("n=5");
       for (const speed of [2, 4, 8]) {
         await button("Speed of rendering").click();
@@ -127,7 +129,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       }
     });
 
-    test("R looks through the ray-tracing camera; dragging, Shift and the wheel turn, move and zoom", async () => {
+    onDisk("R looks through the ray-tracing camera; dragging, Shift and the wheel turn, move and zoom", async () => {
       await fresh();
       const start = await stats(page);
       await press(page, "r");
@@ -174,7 +176,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.equal((await state(page)).observer, "camera");
     });
 
-    test("the pointer selects on the tiles and on the picture, and dragging scrubs", async () => {
+    onDisk("the pointer selects on the tiles and on the picture, and dragging scrubs", async () => {
       await fresh("still=1&n=5&cam=camera");
       const [a, b] = [await tileOnPage(page, 1, 1), await tileOnPage(page, 3, 2)];
       await page.mouse.move(a.x, a.y);
@@ -224,7 +226,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       await open(page, base(), rich.path, "still=1");
     });
 
-    test("keys leave Ctrl, Alt and text fields alone", async () => {
+    onDisk("keys leave Ctrl, Alt and text fields alone", async () => {
       await fresh("still=1&n=5&p=2,2");
       await press(page, "Control+a", "Alt+h");
       assert.deepEqual((await state(page)).rays, ["pixel"]);
@@ -239,7 +241,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
       assert.deepEqual((await state(page)).pixel, [2, 2]);
     });
 
-    test("pointing at a card's line lights its ray, and pointing at the ray lights the line", async () => {
+    onDisk("pointing at a card's line lights its ray, and pointing at the ray lights the line", async () => {
       await fresh("still=1");
       await page.locator("li.ray[tabindex]").first().hover();
       assert.deepEqual((await stats(page)).lit, { ray: (await page.locator("li.ray").first().evaluate((e) => Number(e.dataset.ray))), light: -1 });

@@ -28,8 +28,11 @@ from raywalk.trace.wavefront import Tracer, eight_bit
 from raywalk.trace_file.level import level_pixels
 
 ROOT = Path(__file__).parent.parent.parent
-LEVELS = (7, 15, 33)
-FINE = {"05-many-bounces": 105, "08-glass": 105}  # the finest grid too, where rays are many
+# Pixels of a grid that divides another by an odd number are among its pixels: 5 and 15 come with
+# 15, 7 and 21 with 21, 11 and 33 with 33; and all but 11 and 33 with 105.
+LEVELS = (15, 21, 33)
+FINE = (33, 105)
+FINE_SCENES = ("05-many-bounces", "08-glass")  # the finest grid too, where rays are many
 BLACK = (0.0, 0.0, 0.0)
 Switches = dict[str, Any]
 
@@ -109,7 +112,8 @@ def main() -> None:
         if scene.id not in sys.argv[1:]:
             continue
         tracer = Tracer(scene, least_share=LEAST_SHARE)
-        for n in {*LEVELS, FINE.get(scene.id, LEVELS[0])} & set(scene.render.resolutions):
+        levels = FINE if scene.id in FINE_SCENES else LEVELS
+        for n in set(levels) & set(scene.render.resolutions):
             pixels = level_pixels(scene.render.size, n)
             for switches in all_switches(scene):
                 fresh = tiles(tracer, scene, switches, pixels)

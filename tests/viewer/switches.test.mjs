@@ -1,6 +1,7 @@
 /** What-if switches, tile views and boxes as laws of the state, with no browser. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { scenesOfSite } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -138,4 +139,43 @@ test("boxes come back from their runs; a box is tested where its parent is enter
   assert.deepEqual(boxesOf(data, 2, 2).boxes.map(({ entered }) => entered), [true, true, false]);
   assert.equal(boxesOf(data, 2, 3).spheres[0].entered, false);
   assert.equal(boxesOf(data, 2, 1).without, 1003);
+});
+
+test("what the lessons say of switches is so", () => {
+  const byKey = new Map(scenesOfSite().map(({ key, id }) => [key, id]));
+  /** 8-bit colours of a step's pixel before and after its answer. */
+  const colours = (key, at) => {
+    const { scene } = readTrace(byKey.get(key), 15);
+    const step = scene.lesson.at(at);
+    const n = step.view.resolution;
+    const { trace } = readTrace(byKey.get(key), n);
+    const of = (view) => [...createWhatIf().of(trace, scene, switchesFrom(view.switches, scene)).trace.tiles.slice(3 * (step.view.pixel[1] * n + step.view.pixel[0])).slice(0, 3)];
+    return [of(step.view), of(step.answer.view)];
+  };
+  if (byKey.has("1")) assert.deepEqual(colours("1", -1), [[26, 26, 26], [0, 0, 0]]);
+  if (byKey.has("2")) {
+    const [dark, green] = colours("2", -2);
+    assert.deepEqual(dark, [26, 26, 26]);
+    assert.ok(green[1] > 2 * green[0] && green[1] > 100, `${green}`);
+  }
+  if (byKey.has("3")) assert.deepEqual(...colours("3", -2), "not one digit changes");
+  if (byKey.has("4")) {
+    const [floor, none] = colours("4", -2);
+    assert.ok(Math.min(...floor) > 60, `${floor}`);
+    assert.deepEqual(none, [0, 0, 0]);
+  }
+  if (byKey.has("5")) {
+    const [wall, cut] = colours("5", -2);
+    assert.ok(Math.min(...wall) > 60, `${wall}`);
+    assert.deepEqual(cut, [0, 0, 0]);
+  }
+  if (byKey.has("8")) {
+    const [orange, left] = colours("8", -2);
+    assert.ok(orange[0] > 1.5 * orange[2], `${orange}`);
+    assert.ok(Math.max(...left) < 20, `${left}`); // 5.9 % of a floor that is at most white: 15
+  }
+  if (byKey.has("0")) {
+    const [grey, dark] = colours("0", -2);
+    assert.ok(Math.max(...dark) < 0.8 * Math.max(...grey), `${grey} ${dark}`);
+  }
 });

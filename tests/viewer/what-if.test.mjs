@@ -5,7 +5,7 @@ import { existsSync } from "node:fs";
 import { test } from "node:test";
 import { promisify } from "node:util";
 import { scenesOfSite } from "./browser.mjs";
-import { readTrace } from "./scene-files.mjs";
+import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
 const { createWhatIf } = await load("state/what-if.ts");
@@ -17,16 +17,31 @@ const APART = 1;
 const ids = scenesOfSite().map(({ id }) => id);
 const fresh = await promisify(execFile)(PYTHON, ["tests/viewer/fresh_traces.py", ...ids], { maxBuffer: 1 << 28 }).then(({ stdout }) => stdout.trim().split("\n").map((line) => JSON.parse(line)));
 
+const LEVELS = [5, 7, 11, 15, 21, 33, 105];
+/** The tiles of a grid, out of a finer one that it divides by an odd number: they are the middle pixels of its blocks. */
+function coarser(tiles, from, to) {
+  const [step, out] = [from / to, new Uint8Array(3 * to * to)];
+  for (let k = 0; k < to * to; k++) {
+    const at = ((Math.floor(k / to) + 0.5) * step - 0.5) * from + ((k % to) + 0.5) * step - 0.5;
+    out.set(tiles.subarray(3 * at, 3 * at + 3), 3 * k);
+  }
+  return out;
+}
+
 for (const id of ids)
-  test(`${id}: the tiles with any switch set are what a fresh trace of the scene altered so gives`, () => {
+  test(`${id}: the tiles with any switch set are what a fresh trace of the scene altered so gives, at every level`, () => {
     const ofScene = fresh.filter(({ scene }) => scene === id);
     assert.ok(ofScene.length > 10, "fresh traces are there");
-    let worst = 0;
-    for (const n of new Set(ofScene.map((each) => each.n))) {
+    const traced = [...new Set(ofScene.map(({ n }) => n))];
+    let [worst, compared] = [0, []];
+    for (const n of LEVELS) {
+      const source = traced.find((from) => from % n === 0 && (from / n) % 2 === 1);
+      if (!source || !readScene(id).levels.includes(n)) continue;
+      compared.push(n);
       const { scene, trace } = readTrace(id, n);
       const whatIf = createWhatIf();
-      for (const { switches, tiles } of ofScene.filter((each) => each.n === n)) {
-        const expected = Buffer.from(tiles, "base64");
+      for (const { switches, tiles } of ofScene.filter((each) => each.n === source)) {
+        const expected = coarser(Buffer.from(tiles, "base64"), source, n);
         const got = whatIf.of(trace, scene, switches).trace.tiles;
         const off = got.map((value, k) => Math.abs(value - expected[k]));
         const most = off.reduce((a, b) => Math.max(a, b), 0);
@@ -34,5 +49,6 @@ for (const id of ids)
         assert.ok(most <= APART, `${n} x ${n}, ${writeSwitches(switches)}: tile ${Math.floor(off.indexOf(most) / 3)} is ${most} of 255 off`);
       }
     }
-    console.log(`# ${id}: ${ofScene.length} fresh traces, at most ${worst} of 255 apart`);
+    assert.ok(compared.length >= 6, `levels ${compared}`);
+    console.log(`# ${id}: ${ofScene.length} fresh traces, levels ${compared.join(", ")}, at most ${worst} of 255 apart`);
   });
