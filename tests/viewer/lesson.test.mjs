@@ -12,7 +12,7 @@ const QUICK = "still=1&gl=none"; // a lesson is the same on the flat stage, whic
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { viewport: { width: 800, height: 500 } }); // small: drawn in half the time
+  page = await newPage(browser, { viewport: { width: 800, height: 500 } }); // small: drawn in less time
 });
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
@@ -46,6 +46,7 @@ for (const { id, path } of scenes)
     const links = [];
     for (const [k, stop] of stops.entries()) {
       await settled(page);
+      await until(page, (s, t) => t.shown.n === s.n); // another grid comes with its rays
       const there = await state(page);
       fits(there, stop, scene);
       assert.ok(words(await page.locator(".lesson-text").innerText()).startsWith(words(stop.html).slice(0, 40)));

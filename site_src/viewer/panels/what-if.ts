@@ -98,7 +98,7 @@ export function createWhatIf(acts: WhatIfActs) {
     toggle,
     undo,
     /** scene: as it was traced. */
-    show({ switches }: ViewState, scene: SceneData) {
+    show({ switches, step }: ViewState, scene: SceneData) {
       if (shown !== scene) showScene(scene);
       const bounces = bouncesOf(switches, scene);
       limit.textContent = String(bounces);
@@ -108,7 +108,7 @@ export function createWhatIf(acts: WhatIfActs) {
       shadows.box.checked = scene.shadows && switches.shadows;
       for (const { part, box } of parts) box.checked = !switches.without.includes(part);
       undo.hidden = !isSwitched(switches);
-      if (isSwitched(switches) && !opened) open((opened = true));
+      if (isSwitched(switches) && !opened && step === null) open((opened = true)); // a lesson says what it switches, and its stage keeps still
     },
     dispose: () => root.remove(),
   };
