@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 from raywalk.bench import speed
+from raywalk.bench.made_scenes import icosphere, write_ply
 from raywalk.bench.speed_many import write_scenes
 from raywalk.bench.speed_rebuild import rebuild_cases, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, quarter, skip_cases
+from raywalk.bench.speed_triangles import Fineness, triangle_cases, triangles
 from raywalk.commands.bench import PARTS
 from raywalk.scene import read_scene, read_scenes
 from raywalk.trace.plan import plan_of
@@ -76,3 +78,28 @@ def test_what_the_rebuild_changes_is_one_lesson_and_one_scene(tmp_path):
     once = with_words(text, "Measured 1.")
     assert once == text.replace("One", "Measured 1. One")
     assert with_words(once, "Measured 2.") == text.replace("One", "Measured 2. One")
+
+
+def test_each_mesh_is_traced_with_all_its_triangles_and_the_same_rays(tmp_path):
+    """Loop subdivision makes four of each; a picture's camera rays and most others stay."""
+    write_ply(tmp_path / "ball.ply", icosphere(1))
+    rows = triangles([Fineness(tmp_path / "ball.ply", rounds) for rounds in (0, 1)], 1, 15)
+    assert [row["triangles"] for row in rows] == [80, 320]
+    assert rows[0]["ratio"] == 1.0
+    # Subdivision rounds the ball: its outline moves by less than a tenth of its radius.
+    assert rows[1]["rays"] == pytest.approx(rows[0]["rays"], rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("exponent", "holds"), [(0.2, True), (0.49, True), (0.51, False), (1, False)]
+)
+def test_time_that_grows_with_the_triangles_breaks_its_bound(exponent, holds):
+    """Testing every triangle has exponent 1; a tree's logarithm stays far below the bound."""
+    counts = [16_000, 64_000, 256_000, 1_024_000]
+    rows = [
+        {"triangles": count, "rays": 1, "ratio": (count / counts[0]) ** exponent}
+        for count in counts
+    ]
+    (case,) = triangle_cases(rows, 0)
+    assert case.measured == pytest.approx(exponent)
+    assert case.holds is holds

@@ -13,6 +13,7 @@ from raywalk.bench import (
     speed_memory,
     speed_rebuild,
     speed_skips,
+    speed_triangles,
 )
 from raywalk.bench.cases import Case
 from raywalk.scene import read_scenes
@@ -60,6 +61,14 @@ def _many(chosen: Namespace, cases: list[Case]) -> Told:
     return []
 
 
+def _triangles(chosen: Namespace, cases: list[Case]) -> Told:
+    finest, rounds = (1, 3) if chosen.quick else (speed_triangles.FINEST, 5)
+    meshes = [speed_triangles.Fineness(path) for path in chosen.meshes]
+    rows = speed_triangles.triangles(meshes or speed_triangles.dragons(finest), rounds)
+    cases += speed_triangles.triangle_cases(rows, chosen.seed)
+    return list(speed_triangles.as_table(rows))
+
+
 def _rebuild(chosen: Namespace, cases: list[Case]) -> Told:
     row = speed_rebuild.rebuild(chosen.scenes, chosen.work)
     cases += speed_rebuild.rebuild_cases(row, chosen.seed)
@@ -75,5 +84,6 @@ PARTS: dict[str, tuple[str, Measure]] = {
     "cores": ("All scenes on two cores beside one", _cores),
     "memory": ("Peak memory of making a scene", _memory),
     "many": ("Many scenes beside few", _many),
+    "triangles": ("Time a ray over the triangles of a mesh", _triangles),
     "rebuild": ("Building again after a change", _rebuild),
 }

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 SEED = 20_260
-PARTS = ("skips", "floor", "cores", "memory", "many", "rebuild")
+PARTS = ("skips", "floor", "cores", "memory", "many", "triangles", "rebuild")
 
 
 def add_to(commands: Any) -> None:
@@ -16,6 +16,10 @@ def add_to(commands: Any) -> None:
     parser = commands.add_parser("bench", help="measure run time against error, beside peers")
     parser.add_argument("--quick", action="store_true", help="fewer rays, rounds and scenes")
     parser.add_argument("--only", choices=PARTS, help="one part of what a build costs, no page")
+    parser.add_argument(
+        "--meshes", type=Path, nargs="+", default=[], metavar="FILE",
+        help="one mesh in several finenesses, coarsest first: in place of the subdivided dragon",
+    )  # fmt: skip
     parser.add_argument("--seed", type=int, default=SEED, help="of all random rays")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where reports are kept")
     parser.add_argument("--out", type=Path, default=Path("dist"), help="the site the page goes to")
