@@ -1,10 +1,13 @@
 /** A kiosk shows itself, is begun by a touch, starts again when nobody is left, and recovers from faults. */
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 
 const scenes = scenesOfSite();
 const [first] = scenes;
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -27,7 +30,7 @@ test("unattended it walks every scene's lesson, in order and round again, under 
   await open(page, ON_DISK, first.path, "kiosk=1&attract-pace=0.02&still=1");
   const seen = await page.evaluate(async (count) => {
     const seen = [];
-    for (const end = Date.now() + 15000; Date.now() < end && seen.length < count; await new Promise((done) => setTimeout(done, 5))) {
+    for (const end = Date.now() + 60000; Date.now() < end && seen.length < count; await new Promise((done) => setTimeout(done, 5))) {
       const at = window.raywalk.state()?.scene;
       if (at && at !== seen.at(-1)) seen.push(at);
     }
@@ -205,6 +208,24 @@ test("settings that are no numbers, or too large, are clamped and named; reduced
   assert.match((await stats(page)).notice, /idle, warn/);
   assert.ok((await told()).left > 85);
   await page.emulateMedia({ reducedMotion: null });
+});
+
+test("axe finds nothing wrong: unattended, with a visitor, while it warns, and on the page that is not kept", async () => {
+  const violations = async () => {
+    await page.evaluate(axe);
+    return page.evaluate(async (runOnly) => (await window.axe.run(document, { preload: false, runOnly })).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(" ")}`), ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]);
+  };
+  await open(page, ON_DISK, first.path, "kiosk=1&attract-pace=60&still=1");
+  await until(page, isAttract);
+  assert.deepEqual(await violations(), []);
+  await begun("kiosk=1&idle=40&warn=20&attract-pace=60&still=1");
+  assert.deepEqual(await violations(), []);
+  await page.evaluate(() => document.querySelector(".kiosk-warning").showModal());
+  assert.deepEqual(await violations(), []);
+  for (const home of ["", "de/"]) {
+    await page.goto(`${ON_DISK}${home}offline/index.html`);
+    assert.deepEqual(await violations(), []);
+  }
 });
 
 test("the screen is asked to stay on", async () => {

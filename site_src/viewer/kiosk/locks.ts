@@ -33,7 +33,6 @@ export function lockPage(places: Places) {
   document.addEventListener("wheel", (event) => (event.ctrlKey || event.metaKey) && event.preventDefault(), { capture: true, passive: false });
   document.addEventListener("keydown", (event) => (event.ctrlKey || event.metaKey || event.altKey || BROWSERS_KEYS.test(event.key)) && event.preventDefault(), { capture: true });
   document.addEventListener("click", (event) => follow(event, places), { capture: true });
-  document.querySelector("meta[name=viewport]")?.setAttribute("content", "width=device-width, initial-scale=1, maximum-scale=1, user-scalable=no");
   withoutWaysOut(document, places);
   new MutationObserver((changes) => {
     for (const { addedNodes } of changes) for (const node of addedNodes) if (node instanceof Element && node.querySelector("a[href]")) withoutWaysOut(node.parentElement ?? document, places);
