@@ -89,6 +89,8 @@ def test_letters_the_font_lacks_are_named_with_their_place(slides):
     """In PDF; as HTML the same lesson can be had."""
     code, said, _ = slides("--format", "pdf", word="光")
     assert code == 1
-    assert "lesson[2].text" in said and "光 (U+5149)" in said and "html" in said
+    assert (
+        "step 3: " in said and "lesson[2].text" in said and "光 (U+5149)" in said and "html" in said
+    )
     code, said, _ = slides("--format", "html", word="光")
     assert code == 0, said

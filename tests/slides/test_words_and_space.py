@@ -9,6 +9,8 @@ import pytest
 from pptx import Presentation
 from pypdf import PdfReader
 
+from raywalk.slide_pipeline import REMARKS
+from raywalk.slide_products import write_files
 from raywalk.slides.figure import Deck, Group, Line, Slide, Table, Text, flat
 from raywalk.slides.html import deck_html
 from raywalk.slides.labels import crosses
@@ -148,6 +150,18 @@ def test_letters_that_the_font_lacks_are_refused_in_pdf(made):
         deck_pdf(deck, PRINT)
     assert "光線" in deck_html(deck)
     assert deck_pptx(deck, SCREEN)
+
+
+def test_a_build_says_where_the_letters_stand_and_what_to_do(made, tmp_path):
+    """File, step and letters, and the formats that can be had; only PDF is left out."""
+    scene = made('[[lesson]]\ntext = "Ray."\n[[lesson]]\ntext = "قاعدة"\nview = {}')
+    out = tmp_path / "out"
+    out.mkdir()
+    write_files(out, scene.deck(), ("html", "pdf", "pptx"), None, [scene.scene])
+    assert sorted(path.suffix for path in out.iterdir()) == [".html", ".pptx", ".txt"]
+    remark = (out / REMARKS).read_text(encoding="utf-8")
+    for part in ("scene.toml", "lesson[1].text", "step 2: ", "U+0627", "--format html,svg,pptx"):
+        assert part in remark
 
 
 def test_a_walk_of_many_rays_still_fits(made):

@@ -74,7 +74,7 @@ def _told(event: Told, most: int | None) -> Paragraph:
     """most: numbers of more letters are left out; None: of none."""
     says = tuple(Run(text, mark is not None) for text, mark in event.says)
     shown = event.numbers if most is None or len(event.numbers) <= most else ""
-    return Paragraph((*says, Run(f" {shown}")) if shown else says)
+    return Paragraph((*says, Run(" "), Run(shown, italic=True)) if shown else says)
 
 
 def _until(whole: Seen, sight: Sight, order: list[int], number: int) -> tuple[Seen, Sight]:
