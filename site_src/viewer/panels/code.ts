@@ -37,6 +37,7 @@ export function createCode() {
   const calls = element("p", "code-calls numbers");
   const root = element("section", "code", calls, element("ol", "code-lines", ...lines));
   root.setAttribute("aria-label", say("code.title"));
+  root.tabIndex = 0; // where it scrolls, by keyboard too
   let shown: RayEvent | null | undefined;
 
   return {
