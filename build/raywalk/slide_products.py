@@ -31,8 +31,8 @@ LEGEND_HIGH = 42.0  # points under a figure, for its legend
 LESSON_FORMATS = ("svg", "worksheet", "answers")
 FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
 PUBLISHED = FORMATS
-# Of a translation: figures have few words, and one handout shows what the others would.
-TRANSLATED = (*DECK_FORMATS, "handout-3", "worksheet", "answers")
+# Of a translation: figures have few words, and any printer sets several slides on a sheet.
+TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
 COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
 
 

@@ -15,12 +15,13 @@ from raywalk.slides.palette import PRINT, SCREEN, Palette
 from raywalk.slides.sights import Seen
 from raywalk.slides.words import say
 
-PALE = 64  # JPEG's quality of the views: they are pale, nothing of it shows
+PALE = 56  # JPEG's quality of the views: they are pale, nothing of it shows
 CLEAR = 80  # that of the traced picture
 FOR_WEB = 72  # WebP's, which browsers show and PowerPoint and PDF do not
 WEB_WASH = (SCREEN.wash + PRINT.wash) / 2  # one transparent view for both palettes
 SHARP = 2.0  # pixels a point of a fine grid
 PICTURE_SIDE = 400  # pixels of the traced picture beside a figure
+GRID_SIDE = 210  # of that picture as the finest grid has it: two for each of its tiles
 TITLE_SIDE = 640
 
 
@@ -86,9 +87,9 @@ def smaller(data: bytes, wide: int) -> bytes:
 def grid_picture(tiles: np.ndarray, n: int) -> tuple[bytes, bytes]:
     """A grid's tiles (3 * n * n,) 8-bit, seen from the front."""
     image = Image.fromarray(np.asarray(tiles, np.uint8).reshape(n, n, 3))
-    side = n * max(1, round(PICTURE_SIDE / n))
-    data = png(image.resize((side, side), Image.Resampling.NEAREST))
-    return data, data
+    side = n * max(1, round(GRID_SIDE / n))
+    tiled = image.resize((side, side), Image.Resampling.NEAREST)
+    return jpeg(tiled, CLEAR), webp(tiled)
 
 
 def png(image: Image.Image) -> bytes:
