@@ -1,0 +1,67 @@
+/** Firefox opens the built site by its own rules: from a disk every file is another origin, and nothing is relaxed. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { DIST, ON_DISK, richScene } from "./browser.mjs";
+import { firefoxHere, startFirefox } from "./firefox.mjs";
+import { serve } from "./server.mjs";
+
+const path = firefoxHere();
+const skip = path ? false : "no Firefox here: apt-get install firefox-esr, or say where one is with FIREFOX=/path/to/firefox";
+const rich = richScene();
+let firefox, server;
+before(async () => {
+  if (!path) return;
+  [firefox, server] = await Promise.all([startFirefox(path), serve(DIST)]);
+  await firefox.resize(1280, 900);
+});
+after(async () => {
+  await firefox?.close();
+  server?.close();
+});
+
+/** Where a graphics driver is missing Firefox says that it refused WebGL, whenever a page asks for it. */
+const REFUSED = /^content javascript: Failed to create WebGL context/;
+const said = async (home) => (await firefox.said(home)).filter((message) => !REFUSED.test(message));
+
+async function opens(home, page, hash = "") {
+  await firefox.visit("about:blank");
+  await firefox.visit(`${home}${page}${hash && `#${hash}`}`);
+}
+
+/** The tiles' colours as the screen has them, and as the trace has them. */
+async function tilesOnScreen(places) {
+  const { PNG } = await import("pngjs");
+  const png = PNG.sync.read(await firefox.screenshot());
+  const { at, ratio, tiles, n } = await firefox.evaluate(`(() => {
+    const stats = window.raywalk.stats();
+    const box = document.querySelector(".stage-view").getBoundingClientRect();
+    const at = ${JSON.stringify(places)}.map(([c, r]) => stats.tile(c, r)).map(({ x, y }) => [box.x + x, box.y + y]);
+    return { at, ratio: devicePixelRatio, tiles: stats.tiles, n: window.raywalk.state().n };
+  })()`);
+  return places.map(([column, row], k) => {
+    const pixel = 4 * (Math.round(at[k][1] * ratio) * png.width + Math.round(at[k][0] * ratio));
+    const tile = 3 * (row * n + column);
+    return [[...png.data.subarray(pixel, pixel + 3)], tiles.slice(tile, tile + 3)];
+  });
+}
+
+for (const where of ["a disk", "a server"])
+  test(`from ${where}: a scene's tiles are shown in their colours, keys work, the next scene comes, and the console is empty`, { skip }, async () => {
+    const home = where === "a disk" ? ON_DISK : server.url;
+    await opens(home, rich.path, "still=1&n=5&tiles=filled&cam=camera&rays=none");
+    await firefox.evaluate("window.raywalk.ready.then(() => new Promise((done) => setTimeout(done, 300)))");
+    for (const [seen, traced] of await tilesOnScreen([[0, 0], [2, 1], [4, 4]])) assert.deepEqual(seen, traced);
+    await firefox.press("h", "\uE014", "2");
+    await firefox.evaluate("new Promise((done) => { const ask = () => (window.raywalk.state().scene.startsWith('02') && window.raywalk.stats().tiles.length ? done() : setTimeout(ask, 20)); ask(); })");
+    assert.deepEqual(await said(home), []);
+  });
+
+test("every kind of page opens from a disk with an empty console", { skip }, async () => {
+  const slides = rich.path.replace(/^scenes\/([^/]+)\/.*/, "slides/$1.html");
+  for (const page of ["index.html", "de/index.html", "model/index.html", "slides/index.html", slides, `de/${rich.path}`, `${rich.path}?embed`, "sizes/index.html"]) {
+    await opens(ON_DISK, page);
+    await firefox.evaluate("window.raywalk?.ready");
+    assert.ok(await firefox.evaluate("document.title.length > 0"), page);
+  }
+  assert.deepEqual(await said(ON_DISK), []);
+});

@@ -1,0 +1,87 @@
+/** The lesson of scene 2 by keyboard alone: pressed keys, no pointer, and always to be seen where one is. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, newPage, ON_DISK, scenesOfSite, settled, state } from "./browser.mjs";
+import { readScene } from "./scene-files.mjs";
+
+const { id, path } = scenesOfSite()[1];
+const { lesson } = readScene(id);
+const MOST_TABS = 60; // from one thing to another
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+  await page.addInitScript(() => {
+    window.pointed = 0;
+    for (const kind of ["pointerdown", "touchstart", "mousedown"]) addEventListener(kind, () => window.pointed++, true);
+  });
+});
+after(() => browser.close());
+
+/** What has the focus: its name, and whether one sees that it has. */
+const focused = () =>
+  page.evaluate(() => {
+    const at = document.activeElement;
+    const box = at.getBoundingClientRect();
+    const { outlineStyle, outlineWidth } = getComputedStyle(at);
+    const top = document.elementFromPoint(Math.min(innerWidth - 1, Math.max(0, box.x + box.width / 2)), Math.min(innerHeight - 1, Math.max(0, box.y + box.height / 2)));
+    return {
+      name: at.getAttribute("aria-label") ?? at.textContent.trim(),
+      outlined: outlineStyle !== "none" && parseFloat(outlineWidth) >= 2,
+      onTop: !!top && (at.contains(top) || top.contains(at)),
+    };
+  });
+
+async function tabTo(name) {
+  for (let k = 0; k < MOST_TABS; k++) {
+    await page.keyboard.press("Tab");
+    const now = await focused();
+    if (!now.name.includes(name)) continue;
+    assert.ok(now.outlined && now.onTop, `${name}: its focus is seen`);
+    return;
+  }
+  assert.fail(`no Tab leads to ${name}`);
+}
+
+const words = (html) => html.replace(/<[^>]+>/g, "").replace(/&[^;]+;/g, "").replace(/\s+/g, " ").trim();
+const told = async () => words(await page.locator(".lesson-text").innerText());
+const fits = async (step, revealed) => {
+  await settled(page);
+  const now = await state(page);
+  assert.deepEqual([now.step, now.revealed], [step, revealed]);
+  const stop = revealed ? lesson[step].answer : lesson[step];
+  assert.ok((await told()).startsWith(words(stop.html).slice(0, 50)), `step ${step + 1} is told`);
+};
+
+test(`${id} by keyboard alone: from the address to the last answer, ${lesson.length} steps, each question revealed`, async () => {
+  await page.goto(ON_DISK + path);
+  await page.evaluate(() => window.raywalk.ready);
+  await tabTo("Start the lesson");
+  await page.keyboard.press("Enter");
+  await fits(0, false);
+  await tabTo("Next step");
+  for (const [step, { answer }] of lesson.entries()) {
+    await fits(step, false);
+    if (answer) {
+      // The button stands before Next: one goes back to it, and from it on to Next by itself.
+      for (let k = 0; k < 5 && !(await focused()).name.includes("Reveal"); k++) await page.keyboard.press("Shift+Tab");
+      assert.match((await focused()).name, /Reveal the answer/);
+      await page.keyboard.press(step % 2 ? "Enter" : " ");
+      await fits(step, true);
+      assert.match((await focused()).name, /Next step/, "the focus goes on");
+    }
+    if (step < lesson.length - 1) await page.keyboard.press("Enter");
+  }
+  // The steps ask to look: turn the view, pick a neighbour, walk its rays, all without a pointer.
+  await tabTo("Turn the view left");
+  const { observer } = await state(page);
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.notDeepEqual((await state(page)).observer, observer);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press(".");
+  await settled(page);
+  assert.equal((await state(page)).event, 0);
+  assert.equal(await page.evaluate(() => window.pointed), 0, "no pointer was used");
+  assert.deepEqual(page.faults, []);
+});
