@@ -37,7 +37,8 @@ serve: $(PYTHON_READY) $(NODE_READY) ## the site at http://127.0.0.1:8000/, buil
 bench: site $(TEST_READY) ## measure run time against error, beside peers (about 5 minutes)
 	@$(PYTHON) -m raywalk bench
 
-stress: site $(TEST_READY) ## the tracer's hardest cases against their bounds (about 10 minutes)
+stress: site $(TEST_READY) ## the hardest cases against their bounds; a kiosk for half an hour (about 50 minutes)
+	@sh build/setup/browser.sh
 	@$(PYTHON) -m raywalk stress
 
 clean: ## remove what was built; keeps installed packages

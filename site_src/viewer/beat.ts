@@ -1,8 +1,9 @@
 /**
  * When to draw. Nothing runs unless there is something to show: a change asks for one frame, filling
- * tiles for one frame after another, the blinking selector for two a second.
+ * tiles for one frame after another, the blinking selector for two a second, until it has been found.
  */
 const BLINK_MS = 530;
+const BLINKS = 8; // times that it changes: what blinks for longer than five seconds must have a switch (WCAG 2.2.2)
 const LONGEST_STEP = 0.1; // seconds: after a pause (another tab) time does not jump
 
 export interface BeatActs {
@@ -17,6 +18,7 @@ export function createBeat(acts: BeatActs) {
   let last = 0;
   let dark = false;
   let blinkTimer = 0;
+  let blinked = 0; // since something has changed
 
   function tick(now: number) {
     frame = 0;
@@ -37,10 +39,11 @@ export function createBeat(acts: BeatActs) {
       clearTimeout(blinkTimer);
       blinkTimer = 0;
       dark = false;
-    } else
+    } else if (blinked < BLINKS)
       blinkTimer ||= window.setTimeout(() => {
         blinkTimer = 0;
         dark = !dark;
+        blinked++;
         ask();
       }, BLINK_MS);
   }
@@ -48,6 +51,7 @@ export function createBeat(acts: BeatActs) {
     /** Something has changed: shows it in the next frame, the selector lit. */
     draw() {
       dark = false;
+      blinked = 0;
       clearTimeout(blinkTimer);
       blinkTimer = 0;
       ask();

@@ -2,57 +2,129 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, richScene, state } from "./browser.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { DIST, follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats } from "./browser.mjs";
+import { serve } from "./server.mjs";
 
 const rich = richScene();
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
-let browser, page;
+let browser, server, page;
 before(async () => {
-  browser = await launch();
+  [browser, server] = await Promise.all([launch(), serve(DIST)]);
   page = await newPage(browser);
+  page.home = server.url;
 });
-after(() => browser.close());
+after(async () => {
+  await browser.close();
+  server.close();
+});
+afterEach(async () => {
+  await page.unrouteAll();
+  await page.emulateMedia({ media: null });
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
 
 /** The tree of rays names its nodes by what they are, not by the short words drawn in them. */
-async function violations(page) {
-  await page.evaluate(axe);
-  const found = await page.evaluate(async (rules) => (await window.axe.run(document, { preload: false, runOnly: rules })).violations, RULES);
+async function violations(where = page) {
+  if (!(await where.evaluate(() => "axe" in window))) await where.evaluate(axe);
+  const found = await where.evaluate(async (rules) => (await window.axe.run(document, { preload: false, runOnly: rules, resultTypes: ["violations"] })).violations, RULES);
   return found.map((each) => `${each.id}: ${each.nodes.map((node) => node.target).filter((target) => !(each.id === "label-content-name-mismatch" && /^g\[/.test(target))).join(" ")}`).filter((line) => !line.endsWith(": "));
 }
 
-/** Name, what to open, and what to do there. */
+const click = (selector) => (page) => page.locator(selector).first().click();
+/** State, its address, what to do there, what to undo. One page goes through all of them. */
 const STATES = [
-  ["the selected pixel", "still=1"],
-  ["filled, all rays", "still=1&tiles=filled&rays=pixel,all"],
-  ["a lesson's step", "still=1&step=2"],
-  ["a question", "still=1&step=6"],
-  ["the player", "still=1&n=15&p=5,8&e=5"],
-  ["a drawing without WebGL", "still=1&gl=none"],
-  ["a notice", "still=1&n=16"],
-  ["all keys", "still=1", (page) => press(page, "?")],
-  ["the projector", "still=1&e=3", (page) => press(page, "j")],
-  ["a slice", "still=1", (page) => press(page, "x")],
-  ["the tree", "still=1&n=15&p=5,8", (page) => page.getByRole("tab").nth(1).click()],
-  ["the sum", "still=1&n=15&p=5,8", (page) => page.getByRole("tab").nth(2).click()],
-  ["the pseudo-code", "still=1&e=3", (page) => page.getByRole("tab").nth(3).click()],
+  ["the selected pixel", ""],
+  ["filled, all rays", "tiles=filled&rays=pixel,all&n=5"],
+  ["a lesson's step", "step=2"],
+  ["a question", "step=7"],
+  ["its answer", "step=7&answer=1"],
+  ["the player", "n=15&p=5,8&e=5"],
+  ["what a link asked for in vain", "n=16&p=99,99"],
+  ["all keys", "", (page) => press(page, "?"), (page) => press(page, "Escape")],
+  ["the link to be copied by hand", "", (page) => page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: () => Promise.reject() } })).then(() => click(".tools button")(page)).then(() => page.locator("dialog").waitFor()), (page) => press(page, "Escape")],
+  ["the projector", "e=3&projector=1"],
+  ["the projector's question", "step=7&projector=1"],
+  ["a slice", "slice=row", (page) => page.locator(".slice canvas").waitFor()],
+  ["the traced picture on the stage", "look=traced"],
+  ["what-if switches, one of them thrown", "if=-shadows", click(".open-what-if"), click(".open-what-if")],
+  ["tiles coloured by tests", "colours=tests&tiles=filled"],
+  ["the tree", "n=15&p=5,8", (page) => page.getByRole("tab").nth(1).click()],
+  ["the sum", "n=15&p=5,8", (page) => page.getByRole("tab").nth(2).click(), (page) => page.getByRole("tab").nth(0).click()],
+  ["the pseudo-code", "e=3", (page) => page.getByRole("tab").nth(3).click(), (page) => page.getByRole("tab").nth(0).click()],
 ];
+/** Where the page is otherwise: size, theme. */
+const SURROUNDINGS = [
+  ["a phone", { width: 390, height: 844 }, ["", "step=7", "n=15&p=5,8&e=5", "projector=1"]],
+  ["a turned phone", { width: 844, height: 390 }, ["step=7"]],
+];
+/** Pages that are no scene's. */
+const slides = `slides/${rich.id}.html`;
+const PAGES = ["index.html", "model/index.html", "slides/index.html", `${rich.path}?embed`];
+const PAGES_OF_ENGLISH = [slides, "sizes/index.html", "benchmarks/index.html"];
+
 for (const home of ["", "de/"]) {
-  for (const [name, hash, act] of STATES)
-    test(`axe finds nothing wrong (${home || "en/"}): ${name}`, async () => {
-      await open(page, ON_DISK, `${home}${rich.path}`, hash);
+  const language = home || "en/";
+  test(`axe finds nothing wrong (${language}) in ${STATES.length} states of a scene's page`, async () => {
+    await open(page, server.url, `${home}${rich.path}`, "still=1&gl=none");
+    const wrong = [];
+    for (const [name, hash, act, undo] of STATES) {
+      await follow(page, `still=1&gl=none&${hash}`);
       await act?.(page);
-      assert.deepEqual(await violations(page), []);
-      await page.keyboard.press("Escape");
-      await page.evaluate(() => localStorage.clear());
-    });
-  for (const path of ["index.html", "model/index.html", `${rich.path}?embed`])
-    test(`axe finds nothing wrong (${home || "en/"}): ${path}`, async () => {
-      await page.goto(`${ON_DISK}${home}${path}`);
+      wrong.push(...(await violations()).map((each) => `${name}: ${each}`));
+      await undo?.(page);
+    }
+    assert.deepEqual(wrong, []);
+  });
+
+  test(`axe finds nothing wrong (${language}) on a phone, printed, in a kiosk, and where something is missing`, async () => {
+    const wrong = [];
+    const look = async (name) => wrong.push(...(await violations()).map((each) => `${name}: ${each}`));
+    for (const [name, size, hashes] of SURROUNDINGS) {
+      await page.setViewportSize(size);
+      for (const hash of hashes) {
+        await follow(page, `still=1&gl=none&${hash}`);
+        await look(`${name} #${hash}`);
+      }
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await follow(page, "still=1&gl=none");
+    await page.emulateMedia({ media: "print" });
+    await look("printed");
+    await page.emulateMedia({ media: null });
+
+    await page.route(`**/${rich.id}/*.js*`, (route) => (/\/\d+\.js/.test(route.request().url()) ? route.abort() : route.continue()));
+    await follow(page, "still=1&gl=none&n=55");
+    await page.locator(".notice-ways button").waitFor();
+    await look("a trace is missing");
+    await page.route("**/assets/viewer-*.js", (route) => route.abort());
+    await page.goto(`${server.url}${home}${rich.path}`);
+    await page.locator("#broken").waitFor();
+    await look("the viewer is missing");
+    await page.unrouteAll();
+
+    await open(page, server.url, `${home}${rich.path}`, "kiosk=1&attract-pace=60&still=1&gl=none");
+    await page.locator(".kiosk-begin").waitFor();
+    await look("a kiosk that shows itself");
+    await page.evaluate(() => (location.hash = "kiosk=1&visitor=1&idle=9&warn=4&still=1&gl=none"));
+    await page.reload();
+    await page.evaluate(() => window.raywalk.ready);
+    await look("a kiosk with a visitor");
+    await page.locator(".kiosk-warning").waitFor({ state: "visible" });
+    await look("a kiosk's warning");
+    assert.deepEqual(wrong, []);
+  });
+
+  test(`axe finds nothing wrong (${language}) on the other pages`, async () => {
+    const wrong = [];
+    for (const path of [...PAGES.map((each) => home + each), ...(home ? [] : PAGES_OF_ENGLISH)]) {
+      await page.goto(`${server.url}${path}`);
       await page.evaluate(() => window.raywalk?.ready);
-      assert.deepEqual(await violations(page), []);
-    });
+      wrong.push(...(await violations()).map((each) => `${path}: ${each}`));
+    }
+    assert.deepEqual(wrong, []);
+  });
 }
 
 test("the selected ray is told in words once the selection rests, not while it moves or plays", async () => {
@@ -101,16 +173,17 @@ test("keys of one character can be turned off, and stay off; Space, arrows and b
 for (const home of ["", "de/"])
   test(`at 400 % (320 px wide) the page scrolls one way only, and everything is there (${home || "en/"})`, async () => {
     await page.setViewportSize({ width: 320, height: 256 });
-    for (const hash of ["still=1", "still=1&step=2", "still=1&n=15&p=5,8&e=5"]) {
-      await open(page, ON_DISK, `${home}${rich.path}`, hash);
+    await open(page, server.url, `${home}${rich.path}`, "still=1&gl=none");
+    for (const hash of ["", "step=2", "step=7&answer=1", "n=15&p=5,8&e=5", "n=16", "projector=1"]) {
+      await follow(page, `still=1&gl=none&${hash}`);
       const { wide, outside } = await page.evaluate(() => ({
         wide: document.documentElement.scrollWidth - innerWidth,
         outside: [...document.querySelectorAll("button, a, input")].filter((e) => e.checkVisibility({ visibilityProperty: true }) && e.getBoundingClientRect().right > innerWidth + 1).map((e) => e.getAttribute("aria-label") ?? e.textContent),
       }));
       assert.deepEqual([wide, outside], [0, []], hash);
     }
-    for (const path of ["index.html", "model/index.html"]) {
-      await page.goto(`${ON_DISK}${home}${path}`);
+    for (const path of [...PAGES.map((each) => home + each), ...(home ? [] : PAGES_OF_ENGLISH)]) {
+      await page.goto(`${server.url}${path}`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, path);
     }
     await page.setViewportSize({ width: 1280, height: 800 });
@@ -123,4 +196,32 @@ test("the card is a list of rays, the page has its landmarks, each with a name",
   for (const section of await page.locator("#viewer section").all()) assert.ok((await section.getAttribute("aria-label")) || (await section.getAttribute("class")) === "stage", await section.getAttribute("class"));
 });
 
-test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
+test("what dragging does, buttons do: turn, shift and zoom the view, scrub pixels and events, switch a light", async () => {
+  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8");
+  const press = async (name) => {
+    await page.getByRole("button", { name }).first().click();
+    await settled(page);
+  };
+  const view = () => stats(page).then(({ eye, target }) => JSON.stringify([eye, target]));
+  for (const name of ["Turn the view left", "Turn the view up", "Zoom in", "Zoom out"]) {
+    const before = await view();
+    await press(name);
+    assert.notEqual(await view(), before, name);
+  }
+  const { target } = await stats(page);
+  await page.locator(".view-pad button").nth(4).click(); // from turning to shifting
+  await press("Move the view left");
+  assert.notDeepEqual((await stats(page)).target, target);
+  await press("Pixel to the right");
+  assert.deepEqual((await state(page)).pixel, [6, 8]);
+  for (const name of ["One event on", "One event on", "One event back"]) await press(name);
+  assert.equal((await state(page)).event, 0);
+  await page.locator(".open-what-if").click();
+  await page.locator(".lamp label").first().click();
+  assert.equal((await state(page)).switches.lamps[0], 0);
+  await page.locator(".open-what-if").click();
+});
+
+test("nothing was said in the console but what was made to be missing", () => {
+  assert.deepEqual(page.faults.filter((fault) => !fault.endsWith("net::ERR_FAILED")), []);
+});

@@ -1,12 +1,9 @@
 /** Sizes: nothing is cut off, everything can be hit, everything can be read. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
 
 const rich = richScene();
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -111,15 +108,6 @@ test("with the keyboard alone every control can be reached, seen and used", asyn
   assert.ok((await state(page)).rays.includes("row"), "Space presses the focused button");
   assert.equal((await state(page)).tiles, "empty", "and does not render as well");
 });
-
-for (const [path, hash] of [["index.html", ""], [rich.path, "still=1&tiles=filled"], [rich.path, "still=1&step=1&e=5"]])
-  test(`axe finds nothing wrong on ${path} ${hash}`, async () => {
-    await size(page, 1280, 800);
-    await open(page, ON_DISK, path, hash);
-    await page.evaluate(axe);
-    const found = await page.evaluate(async () => (await window.axe.run(document, { preload: false, runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"] })).violations);
-    assert.deepEqual(found.map((each) => `${each.id}: ${each.nodes.map((node) => node.target).join(" ")}`), []);
-  });
 
 test("printed, the page is picture, lesson and figures", async () => {
   await open(page, ON_DISK, rich.path, "still=1");

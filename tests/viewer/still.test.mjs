@@ -24,6 +24,13 @@ test("the selector blinks: about two frames a second are drawn, no more", async 
   assert.ok(more <= 4, `${more} frames in 1.3 s`);
 });
 
+test("it stops before five seconds are over, lit, and blinks anew when something changes", async () => {
+  await page.waitForTimeout(4700);
+  assert.equal(await framesIn(page, 1200), 0);
+  await press(page, "ArrowRight");
+  assert.ok((await framesIn(page, 1200)) >= 1);
+});
+
 for (const [name, hash, motion] of [["still=1", "still=1", null], ["reduced motion", "", "reduce"]])
   test(`with ${name} nothing is drawn while nothing happens`, async () => {
     await page.emulateMedia({ reducedMotion: motion });

@@ -12,6 +12,7 @@ from raywalk.bench import (
     stress_mirrors,
     stress_optics,
     stress_order,
+    stress_page,
     stress_place,
     stress_runs,
     stress_shadows,
@@ -34,6 +35,8 @@ SUBJECTS: dict[str, Subject] = {
     "shadows": stress_shadows.cases,
     "acne": stress_acne.cases,
     "runs": stress_runs.cases,
+    "monkey": stress_page.monkey_cases,
+    "soak": stress_page.soak_cases,
 }
 RAYS = 1_000_000
 SEED = 20_260

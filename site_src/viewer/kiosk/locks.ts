@@ -1,4 +1,4 @@
-/** What a visitor must not get at: menus, selections, other pages, the browser's zoom and its shortcuts. */
+/** What a visitor must not get at: menus, selections, other pages, the browser's shortcuts and its zoom (the style sheet's touch-action). */
 import type { Places } from "./places";
 
 const NEVER = ["contextmenu", "selectstart", "dragstart", "drop", "dragover", "auxclick", "gesturestart", "gesturechange"];

@@ -5,6 +5,7 @@ import type { SceneData } from "../trace/types";
 import { tell } from "../event-words";
 import { say } from "../words";
 import { button, element, marked } from "./element";
+import { reachable } from "./scrolls";
 
 /** One event's sentence and its numbers. */
 function telling(event: RayEvent): HTMLElement[] {
@@ -24,6 +25,7 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
   const root = element("section", "lesson", text, element("div", "lesson-buttons", start, reveal, steps));
   root.setAttribute("aria-label", say("lesson.region"));
   let shown: readonly unknown[] = [];
+  const lookAgain = reachable(text);
 
   return {
     element: root,
@@ -52,6 +54,7 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
       else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
       else text.replaceChildren(element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
+      lookAgain();
     },
     dispose: () => root.remove(),
   };

@@ -33,7 +33,12 @@ export function createNotice(root: HTMLElement) {
   const close = button("\u00d7", say("trouble.close"), () => (told.clear(), show()), { className: "sign quiet" });
   root.replaceChildren(text, ways, close);
 
-  const sentences = () => [...told.values()].map(({ sentence }) => sentence).join(" ");
+  /** Each of these two says that the other works. */
+  const areBoth = () => told.has("trace") && told.has("picture");
+  function sentences() {
+    const others = [...told].filter(([about]) => !areBoth() || (about !== "trace" && about !== "picture")).map(([, { sentence }]) => sentence);
+    return [...(areBoth() ? [say("trouble.raysAndPicture")] : []), ...others].join(" ");
+  }
 
   function show() {
     const all = [...told.values()];

@@ -64,7 +64,9 @@ export function createWall(object: ObjectData, scene: SceneData, looks: Looks, o
   if (checker) {
     const share = (corner: Vec3, axis: Vec3) => dot(sub(corner, checker.origin), axis) / (2 * checker.size);
     geometry.setAttribute("uv", floats(corners.flatMap((c) => checker.axes.map((axis) => share(c, axis))), 2));
-    look.map = checkerTexture(object, scene);
+    const map = checkerTexture(object, scene);
+    look.addEventListener("dispose", () => map.dispose());
+    look.map = map;
     look.color.set(0xffffff);
   }
   look.transparent = true;

@@ -1,0 +1,6 @@
+/** What has more in it than it shows can be scrolled by keyboard too: then, and only then, it takes the focus. */
+export function reachable(element: HTMLElement): () => void {
+  const look = () => void (element.scrollHeight > element.clientHeight + 1 ? (element.tabIndex = 0) : element.removeAttribute("tabindex"));
+  new ResizeObserver(look).observe(element); // goes with the element
+  return look; // for when its content has changed
+}
