@@ -53,6 +53,7 @@ export function createCode() {
         else lines[k].removeAttribute("aria-current");
       });
       calls.textContent = told && trace ? callsOf(told.ray, trace, pixel) : say("code.idle");
+      lookAgain();
     },
   };
 }

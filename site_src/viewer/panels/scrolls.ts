@@ -1,6 +1,7 @@
 /** What has more in it than it shows can be scrolled by keyboard too: then, and only then, it takes the focus. */
 export function reachable(element: HTMLElement): () => void {
-  const look = () => void (element.scrollHeight > element.clientHeight + 1 ? (element.tabIndex = 0) : element.removeAttribute("tabindex"));
+  const hasMore = () => element.scrollHeight > element.clientHeight + 1 || element.scrollWidth > element.clientWidth + 1;
+  const look = () => void (hasMore() ? (element.tabIndex = 0) : element.removeAttribute("tabindex"));
   new ResizeObserver(look).observe(element); // goes with the element
   return look; // for when its content has changed
 }
