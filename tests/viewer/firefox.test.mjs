@@ -1,5 +1,10 @@
 /** Firefox opens the built site by its own rules: from a disk every file is another origin, and nothing is relaxed. */
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { DIST, ON_DISK, richScene } from "./browser.mjs";
 import { firefoxHere, startFirefox } from "./firefox.mjs";
@@ -55,6 +60,25 @@ for (const where of ["a disk", "a server"])
     await firefox.evaluate("new Promise((done) => { const ask = () => (window.raywalk.state().scene.startsWith('02') && window.raywalk.stats().tiles.length ? done() : setTimeout(ask, 20)); ask(); })");
     assert.deepEqual(await said(home), []);
   });
+
+test("the kiosk's archive, unpacked elsewhere, shows itself from a disk, begins at a key, and its console is empty", { skip }, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "kiosk-"));
+  try {
+    const [python, archive] = [".venv/bin/python", join(folder, "kiosk.zip")];
+    execFileSync(python, ["-m", "raywalk", "kiosk", "--site", DIST, "--out", archive]);
+    execFileSync(python, ["-m", "zipfile", "-e", archive, folder]);
+    const home = pathToFileURL(`${folder}/`).href;
+    const start = readdirSync(folder, { recursive: true }).find((name) => /scenes\/01-[^/]*\/index\.html$/.test(name) && !/\/de\//.test(name));
+    await opens(home, start, "kiosk=1&attract-pace=0.05&idle=60&still=1");
+    const until = (what) => firefox.evaluate(`new Promise((done) => { const ask = () => ((${what}) ? done() : setTimeout(ask, 20)); ask(); })`);
+    await until("window.raywalk?.stats().kiosk?.cycles >= 2");
+    await firefox.press(" ");
+    await until("window.raywalk.stats().kiosk?.attract === false && window.raywalk.stats().kiosk.left > 0 && window.raywalk.stats().tiles.length > 0");
+    assert.deepEqual(await said(home), []);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
 
 test("every kind of page opens from a disk with an empty console", { skip }, async () => {
   const slides = rich.path.replace(/^scenes\/([^/]+)\/.*/, "slides/$1.html");

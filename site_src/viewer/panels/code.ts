@@ -53,7 +53,6 @@ export function createCode() {
         else lines[k].removeAttribute("aria-current");
       });
       calls.textContent = told && trace ? callsOf(told.ray, trace, pixel) : say("code.idle");
-      lookAgain();
     },
   };
 }
