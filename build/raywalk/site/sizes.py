@@ -64,7 +64,8 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
     assets = sorted((out / "assets").iterdir())
     scripts = {path.name: sent(path) for path in assets if _is_loaded(path.name)}
     styles = sum(sent(path) for path in assets if path.suffix == ".css")
-    sizes = [Size("viewer", f"assets/{name}", size) for name, size in scripts.items()]
+    code = {name: size for name, size in scripts.items() if not name.startswith("words-")}
+    sizes = [Size("viewer", f"assets/{name}", size) for name, size in code.items()]
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
         finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
