@@ -23,6 +23,8 @@ def clipped_line(start: Point, end: Point, box: Box) -> tuple[float, float] | No
 
 def clipped_area(points: list[Point], box: Box) -> list[Point]:
     """The convex polygon's part in the box (Sutherland and Hodgman, 1974); [] if there is none."""
+    if all(box.left <= x <= box.right and box.top <= y <= box.bottom for x, y in points):
+        return points
     for axis, limit, sign in (
         (0, box.left, 1), (0, box.right, -1), (1, box.top, 1), (1, box.bottom, -1),
     ):  # fmt: skip

@@ -136,8 +136,10 @@ def _squares(drawing: Drawing) -> list[Item]:
     if max(wide, high) / n < LEAST_SQUARE and not seen.view.filled:
         return [Polygon(tuple(outline), None, "grid", name=say("slides.grid"))]
     squares: list[Item] = []
-    for tile in range(n * n):
-        points = _area(drawing, tile % n, tile // n, 1, 1)
+    at = _on_plane(drawing, *np.meshgrid(np.arange(n + 1), np.arange(n + 1)))
+    corners = np.stack([at[:-1, :-1], at[:-1, 1:], at[1:, 1:], at[1:, :-1]], axis=2)
+    for tile, quad in enumerate(corners.reshape(n * n, 4, 3).tolist()):
+        points = _within(drawing, quad)
         if not points or tile in drawing.sight.hidden_tiles:
             continue
         fill = (
@@ -149,15 +151,23 @@ def _squares(drawing: Drawing) -> list[Item]:
 
 def _area(drawing: Drawing, column: int, row: int, across: int, down: int) -> list[Point]:
     """A part of the picture plane within the frame; [] if a corner is behind the onlooker."""
-    seen = drawing.seen
     columns = np.array([column, column + across, column + across, column])
     rows = np.array([row, row, row + down, row + down])
-    at = seen.projection.project(seen.plane.at(columns, rows, seen.view.n))
-    if (at[:, 2] <= drawing.near).any():
+    return _within(drawing, _on_plane(drawing, columns, rows).tolist())
+
+
+def _on_plane(drawing: Drawing, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """(..., 3) x and y in the frame and depth of the grid's corners."""
+    seen = drawing.seen
+    return seen.projection.project(seen.plane.at(columns, rows, seen.view.n))
+
+
+def _within(drawing: Drawing, corners: list[list[float]]) -> list[Point]:
+    """What of an area is in the frame; [] if a corner (x, y, depth) is behind the onlooker."""
+    if any(depth <= drawing.near for _, _, depth in corners):
         return []
     box = drawing.box
-    points = [(box.left + x, box.top + y) for x, y in at[:, :2].tolist()]
-    return clipped_area(points, box)
+    return clipped_area([(box.left + x, box.top + y) for x, y, _ in corners], box)
 
 
 def _chosen_tile(drawing: Drawing) -> Item | None:
