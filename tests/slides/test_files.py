@@ -12,7 +12,7 @@ from pptx import Presentation
 from pypdf import PdfReader
 
 from raywalk.slide_products import FORMATS, deck_files
-from raywalk.slides.figure import Deck
+from raywalk.slides.figure import Deck, Text
 from raywalk.slides.handout import PER_SHEET, handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.palette import PRINT, SCREEN
@@ -115,3 +115,17 @@ def test_the_worksheets_answers_are_the_traces(balls):
             name = balls.scene.objects[int(trace.object[pixel])].name
             assert question.answer.startswith(f"{name}, at distance {trace.t[pixel]:.3f}, ")
     assert asked[-1].answer == "Yes. Both lights reach it."
+
+
+def test_a_worksheet_of_several_sheets_numbers_them(balls):
+    """Title and "1 / 2" at each foot; no number where there is one sheet only."""
+    from raywalk.slides.figure import Slide
+    from raywalk.slides.worksheet import _numbered, worksheet
+
+    sheets = worksheet(balls.lesson(), with_answers=False).slides
+    assert len(sheets) > 1
+    for k, sheet in enumerate(sheets, start=1):
+        told = [item.words for item in sheet.items if isinstance(item, Text)]
+        assert told[-2:] == [sheet.title, f"{k} / {len(sheets)}"]
+    alone = Slide("Alone", ())
+    assert _numbered([alone]) == [alone]

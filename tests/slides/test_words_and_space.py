@@ -11,14 +11,16 @@ from pypdf import PdfReader
 
 from raywalk.slide_pipeline import REMARKS
 from raywalk.slide_products import write_files
-from raywalk.slides.figure import Deck, Group, Line, Slide, Table, Text, flat
+from raywalk.slides.figure import Deck, Group, Line, Run, Slide, Table, Text, flat
 from raywalk.slides.html import deck_html
 from raywalk.slides.labels import crosses
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import plain_text
+from raywalk.slides.lines import KINDS
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import MissingGlyphs, deck_pdf
 from raywalk.slides.pptx import deck_pptx
+from raywalk.slides.typeface import wrapped
 from raywalk.slides.views import stops_of
 
 LONG = " ".join(f"Sentence {k} says something that nobody can leave out." for k in range(160))
@@ -128,6 +130,26 @@ def test_one_word_longer_than_a_line_is_broken(made):
     assert body.replace(" ", "") == "See:" + "abcdefgh" * 50
 
 
+def test_a_number_keeps_its_per_cent_sign():
+    """Wherever the line ends: "%" never begins one."""
+    for most in range(80, 200, 3):
+        lines = wrapped([Run("So 5.9 % is mirrored, 94.1 % goes in, 100 %.")], 16, most)
+        starts = ["".join(run.text for run in line)[0] for line in lines]
+        assert "%" not in starts, most
+
+
+def test_the_legend_names_the_lines_that_are_drawn(deck: Deck):
+    """Each kind of line in the figure has its word under it, and no other kind has."""
+    for slide in deck.slides:
+        if not slide.figure:
+            continue
+        legends = [i for i in slide.figure.items if isinstance(i, Group) and i.name == "Kinds of rays"]
+        rest = tuple(i for i in slide.figure.items if i not in legends)
+        drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KINDS)
+        named = {i.colour for i in flat(tuple(legends)) if isinstance(i, Line)} - {"soft"}
+        assert named == drawn, slide.title
+
+
 def test_hebrew_reads_from_right_to_left(made):
     """Set right, marked in every format; in PDF in the order in which it is seen."""
     words = "קרן אחת פוגעת בכדור."
@@ -173,7 +195,7 @@ tiles = "filled" }'
     deck = made(lesson, scene).deck()
     step = next(s for s in deck.slides if s.kind == "step")
     table = next(i for i in flat(step.items) if isinstance(i, Table))
-    assert re.fullmatch(r"rays 1 to \d+ of 61; all are in the notes", table.rows[-1][0].text)
+    assert re.fullmatch(r"rays 1 to \d+ of 61; all are on a later slide", table.rows[-1][0].text)
     going_on = [s for s in deck.slides if s.kind == "step" and s.is_continued]
     whole = [i for s in going_on for i in flat(s.items) if isinstance(i, Table)]
     numbers = [row[0].text for table in whole for row in table.rows[1:]]

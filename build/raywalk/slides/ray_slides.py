@@ -42,7 +42,7 @@ def _ray(lesson: Lesson, index: int, number: int) -> list[Slide]:
     kind = kind_word(Kind(int(seen.trace.kind[ray])).name.lower())
     head = say("slides.rayTitle", ray=number, of=len(order), kind=kind)
     figure = step_figure(Drawing(lesson.placed, seen, sight, layout.figure, now=ray))
-    figure = replace(figure, items=(*figure.items, *legend(seen, sight, layout)))
+    figure = replace(figure, items=(*figure.items, *legend(figure, layout)))
     here = step_place(lesson, seen, number, number)
     under = footer(where(lesson, seen), here, layout)
     told = [tell(event, words()) for event in pixel_events(lesson.placed, whole)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
-from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table
+from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
 from raywalk.slides.lines import KINDS
@@ -52,7 +52,7 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     head, body = title_and_body(paragraphs_of(stop.text))
     head = head or scene.title
     figure = step_figure(Drawing(lesson.placed, seen, lesson.sights[index], layout.figure))
-    marks = legend(seen, lesson.sights[index], layout)
+    marks = legend(figure, layout)
     figure = replace(figure, items=(*figure.items, *marks))
     words = flow(body, BODY_SIZE, layout.words.width)
     first, rest = words.split(layout.words.height)
@@ -214,12 +214,13 @@ def _swatch(left: float, top: float, side: float, colour: str) -> Polygon:
     return Polygon(corners, colour, "rule", 0.75, name=say("slides.swatch"))
 
 
-def legend(seen: Seen, sight: Sight, layout: Layout) -> list[Item]:
-    """What the lines' styles mean, under the figure; only those that are there."""
-    lines = [*seen.chosen, *seen.thin]
-    kinds = [kind for kind in KINDS if any(line.kind == kind for line in lines)]
-    entries = [(kind_word(kind), kind, KIND_DASH[kind], CHOSEN_WIDTH) for kind in kinds]
-    if any(sight.chosen):
+def legend(figure: Group, layout: Layout) -> list[Item]:
+    """What the lines' styles mean, under the figure; only those that it draws: rays may run
+    outside its frame."""
+    lines = [item for item in flat(figure.items) if isinstance(item, Line)]
+    drawn = {line.colour for line in lines}
+    entries = [(kind_word(k), k, KIND_DASH[k], CHOSEN_WIDTH) for k in KINDS if k in drawn]
+    if any(line.dash == "hidden" for line in lines):
         entries.append((say("slides.hidden"), "soft", "hidden", CHOSEN_WIDTH * HIDDEN_SHARE * 1.2))
     items: list[Item] = []
     left, top = layout.figure.left, layout.figure.bottom + 3

@@ -6,6 +6,7 @@ PowerPoint, in a browser and in LibreOffice.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 from functools import cache
@@ -100,7 +101,8 @@ def wrapped(runs: Iterable[Run], size: float, most: float) -> list[tuple[Run, ..
 
 
 def _words(runs: Iterable[Run], size: float, most: float) -> Iterable[list[Run]]:
-    """Words with the spaces after them; a word may change its style in the middle."""
+    """Words with the spaces after them; a word may change its style in the middle. A number
+    keeps its per cent sign."""
     word: list[Run] = []
     for run in runs:
         for piece in _pieces(run.text):
@@ -113,7 +115,7 @@ def _words(runs: Iterable[Run], size: float, most: float) -> Iterable[list[Run]]
 
 
 def _pieces(text: str) -> list[str]:
-    parts = text.split(" ")
+    parts = re.split(r"(?<!\d) | (?!%)", text)
     return [part + " " for part in parts[:-1]] + ([parts[-1]] if parts[-1] else [])
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from raywalk.scene import model
 from raywalk.scene.model import Scene, SceneObject
-from raywalk.slides.blocks import flow, flow_texts, text
+from raywalk.slides.blocks import flow, flow_texts, one_line, text
 from raywalk.slides.figure import Deck, Item, Line, Run, Slide, Text
 from raywalk.slides.handout import A4
 from raywalk.slides.layout import Box
@@ -26,6 +26,8 @@ BOTTOM = 50.0
 ANSWER_LINES = 2
 LINE = 24.0
 GAP = 12.0
+FOOT = 11.0
+COUNT = 60.0  # kept for the sheet's number at the foot
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
     blocks = [_given(scene)]
     for k, question in enumerate(questions(lesson), start=1):
         blocks.append(_block(k, question, with_answers))
-    return Deck(scene.id, title, *A4, tuple(_pages(title, blocks)), words().code)
+    return Deck(scene.id, title, *A4, tuple(_numbered(_pages(title, blocks))), words().code)
 
 
 def questions(lesson: Lesson) -> list[Question]:
@@ -229,6 +231,23 @@ def _pages(title: str, blocks: list[tuple[list[Item], float]]) -> Iterator[Slide
         top += high + GAP
     if items:
         yield Slide(title, tuple(items), kind="worksheet")
+
+
+def _numbered(pages: Iterable[Slide]) -> list[Slide]:
+    """Where there are several, each says at its foot which one it is: copied sheets get apart."""
+    sheets = list(pages)
+    if len(sheets) == 1:
+        return sheets
+    box = Box(MARGIN, A4[1] - BOTTOM + 10, A4[0] - 2 * MARGIN, FOOT * 1.3)
+    numbered = []
+    for k, slide in enumerate(sheets, start=1):
+        count = say("slides.sheetOf", sheet=k, of=len(sheets))
+        foot = (
+            one_line(slide.title, Box(*box[:2], box.width - COUNT, box.height), FOOT, "soft"),
+            one_line(count, box, FOOT, "soft", "right", name="sheet"),
+        )
+        numbered.append(replace(slide, items=(*slide.items, *foot)))
+    return numbered
 
 
 def _heading(title: str) -> list[Item]:
