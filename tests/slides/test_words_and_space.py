@@ -143,7 +143,9 @@ def test_the_legend_names_the_lines_that_are_drawn(deck: Deck):
     for slide in deck.slides:
         if not slide.figure:
             continue
-        legends = [i for i in slide.figure.items if isinstance(i, Group) and i.name == "Kinds of rays"]
+        legends = [
+            i for i in slide.figure.items if isinstance(i, Group) and i.name == "Kinds of rays"
+        ]
         rest = tuple(i for i in slide.figure.items if i not in legends)
         drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KINDS)
         named = {i.colour for i in flat(tuple(legends)) if isinstance(i, Line)} - {"soft"}
