@@ -13,17 +13,19 @@ address=file://$(printf %s "$page" | sed 's/%/%25/g; s/ /%20/g; s/#/%23/g; s/?/%
 address="$address#kiosk=1${1:+&$1}"
 
 browser=$RAYWALK_BROWSER
-for each in "Google Chrome" Chromium "Microsoft Edge" Firefox; do
-  [ -n "$browser" ] || [ ! -d "/Applications/$each.app" ] || browser="/Applications/$each.app/Contents/MacOS/$each"
+for each in "Google Chrome.app/Contents/MacOS/Google Chrome" Chromium.app/Contents/MacOS/Chromium \
+  "Microsoft Edge.app/Contents/MacOS/Microsoft Edge" Firefox.app/Contents/MacOS/firefox; do
+  for place in /Applications "$HOME/Applications"; do
+    [ -n "$browser" ] || [ ! -x "$place/$each" ] || browser=$place/$each
+  done
 done
-case $browser in *Firefox*) browser="/Applications/Firefox.app/Contents/MacOS/firefox" ;; esac
 if [ -z "$browser" ]; then
   echo "start-macos.command: no browser found: put Chrome, Chromium, Edge or Firefox into Applications" >&2
   exit 1
 fi
 
 profile=$(mktemp -d)
-case $browser in
+case $(basename -- "$browser") in
   *irefox*) set -- --kiosk --no-remote --profile "$profile" ;;
   *) set -- --kiosk --user-data-dir="$profile" \
     --no-first-run --no-default-browser-check --noerrdialogs --hide-crash-restore-bubble \

@@ -13,15 +13,18 @@ if not exist "%page%" (
   pause
   exit /b 1
 )
-rem What has a meaning of its own in an address.
-set "path_=%page:\=/%"
-set "path_=%path_:#=%%23%"
-set "path_=%path_: =%%20%"
 set "settings=kiosk=1"
 if not "%~1"=="" set "settings=kiosk=1&%~1"
-set "address=file:///%path_%#%settings%"
+rem What has a meaning of its own in an address. With exclamation marks: between percent signs none could be put in.
+setlocal EnableDelayedExpansion
+set "path_=!page:\=/!"
+set "path_=!path_:%%=%%25!"
+set "path_=!path_:#=%%23!"
+set "path_=!path_: =%%20!"
+set "address=file:///!path_!#!settings!"
+if "!path_:~0,2!"=="//" set "address=file:!path_!#!settings!"
 
-set "browser=%RAYWALK_BROWSER%"
+set "browser=!RAYWALK_BROWSER!"
 for %%b in (
   "%ProgramFiles%\Google\Chrome\Application\chrome.exe"
   "%ProgramFiles(x86)%\Google\Chrome\Application\chrome.exe"
@@ -38,15 +41,16 @@ if not defined browser (
 )
 
 rem A profile of its own, empty at each start: no session to restore, no bubble to close.
-set "profile=%TEMP%\raywalk-kiosk-%RANDOM%%RANDOM%"
-mkdir "%profile%"
-set flags=--kiosk --user-data-dir="%profile%" --edge-kiosk-type=fullscreen --kiosk-idle-timeout-minutes=0 --no-first-run --no-default-browser-check --noerrdialogs --hide-crash-restore-bubble --disable-pinch --overscroll-history-navigation=0 --disable-features=Translate --disable-sync --disable-background-networking --disable-component-update --password-store=basic
-if /i "%browser:~-11%"=="firefox.exe" set flags=--kiosk --no-remote --profile "%profile%"
+set "profile=!TEMP!\raywalk-kiosk-!RANDOM!!RANDOM!"
+mkdir "!profile!"
+set flags=--kiosk --user-data-dir="!profile!" --edge-kiosk-type=fullscreen --kiosk-idle-timeout-minutes=0 --no-first-run --no-default-browser-check --noerrdialogs --hide-crash-restore-bubble --disable-pinch --overscroll-history-navigation=0 --disable-features=Translate --disable-sync --disable-background-networking --disable-component-update --password-store=basic
+if /i "!browser:~-11!"=="firefox.exe" set flags=--kiosk --no-remote --profile "!profile!"
 
 :again
-start "" /wait "%browser%" %flags% "%address%"
-if errorlevel 1 (
-  timeout /t 3 /nobreak >nul
+start "" /wait "!browser!" !flags! "!address!"
+rem A program that broke down ends with a number below 0, which "if errorlevel 1" takes for an orderly end.
+if not "!errorlevel!"=="0" (
+  ping -n 4 127.0.0.1 >nul
   goto again
 )
-rmdir /s /q "%profile%"
+rmdir /s /q "!profile!"

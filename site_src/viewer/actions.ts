@@ -80,6 +80,7 @@ export function createActions(session: Session, outside: Outside) {
 
     bounces: (by: 1 | -1) => switching((now, of) => switches.stepBounces(now, of, by)),
     lamp: (lamp: number, factor: number) => switching((now, of) => switches.setLamp(now, of, lamp, factor)),
+    stepLamp: (lamp: number, by: 1 | -1) => switching((now, of) => switches.stepLamp(now, of, lamp, by)),
     turnLamp: (lamp: number) => switching((now, of) => (switches.lampsOf(of)[lamp] ? switches.turnLamp(now, of, lamp) : now)),
     shadows: () => switching((now, of) => (of.shadows ? switches.turnShadows(now, of) : now)),
     part: (part: switches.Part) => switching((now, of) => switches.turnPart(now, of, part)),

@@ -101,6 +101,78 @@ def test_every_script_opens_the_first_scene_as_a_kiosk_and_needs_no_relaxed_rule
         assert not re.search("allow-file-access|disable-web-security|no-sandbox", said)
 
 
+def flags_for(said: str, browser: str) -> set[str]:
+    """What a script hands to that browser."""
+    lines = re.findall(r"set (?:-- |flags=)(.*)", said.replace("\\\n", ""))
+    [line] = [line for line in lines if ("--no-remote" in line) == (browser == "firefox")]
+    return set(re.findall(r"(?:(?<=\s)|^)(--[a-z][a-z-]*(?:=\w+)?)", line))
+
+
+def test_all_three_scripts_give_a_browser_the_same_flags(archive):
+    """But for Edge's own, which only Windows has as the browser that is always there."""
+    linux, mac, windows = (
+        text(archive, script).replace("\r\n", "\n")
+        for script in ("start-linux.sh", "start-macos.command", "start-windows.bat")
+    )
+    for browser in ("chromium", "firefox"):
+        flags = flags_for(linux, browser)
+        assert len(flags) >= 3, flags
+        assert flags_for(mac, browser) == flags
+        edge = {flag for flag in flags_for(windows, browser) if "kiosk-" in flag}
+        assert flags_for(windows, browser) - edge == flags
+
+
+def run_set_lines(script: str, known: dict[str, str]) -> dict[str, str]:
+    """The variables after a batch file's lines `[if ... ]set "name=value"`, as cmd.exe has them.
+
+    Two passes, of which the second does not look at what the first put in: %name%, where a name
+    reaches to the next percent sign, %% is one, and %0 to %9 are arguments; then !name!, from
+    the line with EnableDelayedExpansion on. name:a=b puts b for each a, name:~0,2 takes letters.
+    """
+
+    def look_up(name: str) -> str:
+        name, _, change = name.partition(":")
+        value = known.get(name.lower(), "")
+        if change.startswith("~"):
+            start, length = (int(part) for part in change[1:].split(","))
+            return value[start : start + length]
+        old, _, new = change.partition("=")
+        return value.replace(old, new) if change else value
+
+    def percents(found: re.Match[str]) -> str:
+        said = found[0]
+        return "%" if said == "%%" else "" if said[-1].isdigit() else look_up(said[1:-1])
+
+    delayed = False
+    for line in script.splitlines():
+        delayed = delayed or "EnableDelayedExpansion" in line
+        line = re.sub(r"%%|%\d|%[^%\d][^%]*%", percents, line.replace("%~1", known["1"]))
+        if delayed:
+            line = re.sub(r"!([^!]+)!", lambda found: look_up(found[1]), line)
+        told = re.fullmatch(r'(?:if (not )?"(.*)"=="(.*)" )?set "(\w+)=(.*)"', line)
+        if told and (told[3] is None or (told[2] == told[3]) != bool(told[1])):
+            known[told[4]] = told[5]
+    return known
+
+
+@pytest.mark.parametrize(
+    ("folder", "address"),
+    [
+        ("E:\\raywalk-kiosk\\", "file:///E:/raywalk-kiosk/"),
+        ("C:\\A & B\\kiosk #1 50% ä\\", "file:///C:/A%20&%20B/kiosk%20%231%2050%25%20ä/"),
+        ("\\\\server\\our course\\", "file://server/our%20course/"),
+    ],
+)
+def test_windows_script_writes_any_folder_as_an_address(archive, folder, address):
+    """Spaces, &, #, percent signs, a folder on a server."""
+    script = text(archive, "start-windows.bat").replace("%~dp0", "%here%")
+    script, _, _ = script.partition('set "browser=')
+    known = run_set_lines(script, {"here": folder, "1": "idle=60&warn=20"})
+    assert known["address"] == (
+        f"{address}course/scenes/01-shading/index.html#kiosk=1&idle=60&warn=20"
+    )
+
+
 def test_every_flag_is_one_that_chromium_knows(archive):
     """Chromium says nothing of a flag that it does not know: it is looked for in the program."""
     browser = next((path for path in BROWSERS if Path(path).exists()), None)

@@ -517,6 +517,6 @@ test("without JavaScript: picture, lesson, figures, one sentence", async () => {
 });
 
 test("nothing was thrown but what the tests threw, and nothing outside was asked for", () => {
-  const expected = /Failed to load resource|Unexpected token '<'|Invalid or unexpected token|Unexpected end of input|made by a test|net::ERR|sandboxed|Blocked script execution|Blocked autofocusing/;
+  const expected = /Failed to load resource|Unexpected token '<'|Invalid or unexpected token|Unexpected end of input|made by a test|net::ERR|sandboxed|Blocked script execution/;
   assert.deepEqual(page.faults.filter((fault) => !expected.test(fault)), []);
 });

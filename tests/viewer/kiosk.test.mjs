@@ -103,9 +103,9 @@ test("every target is at least 64 px each way, and nothing is cut off, on a wide
   for (const size of [{ width: 1920, height: 1080 }, { width: 1280, height: 800 }, { width: 1080, height: 1920 }]) {
     await page.setViewportSize(size);
     await begun();
-    for (const hash of ["step=1", "e=3&n=15", "colours=tests"]) {
+    for (const hash of ["step=1", "e=3&n=15", "colours=tests&if=-shadows"]) {
       const small = await page.evaluate(async (hash) => {
-        history.replaceState(null, "", `${location.hash.replace(/&?(step|e|n|colours)=[^&]*/g, "")}&${hash}`);
+        history.replaceState(null, "", `${location.hash.replace(/&?(step|e|n|colours|if)=[^&]*/g, "")}&${hash}`);
         window.dispatchEvent(new PopStateEvent("popstate"));
         await window.raywalk.ready;
         await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
@@ -161,6 +161,45 @@ test("the gallery and the model page are the kiosk's too: no way out, a way back
   await until(page, isAttract);
   assert.equal((await state(page)).scene, first.id);
   assert.deepEqual(page.faults, []);
+});
+
+test("after hours unattended the page begins anew, between two rounds and not before", async () => {
+  await open(page, ON_DISK, scenes.at(-2).path, "kiosk=1&attract-pace=0.02&still=1&gl=none");
+  await page.evaluate(() => {
+    const { now } = performance;
+    performance.now = () => now.call(performance) + 6 * 3_600_000;
+  });
+  const loaded = page.waitForEvent("load");
+  await until(page, (s, t, id) => s.scene === id, scenes.at(-1).id);
+  await loaded;
+  await until(page, isAttract);
+  assert.deepEqual([(await state(page)).scene, (await told()).strikes], [first.id, 0]);
+  assert.match(page.url(), new RegExp(`${first.path}#kiosk=1&`));
+  assert.deepEqual(page.faults, []);
+});
+
+test("when nothing helps, the page is loaded anew once a minute only", async () => {
+  await page.evaluate(() => sessionStorage.setItem("raywalk.strikes", "6"));
+  await open(page, ON_DISK, first.path, "kiosk=1&attract-pace=60&still=1");
+  await until(page, isAttract);
+  await page.evaluate(() => {
+    window.waits = [];
+    const { setTimeout } = window;
+    window.setTimeout = (act, ms, ...more) => {
+      window.waits.push(ms);
+      return setTimeout(act, ms === 60_000 ? 100 : ms, ...more);
+    };
+  });
+  const loaded = page.waitForEvent("load");
+  const waits = await page.evaluate(() => {
+    for (let k = 0; k < 3; k++) window.dispatchEvent(new ErrorEvent("error", { error: new Error("on purpose"), message: "on purpose" }));
+    return window.waits;
+  });
+  assert.deepEqual(waits, [60_000], "three faults, one wait, and it is a minute");
+  await loaded;
+  await until(page, (s, t) => t.kiosk?.attract === true && t.kiosk.strikes === 7);
+  assert.deepEqual(page.faults, []);
+  await page.evaluate(() => sessionStorage.clear());
 });
 
 test("an uncaught error loads the view anew, the fourth one without WebGL, and a visitor keeps the view", async () => {

@@ -18,14 +18,53 @@ export function countGpu() {
   }
 }
 
-/** A function that measures: { heap (bytes), nodes, listeners, documents, gpu: { Buffer, Texture, ... } }. */
+/** measure: { heap (bytes), nodes, listeners, documents }; snapshot: all that is on the heap, as text for objectsIn. */
 export async function memoryOf(page) {
   const inside = await page.context().newCDPSession(page);
   await inside.send("HeapProfiler.enable");
-  return async () => {
-    for (let k = 0; k < 2; k++) await inside.send("HeapProfiler.collectGarbage"); // the first frees what waits for its finalizer
-    const { usedSize: heap } = await inside.send("Runtime.getHeapUsage");
-    const { nodes, jsEventListeners: listeners, documents } = await inside.send("Memory.getDOMCounters");
-    return { heap, nodes, listeners, documents, gpu: await page.evaluate(() => ({ ...window.gpuHeld })) };
+  return {
+    async measure() {
+      for (let k = 0; k < 2; k++) await inside.send("HeapProfiler.collectGarbage"); // the first frees what waits for its finalizer
+      const { usedSize: heap } = await inside.send("Runtime.getHeapUsage");
+      const { nodes, jsEventListeners: listeners, documents } = await inside.send("Memory.getDOMCounters");
+      return { heap, nodes, listeners, documents };
+    },
+    async snapshot() {
+      const chunks = [];
+      const keep = ({ chunk }) => chunks.push(chunk);
+      inside.on("HeapProfiler.addHeapSnapshotChunk", keep);
+      await inside.send("HeapProfiler.takeHeapSnapshot", { reportProgress: false });
+      inside.off("HeapProfiler.addHeapSnapshotChunk", keep);
+      return chunks.join("");
+    },
   };
+}
+
+// The engine's compiled code grows as it learns what runs often, until all has been compiled; native is not on the JS heap.
+const NO_OBJECTS = new Set(["code", "native", "synthetic", "hidden"]);
+
+/** Of a snapshot: bytes of the page's own objects (closures, arrays, numbers too), of strings and of code, and what each
+ *  constructor's objects take. */
+export function objectsIn(snapshot) {
+  const { snapshot: { meta }, nodes, strings } = JSON.parse(snapshot);
+  const types = meta.node_types[0];
+  const [type, name, size] = ["type", "name", "self_size"].map((field) => meta.node_fields.indexOf(field));
+  const found = { objects: 0, strings: 0, code: 0, of: new Map() };
+  for (let at = 0; at < nodes.length; at += meta.node_fields.length) {
+    const kind = types[nodes[at + type]];
+    if (kind === "code") found.code += nodes[at + size];
+    if (NO_OBJECTS.has(kind)) continue;
+    const isText = kind.endsWith("string");
+    found[isText ? "strings" : "objects"] += nodes[at + size];
+    if (isText) continue;
+    const what = kind === "number" ? kind : `${kind} ${strings[nodes[at + name]]}`;
+    found.of.set(what, (found.of.get(what) ?? 0) + nodes[at + size]);
+  }
+  return found;
+}
+
+/** What has grown most between two such, to be told where a bound breaks. */
+export function grown(before, after, count = 6) {
+  const by = [...after.of].map(([what, bytes]) => [bytes - (before.of.get(what) ?? 0), what]).sort(([a], [b]) => b - a);
+  return by.slice(0, count).map(([bytes, what]) => `${what} ${bytes}`).join(", ");
 }

@@ -110,6 +110,21 @@ test("by mouse: boxes and sliders do the same; As traced undoes all and goes", a
   assert.equal(await undo().isVisible(), false);
 });
 
+test("a light's brightness by buttons: a quarter at a time, from where the slider left it, as far as it goes", async () => {
+  await follow(page, `${START}&if=l1x0.9`);
+  const press = async (word, times) => {
+    for (let k = 0; k < times; k++) await panel().getByRole("button", { name: `light 1 ${word}`, exact: true }).click({ force: true });
+    await settled(page);
+    return (await switches()).lamps[0] ?? 1;
+  };
+  assert.deepEqual([await press("darker", 1), await press("darker", 1), await press("brighter", 3)], [0.75, 0.5, 1.25]);
+  assert.deepEqual((await stats(page)).tiles, expected("l1x1.25"));
+  const ended = (word) => panel().getByRole("button", { name: `light 1 ${word}`, exact: true }).getAttribute("aria-disabled");
+  assert.deepEqual([await press("brighter", 5), await ended("brighter"), await ended("darker")], [2, "true", "false"]);
+  assert.deepEqual([await press("darker", 10), await ended("brighter"), await ended("darker")], [0, "false", "true"]);
+  assert.equal(await panel().getByRole("checkbox", { name: "light 1" }).isChecked(), false);
+});
+
 test("the picture follows in the finest tiles, says so, and is itself again without switches; in the traced look too", async () => {
   await follow(page, START);
   await press(page, "l", "2");

@@ -4,9 +4,10 @@ import type { KioskViewer } from "./hook";
 const SHOWN_AT_LEAST = 250; // ms between two looks at what plays
 const PLAYS_UP_TO = 3; // stops' times: then the next stop comes, whatever still plays
 const PATIENCE = 20; // seconds for a scene to come
+const RENEWED_AFTER = 6 * 3_600_000; // ms: then, between two rounds, the page is loaded anew; nothing can pile up for months
 
 /** pace: seconds that a stop of a lesson is shown. */
-export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void }) {
+export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void; renew: () => void }) {
   const { session } = viewer;
   const reduced = matchMedia("(prefers-reduced-motion: reduce)");
   let running = false;
@@ -52,8 +53,10 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
   }
 
   async function showScene(id: string): Promise<boolean> {
-    const late = new Promise<false>((done) => setTimeout(() => done(false), 1000 * PATIENCE));
+    let patience = 0;
+    const late = new Promise<false>((done) => (patience = window.setTimeout(() => done(false), 1000 * PATIENCE)));
     const isHere = await Promise.race([viewer.begin(id), late]);
+    clearTimeout(patience);
     if (!running || !isHere) return isHere;
     for (let isFirst = true; running && (isFirst || turn()); isFirst = false) await showStop(isFirst);
     if (running) cycles++;
@@ -64,7 +67,13 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
     async run() {
       running = true;
       let lost = 0; // scenes in a row that could not be shown
-      for (let at = Math.max(0, viewer.ids.indexOf(session.state?.scene ?? "")); running; at++) {
+      let isOld = false;
+      const from = Math.max(0, viewer.ids.indexOf(session.state?.scene ?? ""));
+      for (let at = from; running; at++) {
+        if (!isOld && at > from && at % viewer.ids.length === 0 && performance.now() > RENEWED_AFTER) {
+          isOld = true;
+          acts.renew(); // goes on showing what is here until the page can be had
+        }
         const isShown = await showScene(viewer.ids[at % viewer.ids.length]);
         lost = isShown ? 0 : lost + 1;
         if (!running) return;

@@ -39,6 +39,8 @@ function writeSlides(root: string, { id }: SceneData, told: string | undefined) 
 }
 
 export function createPage({ root, article, title, links }: PageParts) {
+  // Opened, the panel takes the focus. Written in the page, the word would ask for it at once, which frames may not.
+  document.querySelector("#take")?.setAttribute("autofocus", "");
   let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
 
   function write(scene: SceneData, trace: Trace | null) {

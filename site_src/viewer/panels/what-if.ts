@@ -8,6 +8,7 @@ import { button, element } from "./element";
 export interface WhatIfActs {
   bounces: (by: 1 | -1) => void;
   lamp: (lamp: number, factor: number) => void;
+  stepLamp: (lamp: number, by: 1 | -1) => void;
   turnLamp: (lamp: number) => void;
   shadows: () => void;
   part: (part: Part) => void;
@@ -38,15 +39,19 @@ function createLamp(acts: WhatIfActs, name: string, lamp: number) {
   Object.assign(range, { min: "0", max: String(BRIGHTEST), step: "0.05" });
   range.setAttribute("aria-label", say("whatIf.brightness", { light: name }));
   range.addEventListener("input", () => acts.lamp(lamp, Number(range.value)));
+  const darker = button("\u2212", say("whatIf.darker", { light: name }), () => acts.stepLamp(lamp, -1), { className: "sign" });
+  const brighter = button("+", say("whatIf.brighter", { light: name }), () => acts.stepLamp(lamp, 1), { className: "sign" });
   const share = element("output", "numbers");
   return {
-    element: element("div", "lamp", label, range, share),
+    element: element("div", "lamp", label, darker, range, brighter, share),
     show(factor: number) {
       box.checked = factor > 0;
       range.value = String(factor);
       const text = percent(factor);
       share.textContent = text;
       range.setAttribute("aria-valuetext", text);
+      darker.setAttribute("aria-disabled", String(factor === 0));
+      brighter.setAttribute("aria-disabled", String(factor === BRIGHTEST));
     },
   };
 }

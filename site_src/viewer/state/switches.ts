@@ -4,6 +4,8 @@ import type { SceneData, SwitchesView } from "../trace/types";
 export type Part = "ambient" | "diffuse" | "specular" | "reflected" | "refracted";
 export const PARTS: readonly Part[] = ["ambient", "diffuse", "specular", "reflected", "refracted"];
 export const BRIGHTEST = 2;
+const STEP = 0.25; // of a button; the slider's are finer
+const ROUNDED = 1e-9; // a slider's 0.75 may be a little less
 
 export interface Switches {
   bounces: number | null; // rays with more bounces are left out; null: as many as were traced
@@ -52,6 +54,13 @@ export function stepBounces(of: Switches, scene: SceneData, by: 1 | -1): Switche
 export function setLamp(of: Switches, scene: SceneData, lamp: number, factor: number): Switches {
   const lamps = lampsOf(scene).map((_, k) => (k === lamp ? Math.min(BRIGHTEST, Math.max(0, factor)) : brightness(of, k)));
   return tidy({ ...of, lamps }, scene);
+}
+
+/** To the next quarter of its brightness: one up, or one down. */
+export function stepLamp(of: Switches, scene: SceneData, lamp: number, by: 1 | -1): Switches {
+  const quarters = brightness(of, lamp) / STEP;
+  const next = by > 0 ? Math.floor(quarters + ROUNDED) + 1 : Math.ceil(quarters - ROUNDED) - 1;
+  return setLamp(of, scene, lamp, STEP * next);
 }
 
 export const turnLamp = (of: Switches, scene: SceneData, lamp: number): Switches => setLamp(of, scene, lamp, brightness(of, lamp) > 0 ? 0 : 1);
