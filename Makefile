@@ -34,7 +34,7 @@ check: $(PYTHON_READY) ## validate the scenes without tracing them
 serve: $(PYTHON_READY) $(NODE_READY) ## the site at http://127.0.0.1:8000/, built anew whenever a file is saved
 	@$(PYTHON) -m raywalk serve
 
-bench: site $(TEST_READY) ## measure run time against error, beside peers (about 5 minutes)
+bench: site $(TEST_READY) ## measure run time against error, beside peers (about half an hour, on a machine that does nothing else)
 	@$(PYTHON) -m raywalk bench
 
 stress: site $(TEST_READY) ## the hardest cases against their bounds; a kiosk for half an hour (about 50 minutes)

@@ -1,7 +1,7 @@
 /** Selecting another pixel of the finest grid takes one frame: lines, card and tiles follow together, at an empty frame's cost. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, scenesOfSite } from "./browser.mjs";
+import { COMPOSED_TOGETHER, launch, newPage, ON_DISK, open, scenesOfSite } from "./browser.mjs";
 
 const FRAMES = 10; // of each kind, one after the other in turn: what else the machine does meets both
 const MOST = 4; // empty frames' time for one that selects; it was 1.5 to 2.8 on a busy machine
@@ -9,7 +9,7 @@ const CASES = { 5: "rays", 8: "tree", 9: "sum" }; // scene key: the card's side;
 
 let browser, page;
 before(async () => {
-  browser = await launch();
+  browser = await launch([], COMPOSED_TOGETHER);
   page = await newPage(browser);
 });
 after(() => browser.close());

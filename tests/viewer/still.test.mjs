@@ -1,12 +1,12 @@
 /** Time: the selector blinks, except where it must not; nothing is drawn that need not be. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, stats, until } from "./browser.mjs";
+import { COMPOSED_TOGETHER, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, stats, until } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
 before(async () => {
-  browser = await launch();
+  browser = await launch([], COMPOSED_TOGETHER);
   page = await newPage(browser);
 });
 after(() => browser.close());

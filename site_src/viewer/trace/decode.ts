@@ -95,7 +95,18 @@ function read(header: Header, scratch: Scratch): Level {
       }
       columns.finish();
       giveBack(scratch);
-      return { ...unlit, ...lit, colour: recombine(header, { ...unlit, ...lit }) };
+      return coloured(header, { ...unlit, ...lit });
+    },
+  };
+}
+
+/** Colours are added up when the first is asked for: the tiles have theirs. Does not hold on to the header's columns. */
+function coloured<Terms extends Omit<Trace, "colour">>({ background, materials, lights }: Header, terms: Terms): Trace {
+  let sums: Float64Array | undefined;
+  return {
+    ...terms,
+    get colour() {
+      return (sums ??= recombine({ background, materials, lights }, terms));
     },
   };
 }

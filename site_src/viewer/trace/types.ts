@@ -31,7 +31,7 @@ export interface Trace {
   /** (3 * count), xyz or rgb */
   point: Float64Array; // the hit, or where the drawn line of a leaving ray ends
   normal: Float64Array; // unit, facing the incoming ray; 0 0 0 if none
-  colour: Float64Array; // what the ray brings back, linear, unclamped
+  readonly colour: Float64Array; // what the ray brings back, linear, unclamped
   /** (count * lights) */
   visibility: Uint8Array; // VISIBILITY
   blocker: Int16Array; // object that stopped the shadow ray, else -1
