@@ -1,7 +1,10 @@
 /** WCAG 2.2 AA as far as a machine can tell, in every state and language; and what only people notice. */
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { DIST, follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats } from "./browser.mjs";
 import { serve } from "./server.mjs";
@@ -25,10 +28,12 @@ afterEach(async () => {
   await page.setViewportSize({ width: 1280, height: 800 });
 });
 
-/** The tree of rays names its nodes by what they are, not by the short words drawn in them. */
-async function violations(where = page) {
+/** The tree of rays names its nodes by what they are, not by the short words drawn in them. contrast: of colours, half
+ *  of the time; they are the same in every language. */
+async function violations(where = page, contrast = true) {
   if (!(await where.evaluate(() => "axe" in window))) await where.evaluate(axe);
-  const found = await where.evaluate(async (rules) => (await window.axe.run(document, { preload: false, runOnly: rules, resultTypes: ["violations"] })).violations, RULES);
+  const options = { preload: false, runOnly: RULES, resultTypes: ["violations"], rules: { "color-contrast": { enabled: contrast } } };
+  const found = await where.evaluate(async (options) => (await window.axe.run(document, options)).violations, options);
   return found.map((each) => `${each.id}: ${each.nodes.map((node) => node.target).filter((target) => !(each.id === "label-content-name-mismatch" && /^g\[/.test(target))).join(" ")}`).filter((line) => !line.endsWith(": "));
 }
 
@@ -52,6 +57,7 @@ const STATES = [
   ["tiles coloured by tests", "colours=tests&tiles=filled"],
   ["the tree", "n=15&p=5,8", (page) => page.getByRole("tab").nth(1).click()],
   ["the sum", "n=15&p=5,8", (page) => page.getByRole("tab").nth(2).click(), (page) => page.getByRole("tab").nth(0).click()],
+  ["the slides to take away", "", click(".take-open"), (page) => press(page, "Escape")],
   ["the pseudo-code", "e=3", (page) => page.getByRole("tab").nth(3).click(), (page) => page.getByRole("tab").nth(0).click()],
 ];
 /** Where the page is otherwise: size, theme. */
@@ -61,7 +67,8 @@ const SURROUNDINGS = [
 ];
 /** Pages that are no scene's. */
 const slides = `slides/${rich.id}.html`;
-const PAGES = ["index.html", "model/index.html", "slides/index.html", `${rich.path}?embed`];
+const PAGES = ["index.html", "model/index.html", "slides/index.html", "offline/index.html", `${rich.path}?embed`];
+const WITHOUT_SCRIPTS = ["index.html", rich.path, "slides/index.html"];
 /** A site has the page of benchmarks once `make bench` or `make stress` has measured something. */
 const MEASURED = ["benchmarks/index.html"].filter((path) => existsSync(`${DIST}/${path}`));
 const PAGES_OF_ENGLISH = [slides, "sizes/index.html", ...MEASURED];
@@ -74,7 +81,7 @@ for (const home of ["", "de/"]) {
     for (const [name, hash, act, undo] of STATES) {
       await follow(page, `still=1&gl=none&${hash}`);
       await act?.(page);
-      wrong.push(...(await violations()).map((each) => `${name}: ${each}`));
+      wrong.push(...(await violations(page, !home)).map((each) => `${name}: ${each}`));
       await undo?.(page);
     }
     assert.deepEqual(wrong, []);
@@ -82,7 +89,7 @@ for (const home of ["", "de/"]) {
 
   test(`axe finds nothing wrong (${language}) on a phone, printed, in a kiosk, and where something is missing`, async () => {
     const wrong = [];
-    const look = async (name) => wrong.push(...(await violations()).map((each) => `${name}: ${each}`));
+    const look = async (name) => wrong.push(...(await violations(page, !home)).map((each) => `${name}: ${each}`));
     for (const [name, size, hashes] of SURROUNDINGS) {
       await page.setViewportSize(size);
       for (const hash of hashes) {
@@ -125,9 +132,32 @@ for (const home of ["", "de/"]) {
       await page.evaluate(() => window.raywalk?.ready);
       wrong.push(...(await violations()).map((each) => `${path}: ${each}`));
     }
+    // As a browser without scripts shows them; axe is one itself.
+    await page.route("**/*.html", async (route) => {
+      const response = await route.fetch();
+      const body = (await response.text()).replace(/<script[\s\S]*?<\/script>/g, "").replace(/<\/?noscript>/g, "");
+      await route.fulfill({ response, body });
+    });
+    for (const path of WITHOUT_SCRIPTS) {
+      await page.goto(`${server.url}${home}${path}`);
+      assert.equal(await page.locator("#viewer:visible, script").count(), 0);
+      wrong.push(...(await violations(page, !home)).map((each) => `${path} without scripts: ${each}`));
+    }
     assert.deepEqual(wrong, []);
   });
 }
+
+test("axe finds nothing wrong on the page of benchmarks, measured here or not", async () => {
+  const out = mkdtempSync(join(tmpdir(), "raywalk-measured-"));
+  const style = readFileSync(`${DIST}/index.html`, "utf8").match(/assets\/style-[^"]+/)[0];
+  const python = existsSync(".venv/bin/python") ? resolve(".venv/bin/python") : "python3";
+  execFileSync(python, ["tests/bench/measured_page.py", out, style]);
+  await page.route("**/benchmarks/*", (route) => route.fulfill({ path: join(out, new URL(route.request().url()).pathname) }));
+  await page.goto(`${server.url}benchmarks/index.html`);
+  assert.match(await page.locator("main").innerText(), /fast <&>/);
+  assert.deepEqual(await violations(), []);
+  rmSync(out, { recursive: true });
+});
 
 test("the selected ray is told in words once the selection rests, not while it moves or plays", async () => {
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
@@ -191,6 +221,19 @@ for (const home of ["", "de/"])
     }
     await page.setViewportSize({ width: 1280, height: 800 });
   });
+
+test("where the system's own colours replace the page's, what is chosen differs from what is not, and swatches keep theirs", async () => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8");
+  const colours = (selector) => page.locator(selector).first().evaluate((each) => [getComputedStyle(each).backgroundColor, getComputedStyle(each).color]);
+  const [plain] = await colours(".controls button[aria-pressed=false]");
+  for (const chosen of [".controls button[aria-pressed=true]", "[role=tab][aria-selected=true]", "nav.scenes a[aria-current]"]) {
+    const [ground, words] = await colours(chosen);
+    assert.ok(ground !== plain && ground !== words, `${chosen}: ${ground}, ${words}`);
+  }
+  assert.equal((await colours(".card-head .swatch"))[0], "rgb(180, 180, 180)");
+  await page.emulateMedia({ forcedColors: null });
+});
 
 test("the card is a list of rays, the page has its landmarks, each with a name", async () => {
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
