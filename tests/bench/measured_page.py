@@ -8,9 +8,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from test_page import TEMPLATES, report
+
 from raywalk.bench.cases import Case
 from raywalk.bench.report import keep_bench, keep_stress, publish_reports
-from test_page import TEMPLATES, report
 
 out = Path(sys.argv[1])
 keep_bench(out / "work", report())
