@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import time
 from argparse import Namespace
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ import numpy as np
 
 from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.progress import Begin, End, Event, Progress, Tell
+from raywalk.progress import Begin, End, Event, Progress
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
@@ -39,9 +38,10 @@ from raywalk.work.cluster import run_on_cluster
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, preview_parts, trace_parts, viewer_parts
-from raywalk.work.pool import Finished, Threads, cores, run_all
+from raywalk.work.pool import Finished, cores, run_all
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry, Store, damage_of
+from raywalk.work.tracing import trace_into
 
 # Of an entry, what stays behind: the pages are made from these.
 NOT_PUBLISHED = ("facts.json", "display.npz")
@@ -209,21 +209,6 @@ def write_files(files: dict[str, bytes], folder: Path) -> None:
     """What a worker sent, into a folder."""
     for name, content in files.items():
         (folder / name).write_bytes(content)
-
-
-def trace_into(
-    store: Store, parts: dict[str, Parts], scene: Scene, threads: Threads, tell: Tell
-) -> float:
-    """Traces a scene into the store, under its key; returns the seconds it took."""
-    # Only here: a build with nothing to trace never pays for numba, trimesh and Embree.
-    from raywalk.products import write_products
-
-    begun = time.monotonic()
-    made_from = parts[scene.id]
-    store.entry(
-        key_of(made_from), lambda folder: write_products(scene, folder, threads, tell), made_from
-    )
-    return time.monotonic() - begun
 
 
 def write_edition(
