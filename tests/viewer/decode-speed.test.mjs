@@ -14,7 +14,8 @@ const MANY = 60; // rounds on a busy machine: what else runs only adds to a time
 // An absolute time decides nothing. The unit is the floor of the dearest level: parsing its text, one look
 // at each character, writing as much memory as its trace holds; 2.2 ms on the two-core machine where a
 // level has to be there in 25 ms (`node tests/viewer/trace/decode-time.mjs`). Measured there, busy: tiles
-// and rays 6.6 units for the two dearest scenes, 1.3 to 2.6 for the others; with all lights 12 and 3 to 5.
+// and rays 6.6 units for the two dearest scenes, 1.3 to 2.6 for the others; with all lights 12 and 3 to 5. (The
+// colours that rays bring are added up when the first is asked for: one unit more for those two.)
 // The decoder before this one, with a list of numbers for each step, took 26.
 const START = 11;
 const WHOLE = 20;
