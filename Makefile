@@ -18,8 +18,19 @@ all: site
 site: $(PYTHON_READY) $(NODE_READY) ## trace the scenes and build the site into dist/
 	@$(PYTHON) -m raywalk site
 
-slides: site ## slides, handouts and worksheets of all lessons: dist/slides/
+# Another shape or other colours than the site's are made on demand: they would double what it weighs.
+SLIDES_AS := $(if $(ASPECT),--aspect $(ASPECT)) $(if $(PALETTE),--palette $(PALETTE))
+SLIDES_TO := slides/$(subst :,x,$(or $(ASPECT),16:9))$(if $(PALETTE),-$(PALETTE))
+
+slides: site ## slides of all lessons: dist/slides/; also make slides ASPECT=4:3 PALETTE=print
+ifeq ($(strip $(SLIDES_AS)),)
 	@ls dist/slides
+else
+	@for scene in scenes/*/scene.toml; do \
+		$(PYTHON) -m raywalk slides $$scene $(SLIDES_AS) --out $(SLIDES_TO) \
+			--format html,pdf,pptx,handout-2,handout-3,handout-6 || exit 1; done
+	@$(PYTHON) -m raywalk slides course $(SLIDES_AS) --format pdf,pptx --out $(SLIDES_TO)
+endif
 
 kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
 	@$(PYTHON) -m raywalk kiosk

@@ -129,3 +129,13 @@ def test_a_worksheet_of_several_sheets_numbers_them(balls):
         assert told[-2:] == [sheet.title, f"{k} / {len(sheets)}"]
     alone = Slide("Alone", ())
     assert _numbered([alone]) == [alone]
+
+
+def test_no_question_stands_alone_on_a_worksheets_last_page():
+    """It takes the one before along; a sheet of one page, or of two questions, stays."""
+    from raywalk.slides.worksheet import _parted
+
+    for count in range(1, 30):
+        pages = _parted([([], 100.0)] * count)
+        assert sum(map(len, pages)) == count
+        assert len(pages) == 1 or len(pages[-1]) > 1

@@ -11,11 +11,23 @@ from pypdf import PdfReader
 
 from raywalk.slide_pipeline import REMARKS
 from raywalk.slide_products import write_files
-from raywalk.slides.figure import Deck, Group, Line, Run, Slide, Table, Text, flat
+from raywalk.slides.blocks import flow
+from raywalk.slides.figure import (
+    Deck,
+    Dot,
+    Group,
+    Line,
+    Picture,
+    Run,
+    Slide,
+    Table,
+    Text,
+    flat,
+)  # fmt: skip
 from raywalk.slides.html import deck_html
-from raywalk.slides.labels import crosses
+from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box
-from raywalk.slides.lesson_words import plain_text
+from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.lines import KINDS
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import MissingGlyphs, deck_pdf
@@ -105,6 +117,94 @@ def test_labels_keep_clear_of_rays(deck: Deck):
         rays = [line for group in groups for line in group.items if isinstance(line, Line)]
         for label in labels:
             assert not [ray for ray in rays if crosses(tight(label), ray.start, ray.end)]
+
+
+def test_every_light_that_is_drawn_is_named(deck: Deck, balls):
+    """Also over tiles and frustum, whose lines are faint: only rays keep a name away."""
+    names = {light.name for light in balls.scene.lights}
+    seen = 0
+    for slide in deck.slides:
+        if not slide.figure:
+            continue
+        drawn = {i.name for i in flat(slide.figure.items) if isinstance(i, Dot)} & names
+        told = {i.words for i in flat(slide.figure.items) if isinstance(i, Text)}
+        assert drawn <= told, slide.title
+        seen += len(drawn)
+    assert seen
+
+
+def test_labels_take_a_faint_lines_place_only_if_there_is_no_other():
+    """Beside thin rays where that is free; on them rather than nowhere; on a ray never."""
+    frame, at = Box(0, 0, 200, 120), (100.0, 60.0)
+    right = [((x, 0.0), (x, 120.0)) for x in range(104, 200, 4)]
+    everywhere = [((0.0, y), (200.0, y)) for y in range(0, 120, 4)]
+    for strokes, faint, places in (([], right, 1), ([], everywhere, 1), (everywhere, [], 0)):
+        taken = Places(frame)
+        taken.strokes, taken.faint = list(strokes), list(faint)
+        words = [i for i in taken.put([Label("light 1", at)]) if isinstance(i, Text)]
+        assert len(words) == places
+        if faint is right:
+            assert words[0].box.right < 104
+
+
+def test_many_thin_rays_are_thinner_and_stay_lines(made):
+    """Those of 441 pixels are narrower than those of 49."""
+    step = '[[lesson]]\ntext = "All."\nview = {{ resolution = {n}, rays = ["all"] }}\n'
+    deck = made(step.format(n=7) + step.format(n=21)).deck()
+    widths = []
+    for figure in [s.figure for s in deck.slides if s.kind == "step" and s.figure]:
+        groups = [i for i in figure.items if isinstance(i, Group)]
+        group = next(g for g in groups if g.name == "Rays of other pixels")
+        lines = [i for i in flat(group.items) if isinstance(i, Line) and i.dash != "hidden"]
+        widths.append(max(line.width for line in lines))
+    assert len(widths) == 2 and widths[1] < 0.8 * widths[0]
+
+
+@pytest.mark.parametrize("aspect", ["16:9", "4:3"])
+def test_a_slide_that_a_table_has_to_itself_shows_the_picture_too(made, aspect):
+    """A long name does not fit beside the figure; the slide with it whole is not left empty."""
+    name = "wall behind the camera"
+    scene = HALL.replace('name = "front"', f'name = "{name}"')
+    lesson = '[[lesson]]\ntext = "To."\nview = { resolution = 7, pixel = [3, 3], tiles = "filled" }'
+    deck = made(lesson, scene.replace("depth = 60", "depth = 1")).deck(aspect)
+    going_on = next(s for s in deck.slides if s.kind == "step" and s.is_continued)
+    table = next(i for i in flat(going_on.items) if isinstance(i, Table))
+    picture = next(i for i in flat(going_on.items) if isinstance(i, Picture))
+    assert name in [row[1].text for row in table.rows]
+    assert not picture.box.overlaps(table.box) and picture.box.width > 78
+    assert Box(0, 0, deck.width, deck.height).holds(picture.box)
+
+
+def test_a_table_is_whole_on_its_own_slide_where_it_can_be(made):
+    """Eleven rays and few words: the picture gives way, and there is no further slide."""
+    lesson = '[[lesson]]\ntext = "To."\nview = { resolution = 7, pixel = [3, 3], tiles = "filled" }'
+    deck = made(lesson, HALL.replace("depth = 60", "depth = 10")).deck()
+    [step] = [s for s in deck.slides if s.kind == "step"]
+    table = next(i for i in flat(step.items) if isinstance(i, Table))
+    assert len(table.rows) == 12 and not step.is_continued
+
+
+def test_sums_are_parted_between_paragraphs():
+    """A paragraph that would be torn goes on whole, unless it is the first."""
+    points = [Paragraph((Run("many words " * 30),)) for _ in range(3)]
+    whole = flow(points, 14, 300)
+    each = len(whole.lines) // 3
+    first, rest = whole.split_between(whole.line_height * (each + 3))
+    assert len(first.lines) == each and rest.lines[0][2]
+    first, rest = whole.split_between(whole.line_height * 3)
+    assert len(first.lines) == 3 and len(rest.lines) == 3 * each - 3
+
+
+def test_powerpoint_keeps_words_at_the_top_and_numbers_with_their_sign(made):
+    """Its own wrapping may take a line less than ours, and may break elsewhere."""
+    words = "So it is that 5.9 % is mirrored, and 94.1 % goes in. " * 4
+    deck = made(f'[[lesson]]\ntext = "Title. {words}"\nview = {{ resolution = 7 }}').deck()
+    place = next(k for k, s in enumerate(deck.slides) if s.kind == "step")
+    slide = Presentation(io.BytesIO(deck_pptx(deck, SCREEN))).slides[place]
+    body = next(s for s in slide.shapes if s.name == "words")
+    assert body._element.txBody.bodyPr.get("anchor") == "t"
+    assert "5.9\N{NO-BREAK SPACE}%" in body.text_frame.text
+    assert "5.9 %" not in body.text_frame.text
 
 
 def test_very_long_words_go_on_on_the_next_slides(made):

@@ -42,6 +42,16 @@ class Flow:
             count = k + 1
         return Flow(self.lines[:count], self.size), Flow(self.lines[count:], self.size)
 
+    def split_between(self, room: float) -> tuple[Flow, Flow]:
+        """As split, but between paragraphs: the one that would be torn goes on whole."""
+        first, rest = self.split(room)
+        begins = [k for k, (_, _, is_first) in enumerate(first.lines) if is_first]
+        if rest.lines and not rest.lines[0][2] and begins and begins[-1]:
+            return Flow(self.lines[: begins[-1]], self.size), Flow(
+                self.lines[begins[-1] :], self.size
+            )
+        return first, rest
+
 
 def flow(paragraphs: list[Paragraph], size: float, most: float) -> Flow:
     lines = []

@@ -28,12 +28,14 @@ class Label:
 
 
 class Places:
-    """What is taken in a figure: boxes of labels, strokes of lines."""
+    """What is taken in a figure: boxes of labels, strokes of lines, faint ones of thin lines."""
 
     def __init__(self, frame: Box):
         self.frame = frame
         self.boxes: list[Box] = []
         self.strokes: list[tuple[Point, Point]] = []
+        # Of less weight: a plate may lie on them where there is no place beside.
+        self.faint: list[tuple[Point, Point]] = []
 
     def put(self, labels: Iterable[Label]) -> list[Item]:
         """Plates and words of the labels that found a place, the first ones first."""
@@ -55,6 +57,11 @@ class Places:
         return _drawn(box, text, Label(text, (left, top)))
 
     def _free(self, at: Point, wide: float) -> Box | None:
+        return self._clear_of(at, wide, [*self.strokes, *self.faint]) or self._clear_of(
+            at, wide, self.strokes
+        )
+
+    def _clear_of(self, at: Point, wide: float, strokes: list[tuple[Point, Point]]) -> Box | None:
         high = SMALLEST * 1.15
         for ring in RINGS:
             for degrees in DIRECTIONS:
@@ -63,13 +70,13 @@ class Places:
                 left = at[0] + x * ring + (x - 1) / 2 * wide
                 top = at[1] + y * ring + (y - 1) / 2 * high
                 box = Box(left, top, wide, high)
-                if self.frame.holds(box) and self._is_clear(box):
+                if self.frame.holds(box) and self._is_clear(box, strokes):
                     return box
         return None
 
-    def _is_clear(self, box: Box) -> bool:
+    def _is_clear(self, box: Box, strokes: list[tuple[Point, Point]]) -> bool:
         return not any(box.overlaps(other) for other in self.boxes) and not any(
-            crosses(box, *stroke) for stroke in self.strokes
+            crosses(box, *stroke) for stroke in strokes
         )
 
 

@@ -71,9 +71,9 @@ TALL = Layout(
     width=720.0,
     height=540.0,
     title=Box(MARGIN, 22, 640, 66),
-    figure=Box(MARGIN, 196, 330, 248),
+    figure=Box(MARGIN, 196, 316, 248),
     words=Box(MARGIN, 92, 640, 100),
-    aside=Box(384, 200, 300, 292),
+    aside=Box(368, 200, 312, 292),
     footer=Box(MARGIN, 504, 640, 20),
 )
 LAYOUTS = {layout.name: layout for layout in (WIDE, TALL)}

@@ -48,12 +48,15 @@ def _ray(lesson: Lesson, index: int, number: int) -> list[Slide]:
     told = [tell(event, words()) for event in pixel_events(lesson.placed, whole)
             if event.ray == ray and event.what not in GATHERED]  # fmt: skip
     notes = (here, *(" ".join(p for p in (t.sentence, t.numbers) if p) for t in told))
-    box = _words_box(layout)
+    box = _words_box(layout, layout.figure.top)
+    if _fitting(told, box).height() > box.height:
+        box = _words_box(layout, layout.words.top)
     first, rest = _fitting(told, box).split(box.height)
     items = (title(head, layout.title), figure, *flow_texts(first, box), *under)
     slides = [Slide(head, items, notes, "ray", figure=figure)]
     while rest.lines:
         part, rest = rest.split(box.height)
+        box = box._replace(left=layout.title.left)  # no figure stands there
         again = say("slides.continued", title=head)
         items = (title(again, layout.title), *flow_texts(part, box), *under)
         slides.append(Slide(again, items, (), "ray", True))
@@ -92,7 +95,7 @@ def _until(whole: Seen, sight: Sight, order: list[int], number: int) -> tuple[Se
     )
 
 
-def _words_box(layout: Layout) -> Box:
-    """Beside the figure."""
+def _words_box(layout: Layout, top: float) -> Box:
+    """Beside the figure, and from above it where the words are many."""
     box = layout.aside or layout.words
-    return Box(box.left, layout.figure.top, box.width, layout.footer.top - 12 - layout.figure.top)
+    return Box(box.left, top, box.width, layout.footer.top - 12 - top)

@@ -15,7 +15,9 @@ ROW = 20.0  # points
 SAMPLE = 26.0  # of a ray's line before its number
 SWATCH = 12.0
 GAP = 6.0  # between columns
+NUMBER_GAP = 3.0  # more, between a ray's number and the name of what it hits
 MOST_DECIMALS = 3
+ROUNDING = 0.01  # points: a column is as wide as its longest name, and a gap added and taken off
 
 
 def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | None:
@@ -32,12 +34,11 @@ def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | Non
     for decimals in (MOST_DECIMALS, 2):  # a name that is whole comes before a third decimal
         body = [_row(scene, seen, k, ray, decimals) for k, ray in enumerate(shown, start=1)]
         widths = _widths(body, box.width)
-        if all(width(row[1].text, SMALLEST) <= widths[1] - GAP for row in body):
+        room = widths[1] - GAP + ROUNDING
+        if all(width(row[1].text, SMALLEST) <= room for row in body):
             break
     heading = tuple(Cell(word, bold=True) for word in columns())
-    body = [
-        (row[0], Cell(shortened(row[1].text, SMALLEST, widths[1] - GAP)), *row[2:]) for row in body
-    ]
+    body = [(row[0], Cell(shortened(row[1].text, SMALLEST, room)), *row[2:]) for row in body]
     if len(shown) < len(rays):
         left = Cell(say("slides.moreRays", shown=len(shown), of=len(rays)))
         body.append((left, *[Cell()] * (len(heading) - 1)))
@@ -107,9 +108,14 @@ def _widths(body: list[tuple[Cell, ...]], whole: float) -> list[float]:
         max([width(heading[k], SMALLEST, bold=True), *(width(r[k].text, SMALLEST) for r in body)])
         for k in range(len(heading))
     ]
-    needs[0] += SAMPLE
+    # The heading stands above the line's sample, a number beside it.
+    numbers = max(width(row[0].text, SMALLEST) for row in body)
+    needs[0] = max(width(heading[0], SMALLEST, bold=True), SAMPLE + numbers)
+    # Where nothing is met there are no numbers: the headings still stand apart.
+    needs[2:-1] = [max(need, width("0.00", SMALLEST)) for need in needs[2:-1]]
     needs[-1] = SWATCH
     wide = [need + GAP for need in needs]
+    wide[0] += NUMBER_GAP
     wide[-1] = SWATCH + GAP
     rest = whole - sum(wide[:1] + wide[2:])
     wide[1] = min(wide[1], max(rest, 40.0))

@@ -9,7 +9,7 @@ import numpy as np
 
 from raywalk.scene.model import Scene
 from raywalk.slides.clip import clipped_area, clipped_line
-from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygon
+from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygon, flat
 from raywalk.slides.labels import Label, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.lines import RayLine, tree_rows
@@ -23,6 +23,7 @@ from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switche
 CHOSEN_WIDTH = 2.2
 PASSED_WIDTH = 1.4  # of rays that a walk has behind it
 THIN_WIDTH = 0.9
+FEW_THIN = 60  # lines that are drawn at that width
 HIDDEN_SHARE = 0.45  # of a line's width where something stands before it
 DOT = 3.2
 MOST_SQUARES = 15  # tiles across that are drawn one by one; finer grids are a picture
@@ -79,7 +80,7 @@ def step_figure(drawing: Drawing) -> Group:
         *_tiles(drawing),
         *_frustum(drawing, places),
         *_lamps(drawing, places),
-        *_thin(drawing),
+        *_thin(drawing, places),
         *rays,
         *_dots(drawing, places),
         *_normals(drawing, places),
@@ -190,9 +191,9 @@ def _frustum(drawing: Drawing, places: Places) -> list[Item]:
             at, inside = found
             a, b = (tuple((at[0] + s * (at[1] - at[0])).tolist()) for s in inside)
             lines.append(Line(a, b, "frustum", 0.8, name=say("slides.edge")))
-            places.strokes.append((a, b))
+            places.faint.append((a, b))
     outline = _area(drawing, 0, 0, seen.view.n, seen.view.n)
-    places.strokes += list(zip(outline, outline[1:] + outline[:1], strict=True))
+    places.faint += list(zip(outline, outline[1:] + outline[:1], strict=True))
     parts: list[Item] = [Group(say("slides.frustum"), "", tuple(lines))] if lines else []
     if eye := drawing.point(seen.plane.eye):
         parts.append(Dot(eye, 5, "sign", name=say("stage.camera")))
@@ -211,9 +212,12 @@ def _lamps(drawing: Drawing, places: Places) -> list[Item]:
     return lamps
 
 
-def _thin(drawing: Drawing) -> list[Item]:
+def _thin(drawing: Drawing, places: Places) -> list[Item]:
+    """Thinner still where they are many: a hundred lines must not become one area."""
     seen = drawing.seen
-    rays = _rays(drawing, seen.thin, drawing.sight.thin, THIN_WIDTH, None)
+    width = THIN_WIDTH * min(1.0, (FEW_THIN / max(1, len(seen.thin))) ** 0.5)
+    rays = _rays(drawing, seen.thin, drawing.sight.thin, width, None)
+    places.faint += [(i.start, i.end) for i in flat(tuple(rays)) if isinstance(i, Line)]
     return [Group(say("slides.thin"), "", tuple(rays))] if rays else []
 
 
@@ -298,7 +302,7 @@ def _labels(drawing: Drawing) -> list[Label]:
     """The most important first: the first hit's place, ray numbers, camera, lights, normals."""
     seen, labels = drawing.seen, []
     if seen.view.observer == "camera" and seen.view.filled:
-        return []  # the tiles hide what they would name
+        return _light_names(drawing)  # the tiles hide what the others would name
     rays = ray_order(seen)
     for number, ray in enumerate(rays, start=1):
         line = next((each for each in seen.chosen if each.ray == ray and each.light < 0), None)
@@ -306,13 +310,20 @@ def _labels(drawing: Drawing) -> list[Label]:
             labels.append(Label(str(number), at, bold=True))
     if seen.view.observer != "camera" and (eye := drawing.point(seen.plane.eye)):
         labels.append(Label(say("stage.camera"), eye))
-    for light in drawing.scene.lights:
-        if at := drawing.point(np.array(light.position, float)):
-            labels.append(Label(light.name, at))
+    labels += _light_names(drawing)
     first = next((line for line in seen.chosen if line.light < 0 and not line.leaves), None)
     if first and (at := drawing.point(first.ends[1])):
         labels.append(Label(vector(first.ends[1]), at))
     return labels
+
+
+def _light_names(drawing: Drawing) -> list[Label]:
+    at = [drawing.point(np.array(light.position, float)) for light in drawing.scene.lights]
+    return [
+        Label(light.name, point)
+        for light, point in zip(drawing.scene.lights, at, strict=True)
+        if point
+    ]
 
 
 def _middle(drawing: Drawing, line: RayLine) -> Point | None:

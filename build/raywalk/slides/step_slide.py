@@ -23,8 +23,11 @@ from raywalk.slides.words import chosen_tile, kind_word, place, say
 
 GAP = 12.0
 LINE = 20.0
-LEAST_PICTURE, MOST_PICTURE = 84.0, 170.0
-SAMPLE = 24.0  # of a line in the legend
+LEAST_PICTURE, MOST_PICTURE = 78.0, 170.0  # the least has pixel, swatch and numbers beside it
+WIDEST_PICTURE = 300.0  # beside a table that has a slide to itself
+BESIDE = 110.0  # of the pixel's numbers
+MOST_ROWS = 10  # of a table under a picture
+SAMPLE = 24.0  # of a line in the legend; a head would cover what its dashes tell
 LEGEND_ROW = 18.0
 
 
@@ -56,7 +59,8 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     figure = replace(figure, items=(*figure.items, *marks))
     words = flow(body, BODY_SIZE, layout.words.width)
     first, rest = words.split(layout.words.height)
-    numbers = [] if stop.kind == "question" else _numbers(lesson, seen, first)
+    is_last = not _same_pixel_follows(lesson, index)
+    numbers = [] if stop.kind == "question" else _numbers(lesson, seen, first, is_last)
     rays = len(ray_order(seen))
     here = step_place(lesson, seen, 1, rays)
     under = footer(where(lesson, seen), here, layout)
@@ -72,14 +76,13 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
             Slide(again, (title(again, layout.title), *texts, *under), (), stop.kind, True)
         )
     is_cut = any(isinstance(item, Table) and not is_whole(item, scene, seen) for item in numbers)
-    if is_cut and not _same_pixel_follows(lesson, index):
+    if is_cut and is_last:
         again = say("slides.continued", title=head)
         for table in ray_tables(scene, seen, _below_title(layout)):
             from_to = (int(table.rows[k][0].text) for k in (1, -1))
             under = footer(where(lesson, seen), step_place(lesson, seen, *from_to), layout)
-            slides.append(
-                Slide(again, (title(again, layout.title), table, *under), (), stop.kind, True)
-            )
+            items = [title(again, layout.title), table, *_beside(lesson, seen, table), *under]
+            slides.append(Slide(again, tuple(items), (), stop.kind, True))
     return slides
 
 
@@ -134,8 +137,21 @@ def where(lesson: Lesson, seen: Seen) -> str:
     return " · ".join(parts)
 
 
-def _numbers(lesson: Lesson, seen: Seen, words: Flow) -> list[Item]:
-    """The traced picture, the pixel's colour and its table, in what room the words leave."""
+def _beside(lesson: Lesson, seen: Seen, table: Table) -> list[Item]:
+    """The picture in the room that a table on a slide of its own leaves."""
+    whole = lesson.layout.title
+    left = table.box.right + 3 * GAP
+    side = min(WIDEST_PICTURE, whole.right - left - BESIDE)
+    if side < LEAST_PICTURE:
+        return []
+    return _picture(lesson, seen, Box(left, table.box.top, whole.right - left, side))
+
+
+def _numbers(lesson: Lesson, seen: Seen, words: Flow, is_last: bool) -> list[Item]:
+    """The traced picture, the pixel's colour and its table, in what room the words leave.
+
+    is_last: no later step has the table; a whole one then comes before the picture.
+    """
     layout = lesson.layout
     box = layout.aside or Box(
         layout.words.left,
@@ -145,9 +161,12 @@ def _numbers(lesson: Lesson, seen: Seen, words: Flow) -> list[Item]:
     )
     items: list[Item] = []
     room = box.height
-    # A table of at least three rays comes before the picture, the picture before more rows.
-    most = int((room - (LEAST_PICTURE + GAP if room > LEAST_PICTURE + GAP + 4 * ROW else 0)) / ROW)
-    table = ray_table(lesson.placed.scene, seen, box, min(most, 10))
+    scene = lesson.placed.scene
+    table = ray_table(scene, seen, box, _most_rows(room))
+    if is_last and table and not is_whole(table, scene, seen):
+        high = int((room - LINE - GAP) / ROW)
+        whole = ray_table(scene, seen, box, high)
+        table = whole if whole and is_whole(whole, scene, seen) else table
     if table:
         room -= table.box.height + GAP
     used = 0.0
@@ -161,6 +180,13 @@ def _numbers(lesson: Lesson, seen: Seen, words: Flow) -> list[Item]:
         top = box.top + (used + GAP if used else 0)
         items.append(replace(table, box=Box(box.left, top, *table.box[2:])))
     return items
+
+
+def _most_rows(room: float) -> int:
+    """Of the table with its heading: at least three rays come before the picture, the picture
+    before more rows."""
+    picture = LEAST_PICTURE + GAP
+    return min(int((room - (picture if room > picture + 4 * ROW else 0)) / ROW), MOST_ROWS)
 
 
 def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
@@ -229,10 +255,8 @@ def legend(figure: Group, layout: Layout) -> list[Item]:
         if left + wide > layout.figure.right and left > layout.figure.left:
             left, top = layout.figure.left, top + LEGEND_ROW
         middle = top + LEGEND_ROW / 2
-        arrow = dash != "hidden"
-        items.append(
-            Line((left, middle), (left + SAMPLE, middle), colour, line_width, dash, arrow, word)
-        )
+        ends = ((left, middle), (left + SAMPLE, middle))
+        items.append(Line(*ends, colour, line_width, dash, name=word))
         items.append(one_line(word, Box(left + SAMPLE + 6, top, wide, LEGEND_ROW), name=word))
         left += wide + 14
     return [Group(say("slides.legend"), "", tuple(items))] if items else []

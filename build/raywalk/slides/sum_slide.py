@@ -78,7 +78,7 @@ def _with_lights(lesson: Lesson, seen: Seen, slides: list[Slide]) -> list[Slide]
     while rest.lines:
         space = layout.footer.top - 8 - top
         if space >= rest.line_height:
-            part, rest = rest.split(space)
+            part, rest = rest.split_between(space)
             texts = flow_texts(part, Box(layout.title.left, top, layout.title.width, space))
             last = replace(last, items=(*last.items, *texts))
         if rest.lines:

@@ -220,17 +220,28 @@ def _flowed(points: list[Paragraph], indent: float = 0.0) -> tuple[list[Item], f
 
 
 def _pages(title: str, blocks: list[tuple[list[Item], float]]) -> Iterator[Slide]:
-    """Blocks one under the other; one that does not fit begins the next page."""
-    top = MARGIN + HEAD * 1.6
-    items = _heading(title)
-    for block, high in blocks:
-        if top + high > A4[1] - BOTTOM and top > MARGIN + HEAD * 2:
-            yield Slide(title, tuple(items), kind="worksheet")
-            items, top = [], MARGIN
-        items += [_moved(item, top, MARGIN) for item in block]
-        top += high + GAP
-    if items:
+    """Blocks one under the other, the first ones under the title."""
+    for k, page in enumerate(_parted(blocks)):
+        items, top = ([], MARGIN) if k else (_heading(title), MARGIN + HEAD * 1.6)
+        for block, high in page:
+            items += [_moved(item, top, MARGIN) for item in block]
+            top += high + GAP
         yield Slide(title, tuple(items), kind="worksheet")
+
+
+def _parted(blocks: list[tuple[list[Item], float]]) -> list[list[tuple[list[Item], float]]]:
+    """Pages: a block that does not fit begins the next; the last one takes one along rather than
+    stand alone."""
+    pages, top = [[blocks[0]]], MARGIN + HEAD * 1.6 + blocks[0][1] + GAP
+    for block in blocks[1:]:
+        if top + block[1] > A4[1] - BOTTOM:
+            pages.append([])
+            top = MARGIN
+        pages[-1].append(block)
+        top += block[1] + GAP
+    if len(pages) > 1 and len(pages[-1]) == 1 and len(pages[-2]) > 2:
+        pages[-1].insert(0, pages[-2].pop())
+    return pages
 
 
 def _numbered(pages: Iterable[Slide]) -> list[Slide]:
