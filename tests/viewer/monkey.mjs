@@ -100,7 +100,9 @@ function burst({ numbers, scenes }) {
       return `link #${hash}`;
     },
     back() {
-      random() < 0.5 ? history.back() : history.forward();
+      // Not by history.back(): before its first link that would leave the page.
+      const went = random() < 0.5 ? navigation.canGoBack && navigation.back() : navigation.canGoForward && navigation.forward();
+      if (went) for (const way of [went.committed, went.finished]) way.catch(() => {}); // overtaken by the next link
       return "back or forward";
     },
   };

@@ -1,6 +1,7 @@
 /** A kiosk that nobody touches: lesson after lesson, round after round, and what the page holds does not grow. Every
  *  round is measured at the same place: at the first scene's first stop, while nothing moves. */
 import assert from "node:assert/strict";
+import { appendFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { launch, newPage, ON_DISK, open, scenesOfSite } from "./browser.mjs";
 import { countGpu, grown, memoryOf, objectsIn } from "./memory.mjs";
@@ -11,6 +12,8 @@ const IS_LONG = !!process.env.RAYWALK_SOAK_CYCLES;
 const scenes = scenesOfSite().filter((_, k) => IS_LONG || k % 2 === 0);
 const CYCLES = Number(process.env.RAYWALK_SOAK_CYCLES ?? 3 * scenes.length);
 const MINUTES = Number(process.env.RAYWALK_SOAK_MINUTES ?? 2);
+/** A file that gets a line a round, and every tenth time what the objects take, while it runs. */
+const SERIES = process.env.RAYWALK_SOAK_SERIES;
 /** Bytes of the page's own objects: tables in them double when they are full. */
 const OBJECT_SLACK = 100_000;
 /** Bytes of strings: the engine holds the text it has unpacked last (176 kB) or has let go of it. */
@@ -77,6 +80,9 @@ test(`${CYCLES} lessons shown unattended: heap, nodes, listeners, buffers, textu
     cycles = shown.cycles;
     rounds.push({ ...shown, ...(await measure()) });
     if (rounds.length === 2) earlier = objectsIn(await snapshot());
+    if (!SERIES) continue;
+    const { objects, strings, code } = rounds.length % 10 ? {} : objectsIn(await snapshot());
+    appendFileSync(SERIES, `${JSON.stringify({ seconds: Math.round((Date.now() - start) / 1000), ...rounds.at(-1), objects, strings, code })}\n`);
   }
   later = objectsIn(await snapshot());
   const [first, ...others] = rounds.slice(1); // in the first round everything is loaded and compiled
