@@ -86,11 +86,23 @@ def missing_letters(scenes: list[Scene], characters: list[str]) -> SourceError:
     language = words().code
     for scene in scenes:
         file = scene.path if language == DEFAULT else translation_file(scene, language)
-        for k, step in enumerate(scene.lesson):
-            for of, text in (("text", step.text), ("answer", step.answer)):
-                if any(c in text for c in characters):
-                    return _no_letters(file, f"lesson[{k}].{of}", f"step {k + 1}: ", named)
+        for key, step, text in _written(scene):
+            if any(c in text for c in characters):
+                return _no_letters(file, key, step, named)
     return _no_letters(scenes[0].path, "", "", named)
+
+
+def _written(scene: Scene) -> Iterator[tuple[str, str, str]]:
+    """Each text of a scene that slides show: its key, "step 2: " where it is a step's, the text."""
+    yield "title", "", scene.title
+    yield "teaches", "", scene.teaches
+    for k, step in enumerate(scene.lesson):
+        yield f"lesson[{k}].text", f"step {k + 1}: ", step.text
+        yield f"lesson[{k}].answer", f"step {k + 1}: ", step.answer
+    for k, obj in enumerate(scene.objects):
+        yield f"objects[{k}].name", "", obj.name
+    for k, light in enumerate(scene.lights):
+        yield f"lights[{k}].name", "", light.name
 
 
 def _no_letters(file: Path, key: str, step: str, named: str) -> SourceError:

@@ -29,11 +29,15 @@ from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.lines import KINDS
-from raywalk.slides.palette import PRINT, SCREEN
+from raywalk.slides.palette import DASH_LENGTHS, KIND_DASH, PRINT, SCREEN
 from raywalk.slides.pdf import MissingGlyphs, deck_pdf
 from raywalk.slides.pptx import deck_pptx
+from raywalk.slides.step_figure import CHOSEN_WIDTH
+from raywalk.slides.step_slide import SAMPLE
 from raywalk.slides.typeface import wrapped
 from raywalk.slides.views import stops_of
+
+from .conftest import BALLS
 
 LONG = " ".join(f"Sentence {k} says something that nobody can leave out." for k in range(160))
 
@@ -286,6 +290,42 @@ def test_a_build_says_where_the_letters_stand_and_what_to_do(made, tmp_path):
     remark = (out / REMARKS).read_text(encoding="utf-8")
     for part in ("scene.toml", "lesson[1].text", "step 2: ", "U+0627", "--format html,svg,pptx"):
         assert part in remark
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key"),
+    [
+        ('title = "Two balls"', 'title = "光線"', "title"),
+        ('name = "floor"', 'name = "أرض"', "objects[2].name"),
+        ("position = [-2, 2, 1]", 'position = [-2, 2, 1]\nname = "光"', "lights[1].name"),
+    ],
+)
+def test_letters_of_titles_and_names_are_found_too(made, tmp_path, old, new, key):
+    """File and key as for a step's words."""
+    assert old in BALLS
+    step = '[[lesson]]\ntext = "Ray."\nview = { resolution = 7, pixel = [3, 6] }'
+    scene = made(step, BALLS.replace(old, new))
+    write_files(tmp_path, scene.deck(), ("pdf",), None, [scene.scene])
+    remark = (tmp_path / REMARKS).read_text(encoding="utf-8")
+    assert "scene.toml" in remark and key in remark and "U+" in remark
+
+
+def test_a_legends_samples_tell_the_kinds_apart_without_colour():
+    """No two kinds share a dash, and each sample holds a dash whole, its gap and the next one's
+    beginning, in PDF and SVG by our lengths, in PowerPoint by its own, in shares of the width."""
+    dashes = [KIND_DASH[kind] for kind in KINDS]
+    assert len(set(dashes)) == len(dashes)
+    powerpoint = {
+        "dash": 7,
+        "long": 11,
+        "short": 4,
+        "dots": 2,
+        "dashdot": 11,
+    }  # ECMA-376, 20.1.10.48
+    for dash in dashes:
+        if dash != "solid":
+            assert sum(DASH_LENGTHS[dash]) < SAMPLE
+            assert powerpoint[dash] * CHOSEN_WIDTH < SAMPLE
 
 
 def test_a_walk_of_many_rays_still_fits(made):

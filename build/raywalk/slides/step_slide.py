@@ -27,7 +27,7 @@ LEAST_PICTURE, MOST_PICTURE = 78.0, 170.0  # the least has pixel, swatch and num
 WIDEST_PICTURE = 300.0  # beside a table that has a slide to itself
 BESIDE = 110.0  # of the pixel's numbers
 MOST_ROWS = 10  # of a table under a picture
-SAMPLE = 24.0  # of a line in the legend; a head would cover what its dashes tell
+SAMPLE = 28.0  # of a line in the legend; a head would cover what its dashes tell
 LEGEND_ROW = 18.0
 
 
