@@ -75,7 +75,7 @@ def soak_cases(count: int, seed: int) -> Iterator[Case]:
     rising = (0, told.get("rising", math.nan))
     yield case("JS heap, last quarter above the one before, MB", RISING_MEGABYTES, rising, 1e6)
     for what, (words, bound) in COUNTED.items():
-        yield case(f"{words} more", bound, told.get("counts", {}).get(what, gone), 1)
+        yield case(f"more {words}", bound, told.get("counts", {}).get(what, gone), 1)
     yield case("errors", 0.0, (0, told.get("faults", math.nan) + bool(failed and not told)), 1)
 
 
