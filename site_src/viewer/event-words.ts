@@ -1,5 +1,6 @@
 /** The player's events told: one sentence each, and under it its numbers. build/raywalk/telling/sentences.py tells the same. */
 import type { Degrees, LightShare, RayEvent, Term } from "./state/events";
+import type { Why } from "./state/why";
 import type { Vec3 } from "./trace/types";
 import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 
@@ -37,6 +38,14 @@ function termNumbers(term: Term): string {
 }
 
 const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
+
+/** In one sentence why a pixel is dark, or partly so. */
+export function whyDark({ dark, end, ray, share, name, reasons }: Why): Phrase[] {
+  const at = { ray, share: percent(share), name };
+  const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: list(lights), name, by })) : [phrases(`why.${end}`, at)];
+  const parts = end === "stops" || (end === "local" && ray > 1) ? [phrases("why.via", at), ...said] : said;
+  return [...phrases(dark ? "why.dark" : "why.shadow"), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
+}
 
 export function tell(event: RayEvent): Told {
   const { what } = event;
@@ -87,7 +96,7 @@ export function tell(event: RayEvent): Told {
       return { says: phrases("event.gather.says", { name: event.name }), numbers: sumNumbers(event.terms, event.colour) };
     case "pixel":
       return {
-        says: phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }),
+        says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...(event.why ? [" ", ...whyDark(event.why)] : [])],
         numbers: beside(sumNumbers(event.terms, event.colour), `\u00d7 255, ${say("sum.clamped")}: ${bytes(event.colour)}`),
       };
   }

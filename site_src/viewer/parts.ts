@@ -124,7 +124,8 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       card.show(state, scene, trace, missing);
       card.light(lit, event);
       controls.show(state, scene);
-      lesson.show(state, scene, event);
+      const last = view.timeline?.events.at(-1);
+      lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null);
       player.show(state, isAsking(state, scene) && !event ? null : view.timeline); // its colours would give the answer away
       code.show(event, trace, pixelIndex(state));
       whatIf.show(state, traced.scene);

@@ -10,7 +10,8 @@ const { treeOf, linesOf } = await load("state/lines.ts");
 const { timelineOf, linesUpTo } = await load("state/timeline.ts");
 const { advancePlay, goToEvent, goToTime, pressPlay, stepEvent, timeOf, NOT_TOLD } = await load("state/play.ts");
 const { startState, select } = await load("state/view-state.ts");
-const { tell, sentence } = await load("event-words.ts");
+const { tell, sentence, whyDark } = await load("event-words.ts");
+const { plain } = await load("words.ts");
 
 const DEPARTURES = ["camera", "reflected", "refracted", "total"];
 const three = (values, k) => [...values.slice(3 * k, 3 * k + 3)];
@@ -163,4 +164,17 @@ test("stepping goes one by one, back out at the beginning, and stays at the end"
   assert.equal(stepEvent(goToEvent(state, timeline, 0), timeline, -1).event, null);
   const { event, share, playing } = select(state, state.pixel[0] + 1, 0);
   assert.deepEqual({ event, share, playing }, NOT_TOLD);
+});
+
+test("a pixel that is dark or in shadow says why, through glass and mirrors too, and a lit one says nothing", () => {
+  const said = { "02-shadows": [[[10, 8], "Dark because: blue sphere blocks light 1."], [[8, 14], "Dark because: red sphere faces away from light 1, so nothing needs to stand between."], [[4, 3], ""]],
+    "04-one-bounce": [[[10, 7], "Dark because: ray 2 (100\u202f% of the pixel) meets mirror A; there no bounce is left to send a ray on."]],
+    "08-glass": [[[9, 10], "Dark because: ray 8 (88\u202f% of the pixel) meets left wall; orange sphere blocks ceiling light; little comes from front light."]] };
+  for (const [id, pixels] of Object.entries(said).filter(([id]) => scenesOfSite().some((scene) => scene.id === id))) {
+    const { scene, trace } = readTrace(id, 15);
+    for (const [[column, row], says] of pixels) {
+      const { why } = eventsOf(trace, scene, row * 15 + column).at(-1);
+      assert.equal(why ? plain(whyDark(why)) : "", says, `${id}, pixel ${column}, ${row}`);
+    }
+  }
 });

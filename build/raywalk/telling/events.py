@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.telling.scene import ToldScene, Vector
+from raywalk.telling.why import why_of
 from raywalk.trace.tree import Kind, Visibility
 from raywalk.trace_file.decode import DecodedTrace
 
@@ -103,7 +104,8 @@ class _Telling:
         facts = {"terms": self._terms(ray), "colour": triple(trace.colour[ray])}
         if trace.parent[ray] < 0:
             tile = trace.tiles[3 * self.camera : 3 * self.camera + 3].tolist()
-            self._put("pixel", ray, {"pixel": self.pixel, **facts, "bytes": tile})
+            facts |= {"bytes": tile, "why": why_of(trace, self.events, tile)}
+            self._put("pixel", ray, {"pixel": self.pixel, **facts})
         elif sent:
             self._put("gather", ray, {"name": self._name(thing), **facts}, line=line)
 

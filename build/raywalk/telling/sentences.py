@@ -8,6 +8,7 @@ from typing import Any
 
 from raywalk.telling.events import LightShare, RayEvent, Term
 from raywalk.telling.scene import Vector
+from raywalk.telling.why import Reason, Why
 from raywalk.words import Phrase, Words, plain
 
 Facts = Mapping[str, Any]
@@ -145,8 +146,33 @@ def _pixel(event: RayEvent, facts: Facts, words: Words) -> tuple[list[Phrase], s
     tile = ", ".join(map(str, facts["bytes"]))
     of_255 = ", ".join(str(_eight_bit(value)) for value in facts["colour"])
     says = words.phrases("event.pixel.says", x=x, y=y, bytes=tile)
+    if facts["why"]:
+        says = [*says, (" ", None), *_why(facts["why"], words)]
     in_bytes = f"× 255, {words.say('sum.clamped')}: {of_255}"
     return says, _beside(_sum(facts, words), in_bytes)
+
+
+def _why(why: Why, words: Words) -> list[Phrase]:
+    """In one sentence why a pixel is dark, or partly so."""
+    ray, share, name = why.ray, words.numbers.percent(why.share), why.name
+    parts = [_reason(each, name, words) for each in why.reasons]
+    if why.end == "stops" or (why.end == "local" and ray > 1):
+        parts = [words.phrases("why.via", ray=ray, share=share, name=name), *parts]
+    if why.end == "background":
+        parts = [words.phrases("why.background", ray=ray, share=share)]
+    if why.end == "stops":
+        parts += [words.phrases("why.stops")]
+    says = words.phrases("why.dark" if why.dark else "why.shadow")
+    for number, part in enumerate(parts):
+        says += [("; ", None), *part] if number else part
+    return [*says, (".", None)]
+
+
+def _reason(reason: Reason, name: str, words: Words) -> list[Phrase]:
+    slots = {"lights": words.numbers.listed(reason.lights), "by": reason.by, "name": name}
+    named = {"blocked": ("lights", "by"), "away": ("lights", "name"), "paint": ("name",)}
+    wanted = named.get(reason.how, ("lights",))
+    return words.phrases(f"why.{reason.how}", **{slot: slots[slot] for slot in wanted})
 
 
 TELLERS: dict[str, Teller] = {

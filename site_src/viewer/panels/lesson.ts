@@ -2,7 +2,8 @@
 import type { RayEvent } from "../state/events";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
-import { tell } from "../event-words";
+import { tell, whyDark } from "../event-words";
+import type { Why } from "../state/why";
 import { say } from "../words";
 import { button, element, marked } from "./element";
 import { reachable } from "./scrolls";
@@ -29,8 +30,8 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
 
   return {
     element: root,
-    /** told: the event the player is at. */
-    show(state: ViewState, scene: SceneData, told: RayEvent | null) {
+    /** told: the event the player is at; why: the selected pixel is dark, which is said while nothing else is. */
+    show(state: ViewState, scene: SceneData, told: RayEvent | null, why: Why | null) {
       const { step, revealed } = state;
       const running = step !== null;
       const asking = isAsking(state, scene);
@@ -46,13 +47,13 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
         previous.setAttribute("aria-disabled", String(step === 0 && !revealed));
         next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1 && !asking));
       }
-      const key = [scene.id, step, revealed, told];
+      const key = [scene.id, step, revealed, told, why];
       if (key.every((each, k) => each === shown[k])) return;
       shown = key;
       // The pipeline has sanitised a step's HTML.
       if (told) text.replaceChildren(...telling(told));
       else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
-      else text.replaceChildren(element("p", "teaches", scene.teaches));
+      else text.replaceChildren(why ? element("p", "why", ...marked(whyDark(why))) : element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
       lookAgain();
     },

@@ -1,24 +1,17 @@
 /** The selected ray in words, for those who listen: said once the selection rests, and not while anything plays. */
+import { lightShares } from "../state/events";
 import { treeOf } from "../state/lines";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
-import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { element } from "./element";
 
 const RESTS = 500; // ms: while arrows are held down nothing is said
 
-const SAID = { [VISIBILITY.reached]: "arrives", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
-
 function lightsOf(trace: Trace, scene: SceneData, ray: number): string {
   if (trace.localWeight[ray] === 0) return ""; // a mirror asks no light
-  return scene.lights
-    .map(({ name }, light) => {
-      const at = ray * trace.lights + light;
-      const seen = trace.visibility[at];
-      if (seen === VISIBILITY.blocked) return say("spoken.blocked", { light: name, name: scene.objects[trace.blocker[at]]?.name ?? "?" });
-      const how = SAID[seen as keyof typeof SAID];
-      return say(`spoken.${how}`, { light: name });
-    })
+  return lightShares(trace, scene, ray)
+    .map(({ name: light, seen }, k) => say(`spoken.${seen}`, { light, name: scene.objects[trace.blocker[ray * trace.lights + k]]?.name ?? "" }))
     .join(" ");
 }
 

@@ -6,6 +6,7 @@ import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/type
 import { KIND_NAMES, originOf, treeOf, type LineKind } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, triple, unit } from "./vectors";
+import { whyOf, type Why } from "./why";
 
 export interface LightShare {
   name: string;
@@ -36,7 +37,7 @@ export type Happening =
   | { what: "local"; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
   | { what: "stops"; name: string; limit: number; atLimit: boolean }
   | { what: "gather"; name: string; terms: readonly Term[]; colour: Vec3 }
-  | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3 };
+  | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3; why: Why | null };
 
 export type RayEvent = Happening & {
   ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
@@ -145,7 +146,8 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
     }
     for (const child of sent) walk(child, KIND_NAMES[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
     const colour = triple(trace.colour, ray);
-    if (trace.parent[ray] < 0) put(ray, { what: "pixel", pixel: place, terms: terms(ray), colour, bytes: triple(trace.tiles, pixel) });
+    const bytes = triple(trace.tiles, pixel);
+    if (trace.parent[ray] < 0) put(ray, { what: "pixel", pixel: place, terms: terms(ray), colour, bytes, why: whyOf(trace, tree, events, bytes) });
     else if (sent.length) put(ray, { what: "gather", name: nameOf(object), terms: terms(ray), colour }, { line });
   }
 

@@ -1,0 +1,58 @@
+/** Why a pixel is dark: the ray whose end counts most in it, and what the lights say there. From the stored shares and
+ *  the events alone; build/raywalk/telling/why.py finds the same. */
+import type { Trace, Vec3 } from "../trace/types";
+import type { LightShare, RayEvent } from "./events";
+
+const DARK = 80; // of 255: its brightest channel is below
+const LITTLE = 0.25; // of the light, by its stored diffuse factor
+const HOWS = ["blocked", "away", "little", "off", "reached", "paint"] as const; // causes first
+
+export interface Reason {
+  how: (typeof HOWS)[number]; // paint: no light, the surface itself is dark
+  by: string; // what blocks
+  lights: readonly string[];
+}
+
+export interface Why {
+  dark: boolean; // else a light is blocked where the ray ends
+  end: "local" | "background" | "stops";
+  ray: number; // as the card numbers it
+  share: number; // in the pixel's colour
+  name: string; // of the object where it ends
+  reasons: readonly Reason[];
+}
+
+function howOf({ seen, diffuse }: LightShare, dark: boolean): Reason["how"] {
+  if (seen === "unasked" && diffuse === 0) return "away";
+  if (seen === "reached" || seen === "unasked") return dark && diffuse < LITTLE ? "little" : "reached";
+  return seen;
+}
+
+/** Lights of which the same is to be said, together. by: what blocks each. */
+function reasonsOf(lights: readonly LightShare[], by: ReadonlyMap<string, string>, dark: boolean): Reason[] {
+  const said = lights.map((light) => ({ how: howOf(light, dark), by: by.get(light.name) ?? "", light: light.name }));
+  const found = HOWS.flatMap((how) => {
+    const alike = said.filter((each) => each.how === how);
+    return [...new Set(alike.map((each) => each.by))].map((by) => ({ how, by, lights: alike.filter((each) => each.by === by).map((each) => each.light) }));
+  });
+  return dark && found.every(({ how }) => how === "reached") ? [...found, { how: "paint", by: "", lights: [] }] : found;
+}
+
+/** tree: the pixel's rays as the card numbers them. null: it is neither dark nor is a light blocked. */
+export function whyOf(trace: Trace, tree: readonly number[], events: readonly RayEvent[], bytes: Vec3): Why | null {
+  const shareOf = (ray: number): number => (trace.parent[ray] < 0 ? 1 : trace.weight[ray] * shareOf(trace.parent[ray]));
+  const dark = Math.max(...bytes) < DARK;
+  let why: Why | null = null;
+  let name = "";
+  let by = new Map<string, string>();
+  for (const event of events) {
+    const { what, ray } = event;
+    if (what === "meets") [name, by] = [event.name, new Map()];
+    else if (what === "blocked") by.set(event.name, event.by);
+    else if (what === "local" || what === "stops" || what === "background") {
+      const share = shareOf(ray) * (what === "local" ? event.share : what === "stops" ? 1 - trace.localWeight[ray] : 1);
+      if (!why || share > why.share) why = { dark, end: what, ray: tree.indexOf(ray) + 1, share, name, reasons: what === "local" ? reasonsOf(event.lights, by, dark) : [] };
+    }
+  }
+  return dark || why?.reasons.some(({ how }) => how === "blocked") ? why : null;
+}
