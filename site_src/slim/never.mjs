@@ -147,6 +147,15 @@ const PARTS = [
     changes: [[/(this\.)?type === VSMShadowMap/g, "false"], emptied("VSMPass"), [/const shadowMaterialVertical = [\s\S]*?const fullScreenMesh = .*/, ""]],
   },
   {
+    file: "renderers/webgl/WebGLLights.js",
+    why: "lamps and light from everywhere, no other lights",
+    unless: ["SunLight", "DirectionalLight", "SpotLight", "RectAreaLight", "HemisphereLight", "LightProbe"],
+    changes: [
+      [/case '(Sun|Directional|Spot|RectArea|Hemisphere)Light':\s*(uniforms = \{[\s\S]*?\};\s*)?(break;)?\n/g, ""],
+      [/if \( rectAreaLength > 0 \) \{[\s\S]*?\n\t\t\}\n/, ""],
+    ],
+  },
+  {
     file: "renderers/webgl/WebGLUtils.js",
     why: "textures are made of plain numbers",
     changes: [[/if \( p === RGB_S3TC_DXT1_Format[\s\S]*?(?=if \( p === UnsignedInt248Type)/, ""]],

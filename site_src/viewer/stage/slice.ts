@@ -11,7 +11,8 @@ import { createLabels, type Label } from "./labels";
 
 const EDGE = 34; // CSS pixels round the drawing, for labels
 const ASIDE = 140; // more on its left, for the switch
-const NARROW = 700; // below, that stands above the drawing
+const ABOVE = 24; // and over it
+const NARROW = 700; // narrower, all of these stand outside
 const FAINT = 0.34; // of a row's other rays
 const HEAD = 9; // of an arrow
 const INK = 0.55; // of a colour on a light page
@@ -48,10 +49,11 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     canvas.height = Math.round(height * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
     const { section, scene, chosen, tiles, costs, tile, large } = now;
-    const aside = width < NARROW ? 0 : ASIDE;
+    const isWide = width >= NARROW;
+    const aside = isWide ? ASIDE : 0, above = isWide ? ABOVE : 0;
     const [left, top, right, bottom] = frameOf({ ...section, curves: [...section.curves, ...besidePlane()] }, scene);
-    const zoom = Math.min((width - aside - 2 * EDGE) / Math.max(right - left, 1e-9), (height - 2 * EDGE) / Math.max(bottom - top, 1e-9));
-    const [shiftX, shiftY] = [(width + aside) / 2 - (zoom * (left + right)) / 2, height / 2 - (zoom * (top + bottom)) / 2];
+    const zoom = Math.min((width - aside - 2 * EDGE) / Math.max(right - left, 1e-9), (height - above - 2 * EDGE) / Math.max(bottom - top, 1e-9));
+    const [shiftX, shiftY] = [(width + aside) / 2 - (zoom * (left + right)) / 2, (height + above) / 2 - (zoom * (top + bottom)) / 2];
     const at = ([x, y]: Flat): Flat => [shiftX + zoom * x, shiftY + zoom * y];
     back = (x, y) => [(x - shiftX) / zoom, (y - shiftY) / zoom];
     const on = (point: Vec3) => at(section.flat(point));
@@ -72,7 +74,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     }
     dot(at(section.eye), 6, STAGE.camera);
     const strokes = drawnLines.flatMap(({ from, to }) => Array.from({ length: 24 }, (_, k) => [from[0] + ((to[0] - from[0]) * k) / 24, from[1] + ((to[1] - from[1]) * k) / 24]).flat());
-    labels.show(named(at, on, width, height), width, height, [], strokes, large);
+    labels.show(named(at, on, aside, width, height), width, height, [], strokes, large);
   }
 
   /** Outlines of what blocks a light and does not reach into the plane, as seen from above it. */
@@ -83,10 +85,10 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     return [...blockers].flatMap((object) => (object < 0 ? [] : (silhouetteOf(object, scene, section.flat) ?? [])));
   }
 
-  function named(at: (f: Flat) => Flat, on: (p: Vec3) => Flat, width: number, height: number): Label[] {
+  function named(at: (f: Flat) => Flat, on: (p: Vec3) => Flat, left: number, width: number, height: number): Label[] {
     const { section, scene } = now!;
     const label = (key: string, text: string, [x, y]: Flat, below = false): Label => ({ key, text, x, y, kind: "sign", below });
-    const inside = ([x, y]: Flat) => x >= 0 && y >= 0 && x <= width && y <= height;
+    const inside = ([x, y]: Flat) => x >= left && y >= 0 && x <= width && y <= height;
     const found = [label("eye", say("slice.eye"), at(section.eye), true)];
     for (const light of scene.lights) if (inside(on(light.position))) found.push(label(`light ${light.name}`, light.intensity > 0 ? light.name : say("stage.off", { light: light.name }), on(light.position)));
     const seen = new Set<number>();
@@ -111,7 +113,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     if (kind === CURVE.ellipse) return at(points[0]);
     if (kind === CURVE.closed) return at([0, 1].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length) as unknown as Flat);
     const [from, to] = [at(points[0]), at(points[points.length - 1])];
-    for (const share of [0.5, 0.6, 0.4, 0.7, 0.3, 0.55, 0.45, 0.52, 0.48]) {
+    for (const share of [0.5, 0.6, 0.4, 0.7, 0.3, 0.55, 0.45]) {
       const place: Flat = [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
       if (inside(place)) return place;
     }
