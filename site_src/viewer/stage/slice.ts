@@ -86,14 +86,15 @@ export function createSlice(acts: { pick: (along: number) => void }) {
   }
 
   function named(at: (f: Flat) => Flat, on: (p: Vec3) => Flat, left: number, width: number, height: number): Label[] {
-    const { section, scene } = now!;
+    const { section, scene, trace, chosen } = now!;
+    const met = new Set(chosen.map(({ ray }) => trace.object[ray])); // a narrow drawing names these alone
     const label = (key: string, text: string, [x, y]: Flat, below = false): Label => ({ key, text, x, y, kind: "sign", below });
     const inside = ([x, y]: Flat) => x >= left && y >= 0 && x <= width && y <= height;
     const found = [label("eye", say("slice.eye"), at(section.eye), true)];
     for (const light of scene.lights) if (inside(on(light.position))) found.push(label(`light ${light.name}`, light.intensity > 0 ? light.name : say("stage.off", { light: light.name }), on(light.position)));
     const seen = new Set<number>();
     for (const curve of section.curves) {
-      if (seen.has(curve.object)) continue;
+      if (seen.has(curve.object) || (width < NARROW && !met.has(curve.object))) continue;
       seen.add(curve.object);
       const place = anchor(curve, at, inside);
       if (place) found.push(label(`object ${curve.object}`, scene.objects[curve.object].name, place, curve.kind !== CURVE.open || isFlat(curve)));
