@@ -39,12 +39,12 @@ function termNumbers(term: Term): string {
 
 const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
 
-/** In one sentence why a pixel is dark, or partly so. */
-export function whyDark({ dark, end, ray, share, name, reasons }: Why): Phrase[] {
+/** In one sentence why a pixel is dark, partly so, or lit. */
+export function whyDark({ tone, end, ray, share, name, reasons }: Why): Phrase[] {
   const at = { ray, share: percent(share), name };
   const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: list(lights), name, by })) : [phrases(`why.${end}`, at)];
   const parts = end === "stops" || (end === "local" && ray > 1) ? [phrases("why.via", at), ...said] : said;
-  return [...phrases(dark ? "why.dark" : "why.shadow"), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
+  return [...phrases(`why.${tone}`), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
 }
 
 export function tell(event: RayEvent): Told {
@@ -96,7 +96,7 @@ export function tell(event: RayEvent): Told {
       return { says: phrases("event.gather.says", { name: event.name }), numbers: sumNumbers(event.terms, event.colour) };
     case "pixel":
       return {
-        says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...(event.why ? [" ", ...whyDark(event.why)] : [])],
+        says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...(event.why && event.why.tone !== "lit" ? [" ", ...whyDark(event.why)] : [])],
         numbers: beside(sumNumbers(event.terms, event.colour), `\u00d7 255, ${say("sum.clamped")}: ${bytes(event.colour)}`),
       };
   }

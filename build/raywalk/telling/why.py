@@ -1,4 +1,4 @@
-"""Why a pixel is dark: viewer/state/why.ts in Python, operation by operation.
+"""Why a pixel is dark or in shadow: viewer/state/why.ts in Python, operation by operation.
 
 The ray whose end counts most in the pixel, and what the lights say there: from the stored shares
 and the events alone.

@@ -30,7 +30,8 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
 
   return {
     element: root,
-    /** told: the event the player is at; why: the selected pixel is dark, which is said while nothing else is. */
+    /** told: the event the player is at; why: of the selected pixel's light; said while nothing else is, of a lit one not
+     *  before another pixel was selected than the scene's own. */
     show(state: ViewState, scene: SceneData, told: RayEvent | null, why: Why | null) {
       const { step, revealed } = state;
       const running = step !== null;
@@ -53,7 +54,7 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
       // The pipeline has sanitised a step's HTML.
       if (told) text.replaceChildren(...telling(told));
       else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
-      else text.replaceChildren(why ? element("p", "why", ...marked(whyDark(why))) : element("p", "teaches", scene.teaches));
+      else text.replaceChildren(why && (why.tone !== "lit" || state.pixel.join() !== scene.start.pixel.join()) ? element("p", "why", ...marked(whyDark(why))) : element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
       lookAgain();
     },

@@ -1,5 +1,5 @@
-/** Why a pixel is dark: the ray whose end counts most in it, and what the lights say there. From the stored shares and
- *  the events alone; build/raywalk/telling/why.py finds the same. */
+/** Why a pixel is dark, or lit: the ray whose end counts most in it, and what the lights say there. From the stored shares
+ *  and the events alone; build/raywalk/telling/why.py finds the same for dark ones. */
 import type { Trace, Vec3 } from "../trace/types";
 import type { LightShare, RayEvent } from "./events";
 
@@ -14,7 +14,7 @@ export interface Reason {
 }
 
 export interface Why {
-  dark: boolean; // else a light is blocked where the ray ends
+  tone: "dark" | "shadow" | "lit"; // shadow: not dark, but a light is blocked where the ray ends
   end: "local" | "background" | "stops";
   ray: number; // as the card numbers it
   share: number; // in the pixel's colour
@@ -38,7 +38,7 @@ function reasonsOf(lights: readonly LightShare[], by: ReadonlyMap<string, string
   return dark && found.every(({ how }) => how === "reached") ? [...found, { how: "paint", by: "", lights: [] }] : found;
 }
 
-/** tree: the pixel's rays as the card numbers them. null: it is neither dark nor is a light blocked. */
+/** tree: the pixel's rays as the card numbers them. */
 export function whyOf(trace: Trace, tree: readonly number[], events: readonly RayEvent[], bytes: Vec3): Why | null {
   const shareOf = (ray: number): number => (trace.parent[ray] < 0 ? 1 : trace.weight[ray] * shareOf(trace.parent[ray]));
   const dark = Math.max(...bytes) < DARK;
@@ -51,8 +51,11 @@ export function whyOf(trace: Trace, tree: readonly number[], events: readonly Ra
     else if (what === "blocked") by.set(event.name, event.by);
     else if (what === "local" || what === "stops" || what === "background") {
       const share = shareOf(ray) * (what === "local" ? event.share : what === "stops" ? 1 - trace.localWeight[ray] : 1);
-      if (!why || share > why.share) why = { dark, end: what, ray: tree.indexOf(ray) + 1, share, name, reasons: what === "local" ? reasonsOf(event.lights, by, dark) : [] };
+      if (why && share <= why.share) continue;
+      const reasons = what === "local" ? reasonsOf(event.lights, by, dark) : [];
+      const tone = dark ? "dark" : reasons.some(({ how }) => how === "blocked") ? "shadow" : "lit";
+      why = { tone, end: what, ray: tree.indexOf(ray) + 1, share, name, reasons };
     }
   }
-  return dark || why?.reasons.some(({ how }) => how === "blocked") ? why : null;
+  return why;
 }
