@@ -21,8 +21,9 @@ from typing import Any
 
 from raywalk.bench.cases import Case
 
-# Goals are 1 s and 2 s on a machine where Python starts in 30 ms.
-NOTHING, WORDS = 30.0, 60.0
+# Goals are 1 s and 2 s. Where they were measured with nothing beside, Python starts in 11 to 13 ms:
+# 2 s are 150 starts. Doing nothing is held closer than its goal.
+NOTHING, WORDS = 30.0, 150.0
 TURNS = 5
 PATIENCE = 120.0  # seconds after which a page is taken never to come
 LOOK = 0.01  # seconds between two looks at the page
