@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -34,6 +35,12 @@ VIEWER_MAY_IMPORT = {
     "stage": {"stage", "state", "trace"},
     # event-words holds the sentences for the state's events, which only panels show.
     "panels": {"panels", "state", "trace", "event-words"},
+    # Files beside the folders: what is listed knows nothing of who ties it together.
+    "palette.ts": {"state"},
+    "event-words.ts": {"state", "trace"},
+    "session.ts": {"state", "trace"},
+    "actions.ts": {"session", "state", "trace"},
+    "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
 FOR_ANYONE = {"words", "word-keys", "palette", "tile-picture"}
 
@@ -94,8 +101,10 @@ def test_start_up_needs_no_engine() -> None:
             assert not found & {"numba", "trimesh", "embreex"}, file.name
 
 
-def typescript_files(folder: str) -> list[Path]:
-    return sorted((VIEWER / folder).rglob("*.ts"))
+def typescript_files(part: str) -> list[Path]:
+    """A folder's modules, or the one file."""
+    at = VIEWER / part
+    return [at] if at.is_file() else sorted(at.rglob("*.ts"))
 
 
 def without_comments_and_strings(source: str) -> str:
@@ -118,16 +127,29 @@ def viewer_imports(file: Path) -> Iterator[str]:
             yield name
 
 
-@pytest.mark.parametrize("folder", VIEWER_MAY_IMPORT)
-def test_a_viewer_folder_imports_only_what_it_may(folder: str) -> None:
+@pytest.mark.parametrize("part", VIEWER_MAY_IMPORT)
+def test_a_part_of_the_viewer_imports_only_what_it_may(part: str) -> None:
     """main -> stage, panels -> state -> trace; stage and panels do not know each other."""
-    for file in typescript_files(folder):
+    files = typescript_files(part)
+    assert files, f"viewer/{part} is not there"
+    for file in files:
         for name in viewer_imports(file):
             top = name.split("/")[0]
-            known = top in VIEWER_MAY_IMPORT[folder] or name.removesuffix(".ts") in FOR_ANYONE
-            assert known or (name.startswith("three") and folder == "stage"), (
-                f"viewer/{folder}/{file.name} imports {name}"
+            known = top in VIEWER_MAY_IMPORT[part] or name in FOR_ANYONE
+            assert known or (name.startswith("three") and part == "stage"), (
+                f"viewer/{file.relative_to(VIEWER)} imports {name}"
             )
+
+
+def test_no_modules_of_the_viewer_import_one_another_in_a_circle() -> None:
+    """Imports of types count too: where types meet, a module of types alone lies below both."""
+    graph = {
+        file.relative_to(VIEWER).with_suffix("").as_posix(): set(viewer_imports(file))
+        for file in typescript_files(".")
+    }
+    unknown = set().union(*graph.values()) - set(graph) - {"three", "word-keys"}
+    assert not unknown, f"imports that are no module's path: {unknown}"  # a circle could hide there
+    TopologicalSorter(graph).prepare()  # raises CycleError, which names the circle
 
 
 @pytest.mark.parametrize("folder", ["trace", "state"])

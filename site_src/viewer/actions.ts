@@ -1,15 +1,14 @@
 /** What a person can do, whatever the hand does it with: each act makes the next state out of this one. */
-import type { CardLine } from "./panels/card";
 import type { Session } from "./session";
 import { TILE_VIEWS, type TileView } from "./state/costs";
-import type { RayEvent } from "./state/events";
+import type { RayEvent } from "./state/event-types";
 import { nextLook, withLook, withObserver, type Look } from "./state/look";
 import * as player from "./state/play";
 import * as switches from "./state/switches";
 import type { Switches } from "./state/switches";
 import { eventLike, type Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
-import type { ViewState } from "./state/view-state";
+import type { LitLine, ViewState } from "./state/types";
 import type { SceneData } from "./trace/types";
 
 export interface Outside {
@@ -93,7 +92,7 @@ export function createActions(session: Session, outside: Outside) {
       if (session.state?.colours !== "picture") outside.draw();
     },
 
-    light(line: CardLine | null) {
+    light(line: LitLine | null) {
       if (line?.ray === session.lit?.ray && line?.light === session.lit?.light) return;
       session.lit = line;
       outside.draw();

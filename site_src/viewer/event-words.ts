@@ -1,6 +1,5 @@
 /** The player's events told: one sentence each, and under it its numbers. build/raywalk/telling/sentences.py tells the same. */
-import type { Degrees, LightShare, RayEvent, Term } from "./state/events";
-import type { Why } from "./state/why";
+import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
 import type { Vec3 } from "./trace/types";
 import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 

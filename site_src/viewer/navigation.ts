@@ -6,7 +6,7 @@ import type { Session } from "./session";
 import { isSwitched } from "./state/switches";
 import { followAddress, readAddress } from "./state/address";
 import * as player from "./state/play";
-import type { Kept } from "./state/view-state";
+import type { Kept } from "./state/types";
 import type { SceneData } from "./trace/types";
 import { troubleOfNextScene, troubleOfScene, troubleOfTrace, type Trouble } from "./trouble";
 import { list, say } from "./words";

@@ -1,11 +1,10 @@
 /** What the page is at: the state, the scene and the rays it belongs to, and what follows from them. */
-import type { CardLine } from "./panels/card";
-import type { RayEvent } from "./state/events";
+import type { RayEvent } from "./state/event-types";
 import type { SectionsData } from "./state/section";
 import { isSwitched } from "./state/switches";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
-import type { ViewState } from "./state/view-state";
+import type { LitLine, ViewState } from "./state/types";
 import { createWhatIf } from "./state/what-if";
 import type { TilePicture } from "./tile-picture";
 import type { BoxesData } from "./trace/boxes";
@@ -32,7 +31,7 @@ export function createSession() {
     missing: false, // the trace could not be loaded
     finest: null as Trace | null, // of the finest grid, once switches were set
     boxes: null as BoxesData | null, // of the scene's meshes, once they were wanted
-    lit: null as CardLine | null, // what the pointer is on
+    lit: null as LitLine | null, // what the pointer is on
     pointed: null as readonly [number, number] | null, // the tile it is on
 
     listen: (to: Listeners) => void (listeners = to),

@@ -1,16 +1,12 @@
 /** The selected pixel's rays as an indented list: every number of every ray. */
 import type { LightRow, RayRow } from "../state/ray-rows";
+import type { LitLine } from "../state/types";
 import type { Vec3 } from "../trace/types";
 import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
 import { element, marked, swatch } from "./element";
 
-export interface CardLine {
-  ray: number;
-  light: number; // -1: the ray itself
-}
-
 export interface LineActs {
-  light: (line: CardLine | null) => void;
+  light: (line: LitLine | null) => void;
   tell: (ray: number, light: number) => void;
 }
 
@@ -30,7 +26,7 @@ export const isGiving = ({ seen }: LightRow) => seen === "reached" || seen === "
 export function createRays(acts: LineActs) {
   const list = element("ul", "rays");
 
-  function item(kind: string, depth: number, line: CardLine, ...content: Node[]) {
+  function item(kind: string, depth: number, line: LitLine, ...content: Node[]) {
     const made = element("li", `ray ${kind}`, ...content);
     Object.assign(made.dataset, { depth: Math.min(depth, DEEPEST), ray: line.ray, light: line.light });
     made.tabIndex = 0;

@@ -1,6 +1,6 @@
 /** How the pixel's colour adds up: a formula a ray, with the numbers put in. */
 import type { LightRow, RayRow } from "../state/ray-rows";
-import type { RayEvent } from "../state/events";
+import type { RayEvent } from "../state/event-types";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
 import { fixed, number, phrases, say } from "../words";

@@ -1,8 +1,9 @@
 /** The ray tree as a drawing: a node a ray, below it what it led to. Kinds differ in outline and dash, not in hue alone. */
 import { LINES } from "../palette";
 import type { LightRow, RayRow } from "../state/ray-rows";
+import type { LitLine } from "../state/types";
 import { hexOf, percent, plain, say } from "../words";
-import { lightWords, rayWords, type CardLine, type LineActs } from "./card-rays";
+import { lightWords, rayWords, type LineActs } from "./card-rays";
 import { button, element, setWord } from "./element";
 import { svg } from "./svg";
 
@@ -93,7 +94,7 @@ export function createTree(acts: LineActs) {
   let rows: readonly RayRow[] = [];
   let isOpen = false;
   let nodes = new Map<number, SVGElement>(); // by ray
-  let lit: CardLine | null = null;
+  let lit: LitLine | null = null;
 
   function nodeOf(node: Placed): SVGElement {
     const { row } = node;
@@ -227,7 +228,7 @@ export function createTree(acts: LineActs) {
     if (at.top < of.top || at.bottom > of.bottom) window.scrollTop += (at.top + at.bottom - of.top - of.bottom) / 2;
   }
 
-  function show(line: CardLine | null, follow: boolean) {
+  function show(line: LitLine | null, follow: boolean) {
     lit = line;
     if (line && follow && !nodes.has(line.ray) && rows.some(({ ray }) => ray === line.ray)) {
       isOpen = true;

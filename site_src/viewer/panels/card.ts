@@ -1,10 +1,11 @@
 /** The selected pixel's card: where it is, its colour, and its rays as a list, as a tree and as a sum. */
-import type { RayEvent } from "../state/events";
+import type { RayEvent } from "../state/event-types";
 import { rayRows, type RayRow } from "../state/ray-rows";
+import type { LitLine } from "../state/types";
 import { isAsking, pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
-import { createRays, type CardLine } from "./card-rays";
+import { createRays } from "./card-rays";
 import { createSums } from "./card-sum";
 import { createTree } from "./card-tree";
 import { copy, treeTable, treeText } from "./copy";
@@ -12,11 +13,9 @@ import { sayDone } from "./done";
 import { button, element, swatch } from "./element";
 import { createTabs } from "./tabs";
 
-export type { CardLine };
-
 export interface CardActs {
   move: (right: number, down: number) => void;
-  light: (line: CardLine | null) => void;
+  light: (line: LitLine | null) => void;
   /** Goes to the event in which that happens to the ray. */
   tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void;
 }
@@ -99,7 +98,7 @@ export function createCard(acts: CardActs, code: HTMLElement) {
       draw();
     },
     /** Marks what belongs to the ray that is lit up on the stage, or to the told event; follow: and brings it into sight. */
-    light(line: CardLine | null, told: RayEvent | null) {
+    light(line: LitLine | null, told: RayEvent | null) {
       const next = [line, told];
       if (next.every((each, k) => each === bright[k])) return;
       bright = next;

@@ -1,5 +1,5 @@
 /** The algorithm beside the player, as pseudo-code to read: the line that the told event belongs to is marked. Nothing here runs. */
-import type { RayEvent } from "../state/events";
+import type { RayEvent } from "../state/event-types";
 import { treeOf } from "../state/lines";
 import type { Trace } from "../trace/types";
 import { say } from "../words";

@@ -1,9 +1,8 @@
 /** The sentence under the stage: what the scene teaches, the lesson's current step, or what the player tells. */
-import type { RayEvent } from "../state/events";
+import type { RayEvent, Why } from "../state/event-types";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { tell, whyDark } from "../event-words";
-import type { Why } from "../state/why";
 import { say } from "../words";
 import { button, element, marked } from "./element";
 import { reachable } from "./scrolls";

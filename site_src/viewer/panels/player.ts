@@ -1,5 +1,5 @@
 /** The step-by-step player's row: one event back, play, one on, a scrub bar coloured by ray kind, speed. */
-import type { RayEvent } from "../state/events";
+import type { RayEvent } from "../state/event-types";
 import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
 import type { ViewState } from "../state/view-state";

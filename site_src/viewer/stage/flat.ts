@@ -3,7 +3,7 @@ import { LINES, STAGE } from "../palette";
 import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
-import type { Observer } from "../state/observer";
+import type { Observer } from "../state/types";
 import { clipToFront, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
 import type { SceneData } from "../trace/types";

@@ -11,6 +11,7 @@ import {
 } from "three";
 import { LINES, rgb } from "../palette";
 import type { Line } from "../state/lines";
+import type { LitLine } from "../state/types";
 import { createLineMaterial } from "./line-shader";
 
 const ARROWS_UP_TO = 500; // lines; beyond that heads would cover the lines
@@ -26,11 +27,6 @@ function shape({ position, index }: typeof HEAD) {
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(position), 3));
   geometry.setIndex(index);
   return geometry;
-}
-
-export interface LitLine {
-  ray: number;
-  light: number; // -1: the ray itself
 }
 
 export function createLineSet(thick: boolean) {

@@ -3,12 +3,10 @@ import type { BoxLines } from "../state/box-lines";
 import type { Costs } from "../state/costs";
 import type { PicturePlane } from "../state/frustum";
 import type { Line } from "../state/lines";
-import type { Observer } from "../state/observer";
+import type { LitLine, Observer, ViewState } from "../state/types";
 import type { Projection } from "../state/projection";
-import type { ViewState } from "../state/view-state";
 import type { TilePicture } from "../tile-picture";
 import type { SceneData, Trace } from "../trace/types";
-import type { LitLine } from "./line-set";
 
 export interface StageView {
   scene: SceneData; // as it was traced

@@ -1,13 +1,13 @@
 /** The stage: a renderer, the labels over it, and what the hand does on it. */
 import { onPlane } from "../state/frustum";
 import { createProjection, type Projection } from "../state/projection";
-import { observerOf, orbit, pan, zoom, type Observer, type ObserverChoice } from "../state/observer";
+import { observerOf, orbit, pan, zoom, type ObserverChoice } from "../state/observer";
+import type { LitLine, Observer } from "../state/types";
 import { along, length, sub, triple } from "../state/vectors";
 import { say, vector } from "../words";
 import { createFlatRenderer } from "./flat";
 import { listenToGestures } from "./gestures";
 import { createLabels, type Box, type Label } from "./labels";
-import type { LitLine } from "./line-set";
 import type { Line } from "../state/lines";
 import type { Trace } from "../trace/types";
 import type { StageRenderer, StageView } from "./renderer";

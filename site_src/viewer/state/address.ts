@@ -1,7 +1,8 @@
 /** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is as at the scene's start is
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
-import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type Kept, type RayChoice, type ViewState } from "./view-state";
+import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type RayChoice } from "./view-state";
+import type { Kept, ViewState } from "./types";
 import { TILE_VIEWS } from "./costs";
 import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
@@ -66,7 +67,7 @@ function nearestOf(asked: number, allowed: readonly number[]): number {
 }
 
 /** The place asked for, or the nearest from which the scene is still to be seen; null if it is none. */
-function readObserver(text: string, { center, radius }: SceneData["bounds"]): { observer: NonNullable<View["observer"]>; isMoved: boolean } | null {
+function readObserver(text: string, { center, radius }: SceneData["bounds"]): { observer: ViewState["observer"]; isMoved: boolean } | null {
   if (text === "start" || text === "camera") return { observer: text, isMoved: false };
   const v = text.split(",").map((each) => (each.trim() === "" ? Number.NaN : Number(each)));
   if (v.length !== 6 || !v.every(Number.isFinite)) return null;

@@ -3,48 +3,11 @@
  * them are the trace's: stored factors times stored colours, measured lengths and angles; nothing is traced.
  */
 import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
+import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
 import { KIND_NAMES, originOf, treeOf, type LineKind } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, triple, unit } from "./vectors";
-import { whyOf, type Why } from "./why";
-
-export interface LightShare {
-  name: string;
-  seen: "reached" | "blocked" | "away" | "unasked" | "off";
-  diffuse: number; // to be multiplied by the material's colour and the light's
-  specular: number;
-  colour: Vec3; // the light's
-}
-
-/** One term of a colour: share x colour. */
-export interface Term {
-  of: "local" | "background" | "reflected" | "refracted" | "total";
-  share: number;
-  colour: Vec3;
-}
-
-export type Degrees = number | null; // null: between points too close together to measure it
-
-export type Happening =
-  | { what: "camera"; pixel: readonly [number, number]; eye: Vec3 }
-  | { what: "reflected"; name: string; share: number; keeps: number; clear: boolean; angle: Degrees }
-  | { what: "refracted"; name: string; share: number; enters: boolean; from: number; to: number; angle: Degrees; bent: Degrees }
-  | { what: "total"; name: string; share: number; from: number; to: number; angle: Degrees }
-  | { what: "meets"; name: string; t: number; point: Vec3; hits: readonly { name: string; t: number }[] }
-  | { what: "background"; colour: Vec3 }
-  | { what: "reached" | "away" | "unasked" | "off"; name: string }
-  | { what: "blocked"; name: string; by: string; at: number } // world units from the hit
-  | { what: "local"; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
-  | { what: "stops"; name: string; limit: number; atLimit: boolean }
-  | { what: "gather"; name: string; terms: readonly Term[]; colour: Vec3 }
-  | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3; why: Why | null };
-
-export type RayEvent = Happening & {
-  ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
-  light: number; // of a light's event, else -1
-  line: LineKind | null; // whose colour it has on the timeline
-  long: number; // world units of line that grow; 0: nothing does
-};
+import { whyOf } from "./why";
 
 const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
 

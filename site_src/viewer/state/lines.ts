@@ -1,7 +1,7 @@
 /** Rays as straight lines: which belong to which pixel, where each begins and ends. */
 import { KIND, VISIBILITY, type SceneData, type Trace } from "../trace/types";
 import { along, triple, type Vec3 } from "./vectors";
-import type { ViewState } from "./view-state";
+import type { ViewState } from "./types";
 
 export type LineKind = "camera" | "reflected" | "refracted" | "total" | "reached" | "blocked";
 export type RayKind = Exclude<LineKind, "reached" | "blocked">;

@@ -1,7 +1,7 @@
 /** How the stage shows the scene: what a graphics card draws by itself, or what the rays found. */
-import type { ViewState } from "./view-state";
+import type { ViewState } from "./types";
 
-export type Look = "plain" | "approximate" | "traced";
+export type Look = ViewState["look"];
 export const LOOKS: readonly Look[] = ["plain", "approximate", "traced"];
 
 /** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */

@@ -1,18 +1,12 @@
 /** The observer: the eye the user moves. The ray-tracing camera never moves. */
-import type { SceneData, View } from "../trace/types";
+import type { SceneData } from "../trace/types";
 import { planeCorners, type PicturePlane } from "./frustum";
 import { corners } from "./placing";
 import { createProjection } from "./projection";
+import type { Observer, ViewState } from "./types";
 import { add, cross, dot, length, scale, sub, unit, type Vec3 } from "./vectors";
 
-export type ObserverChoice = NonNullable<View["observer"]>;
-
-export interface Observer {
-  eye: Vec3;
-  target: Vec3;
-  up: Vec3;
-  fov: number; // degrees across the stage's shorter side
-}
+export type ObserverChoice = ViewState["observer"];
 
 const FOV = 40;
 /** Degrees round from behind the ray-tracing camera: beside it on a wide stage, nearer behind it on a

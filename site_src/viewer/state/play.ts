@@ -1,6 +1,6 @@
 /** The step-by-step player: which event is told, how far it has gone, and whether time runs. */
 import type { Timeline } from "./timeline";
-import type { ViewState } from "./view-state";
+import type { ViewState } from "./types";
 
 /** What holds while no event is told: everything of the selected pixel shows. */
 export const NOT_TOLD = { event: null, share: 1, playing: false } as const;

@@ -1,6 +1,6 @@
 /** From the world to the stage's pixels, as the observer sees it, and from a pixel to a tile. */
 import type { PicturePlane } from "./frustum";
-import type { Observer } from "./observer";
+import type { Observer } from "./types";
 import { cross, dot, sub, unit, type Vec3 } from "./vectors";
 
 export interface ScreenPoint {

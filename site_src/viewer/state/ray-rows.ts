@@ -1,7 +1,8 @@
 /** A pixel's rays as the rows of a table, numbered in the order in which they are walked. Stored numbers only,
  *  and products of them: a share times a colour. */
 import type { SceneData, Trace, Vec3 } from "../trace/types";
-import { lightShares, localColour, times, type LightShare } from "./events";
+import type { LightShare } from "./event-types";
+import { lightShares, localColour, times } from "./events";
 import { KIND_NAMES, treeOf, type LineKind } from "./lines";
 import { add, scale, triple } from "./vectors";
 

@@ -1,6 +1,7 @@
 /** A pixel's events along time, and the lines that are there at each moment. Seconds at speed 1. */
 import type { SceneData, Trace } from "../trace/types";
-import { eventsOf, type RayEvent } from "./events";
+import type { RayEvent } from "./event-types";
+import { eventsOf } from "./events";
 import { linesOf, type Line } from "./lines";
 import { along } from "./vectors";
 

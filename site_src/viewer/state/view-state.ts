@@ -1,42 +1,15 @@
-/** Everything that decides what is on the page, as one object, and the ways it changes. */
+/** The ways in which what is on the page changes: each makes the next state out of this one. */
 import type { SceneData, Trace, View } from "../trace/types";
-import type { ObserverChoice } from "./observer";
 import { NOT_TOLD } from "./play";
 import type { TileView } from "./costs";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
-import type { Look } from "./look";
 import { SLICES, type Slice } from "./section";
+import type { Kept, ViewState } from "./types";
 
-export type RayChoice = "pixel" | "row" | "column" | "all";
+export type { ViewState };
+export type RayChoice = ViewState["rays"][number];
 export const RAY_CHOICES: readonly RayChoice[] = ["pixel", "row", "column", "all"];
 export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4, 8];
-
-export interface ViewState {
-  scene: string;
-  n: number; // tiles across and down
-  pixel: readonly [number, number]; // column, row from the top left
-  /** The selected place in the picture, 0..1 across and down: kept when n changes, so that going
-   *  to another resolution and back ends on the same ray. */
-  place: readonly [number, number];
-  rays: readonly RayChoice[];
-  tiles: "empty" | "filling" | "filled";
-  drawn: number; // tiles shown so far while filling; may be a fraction
-  speed: number;
-  observer: ObserverChoice;
-  look: Look;
-  before: ObserverChoice | null; // in the traced look: the observer to whom any other look goes back
-  slice: Slice; // the plane of the selected row's or column's rays, drawn flat instead of the stage
-  step: number | null; // of the lesson
-  revealed: boolean; // the step's answer
-  projector: boolean; // large type on a light page
-  still: boolean; // no clock: no blinking, tiles fill at once, no line grows
-  event: number | null; // of the selected pixel, told step by step; null: all of it shows
-  share: number; // of that event's time that has passed, 0..1
-  playing: boolean;
-  gl: boolean; // false: draw without WebGL
-  switches: Switches;
-  colours: TileView; // what the tiles show
-}
 
 const FILL_SECONDS = 10; // a whole picture at speed 1, whatever the resolution
 
@@ -44,9 +17,6 @@ const middle = (pixel: readonly [number, number], n: number): readonly [number, 
   (pixel[0] + 0.5) / n,
   (pixel[1] + 0.5) / n,
 ];
-
-/** What stays when another scene or a lesson's step is shown. */
-export type Kept = Pick<ViewState, "speed" | "still" | "gl"> & { projector?: boolean };
 
 export function startState(scene: SceneData, kept: Kept): ViewState {
   const { resolution, pixel } = scene.start;

@@ -1,26 +1,11 @@
 /** Why a pixel is dark, or lit: the ray whose end counts most in it, and what the lights say there. From the stored shares
  *  and the events alone; build/raywalk/telling/why.py finds the same for dark ones. */
 import type { Trace, Vec3 } from "../trace/types";
-import type { LightShare, RayEvent } from "./events";
+import type { LightShare, Reason, RayEvent, Why } from "./event-types";
 
 const DARK = 80; // of 255: its brightest channel is below
 const LITTLE = 0.25; // of the light, by its stored diffuse factor
-const HOWS = ["blocked", "away", "little", "off", "reached", "paint"] as const; // causes first
-
-export interface Reason {
-  how: (typeof HOWS)[number]; // paint: no light, the surface itself is dark
-  by: string; // what blocks
-  lights: readonly string[];
-}
-
-export interface Why {
-  tone: "dark" | "shadow" | "lit"; // shadow: not dark, but a light is blocked where the ray ends
-  end: "local" | "background" | "stops";
-  ray: number; // as the card numbers it
-  share: number; // in the pixel's colour
-  name: string; // of the object where it ends
-  reasons: readonly Reason[];
-}
+const HOWS: readonly Reason["how"][] = ["blocked", "away", "little", "off", "reached", "paint"]; // causes first
 
 function howOf({ seen, diffuse }: LightShare, dark: boolean): Reason["how"] {
   if (seen === "unasked" && diffuse === 0) return "away";

@@ -1,0 +1,46 @@
+/** Where state's modules meet: everything that decides what is on the page, as one object, and who looks at it. */
+import type { Vec3, View } from "../trace/types";
+import type { Switches } from "./switches";
+
+export interface ViewState {
+  scene: string;
+  n: number; // tiles across and down
+  pixel: readonly [number, number]; // column, row from the top left
+  /** The selected place in the picture, 0..1 across and down: kept when n changes, so that going
+   *  to another resolution and back ends on the same ray. */
+  place: readonly [number, number];
+  rays: NonNullable<View["rays"]>;
+  tiles: "empty" | "filling" | "filled";
+  drawn: number; // tiles shown so far while filling; may be a fraction
+  speed: number;
+  observer: NonNullable<View["observer"]>;
+  look: NonNullable<View["look"]>;
+  before: ViewState["observer"] | null; // in the traced look: the observer to whom any other look goes back
+  slice: NonNullable<View["slice"]>; // the plane of the selected row's or column's rays, drawn flat instead of the stage
+  step: number | null; // of the lesson
+  revealed: boolean; // the step's answer
+  projector: boolean; // large type on a light page
+  still: boolean; // no clock: no blinking, tiles fill at once, no line grows
+  event: number | null; // of the selected pixel, told step by step; null: all of it shows
+  share: number; // of that event's time that has passed, 0..1
+  playing: boolean;
+  gl: boolean; // false: draw without WebGL
+  switches: Switches;
+  colours: NonNullable<View["colours"]>; // what the tiles show
+}
+
+/** What stays when another scene or a lesson's step is shown. */
+export type Kept = Pick<ViewState, "speed" | "still" | "gl"> & { projector?: boolean };
+
+export interface Observer {
+  eye: Vec3;
+  target: Vec3;
+  up: Vec3;
+  fov: number; // degrees across the stage's shorter side
+}
+
+/** A line that is lit up. */
+export interface LitLine {
+  ray: number;
+  light: number; // of a shadow ray from the ray's hit; -1: the ray itself
+}
