@@ -4,10 +4,11 @@ import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
 import type { Observer } from "../state/types";
-import { clipToFront, type Projection } from "../state/projection";
+import { seenPart, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
 import type { SceneData } from "../trace/types";
 import { shapesOf, type Piece } from "./flat-shapes";
+import { arrowHead, disc, stroke, type Brush, type Place } from "./pen";
 import type { StageRenderer, StageView } from "./renderer";
 
 const GRID_FROM = 5; // pixels a tile: below, grid lines would cover the tiles
@@ -15,7 +16,9 @@ const GRID_FROM = 5; // pixels a tile: below, grid lines would cover the tiles
 const css = (colour: Vec3, alpha = 1, light = 1) =>
   `rgba(${colour.map((c) => Math.round(255 * Math.min(1, Math.max(0, c * light)))).join(",")},${alpha.toFixed(3)})`;
 
-type Brush = CanvasRenderingContext2D;
+/** Both ends of what is seen of a segment. */
+const endsOf = (projection: Projection, from: Vec3, to: Vec3, near: number) =>
+  seenPart(projection, from, to, near)?.map(({ x, y }) => [x, y] as const) as [Place, Place] | undefined;
 
 function path(brush: Brush, projection: Projection, points: readonly Vec3[]): boolean {
   const seen = points.map(projection.project);
@@ -78,39 +81,14 @@ function drawTiles(brush: Brush, projection: Projection, { plane, state, costs, 
   brush.lineWidth = 1;
 }
 
-function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Pick<Line, "kind" | "from" | "to">, width: number, near: number) {
-  const seen = [projection.project(from), projection.project(to)];
-  const kept = clipToFront(seen[0], seen[1], from, to, near);
-  if (!kept) return;
-  const [a, b] = kept.map(projection.project);
-  const { colour, dash } = LINES[kind];
-  if (width >= 1) {
-    brush.strokeStyle = STAGE.casing;
-    brush.lineWidth = width + 4;
-    brush.beginPath();
-    brush.moveTo(a.x, a.y);
-    brush.lineTo(b.x, b.y);
-    brush.stroke();
-  }
-  brush.strokeStyle = brush.fillStyle = colour;
-  brush.lineWidth = width * LINES[kind].wide;
-  brush.setLineDash(dash[0] === 1 ? [] : [...dash]);
-  brush.beginPath();
-  brush.moveTo(a.x, a.y);
-  brush.lineTo(b.x, b.y);
-  brush.stroke();
-  brush.setLineDash([]);
-  const [dx, dy] = [b.x - a.x, b.y - a.y];
-  const long = Math.hypot(dx, dy);
+function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Line, width: number, near: number) {
+  const seen = endsOf(projection, from, to, near);
+  if (!seen) return;
+  const { colour, dash, wide } = LINES[kind];
+  if (width >= 1) stroke(brush, ...seen, STAGE.casing, width + 4);
+  stroke(brush, ...seen, colour, width * wide, dash);
   const head = 4 * Math.sqrt(width);
-  if (width < 1 || long < 4 * head) return;
-  const [ux, uy] = [(dx / long) * head, (dy / long) * head];
-  const [x, y] = [a.x + 0.56 * dx, a.y + 0.56 * dy];
-  brush.beginPath();
-  brush.moveTo(x + ux, y + uy);
-  brush.lineTo(x - ux - 0.8 * uy, y - uy + 0.8 * ux);
-  brush.lineTo(x - ux + 0.8 * uy, y - uy - 0.8 * ux);
-  brush.fill();
+  if (width >= 1) arrowHead(brush, ...seen, colour, head, { at: 0.56, back: 1, aside: 0.8, least: 4 * head });
 }
 
 /** A bounding volume's edges. */
@@ -119,22 +97,17 @@ function drawEdges(brush: Brush, projection: Projection, edges: BoxLines["entere
   brush.lineWidth = 0.8;
   brush.beginPath();
   for (const [from, to] of edges) {
-    const kept = clipToFront(projection.project(from), projection.project(to), from, to, near);
-    if (!kept) continue;
-    const [a, b] = kept.map(projection.project);
-    brush.moveTo(a.x, a.y);
-    brush.lineTo(b.x, b.y);
+    const seen = endsOf(projection, from, to, near);
+    if (!seen) continue;
+    brush.moveTo(...seen[0]);
+    brush.lineTo(...seen[1]);
   }
   brush.stroke();
 }
 
 function drawDot(brush: Brush, projection: Projection, at: Vec3, radius: number, colour: string) {
   const { x, y, depth } = projection.project(at);
-  if (depth <= 0) return;
-  brush.beginPath();
-  brush.arc(x, y, radius, 0, 2 * Math.PI);
-  brush.fillStyle = colour;
-  brush.fill();
+  if (depth > 0) disc(brush, [x, y], radius, colour);
 }
 
 /** A cross where a light is blocked; with a ring, a lamp that is off. */

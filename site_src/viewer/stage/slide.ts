@@ -2,7 +2,7 @@
  *  and the thin rays are one picture inside of it; the selected pixel's rays, their ends and the labels are drawn. */
 import { LINES } from "../palette";
 import type { Line } from "../state/lines";
-import { clipToFront, type Projection } from "../state/projection";
+import { seenPart, type Projection } from "../state/projection";
 
 const CAPTION = 34; // CSS pixels high, as under a saved picture
 const HEAD = 11; // length of an arrow's head, CSS pixels
@@ -11,9 +11,9 @@ const n = (value: number) => String(Math.round(value * 100) / 100);
 const escaped = (text: string) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
 function ray(line: Line, projection: Projection, near: number): string {
-  const kept = clipToFront(projection.project(line.from), projection.project(line.to), line.from, line.to, near);
-  if (!kept) return "";
-  const [a, b] = kept.map(projection.project);
+  const seen = seenPart(projection, line.from, line.to, near);
+  if (!seen) return "";
+  const [a, b] = seen;
   const { colour, dash, wide } = LINES[line.kind];
   const dashes = dash[0] === 1 ? "" : ` stroke-dasharray="${dash.join(" ")}"`;
   const long = Math.hypot(b.x - a.x, b.y - a.y) || 1;

@@ -1,7 +1,7 @@
 /** From the world to the stage's pixels, as the observer sees it, and from a pixel to a tile. */
 import type { PicturePlane } from "./frustum";
 import type { Observer } from "./types";
-import { cross, dot, sub, unit, type Vec3 } from "./vectors";
+import { along, cross, dot, sub, unit, type Vec3 } from "./vectors";
 
 export interface ScreenPoint {
   x: number; // CSS pixels from the left
@@ -57,13 +57,10 @@ export function createProjection(observer: Observer, width: number, height: numb
   };
 }
 
-/** The nearest the observer's near plane may be cut: keep the part of a segment in front of it. */
-export function clipToFront(a: ScreenPoint, b: ScreenPoint, from: Vec3, to: Vec3, near: number): readonly [Vec3, Vec3] | null {
+/** The part of a segment that is at least `near` before the observer, as its two ends on the stage; null if none is. */
+export function seenPart({ project }: Projection, from: Vec3, to: Vec3, near: number): readonly [ScreenPoint, ScreenPoint] | null {
+  const [a, b] = [project(from), project(to)];
   if (a.depth < near && b.depth < near) return null;
-  const at = (near - a.depth) / (b.depth - a.depth);
-  const cut: Vec3 = [0, 1, 2].map((k) => from[k] + (to[k] - from[k]) * at) as unknown as Vec3;
-  if (a.depth < near) return [cut, to];
-  if (b.depth < near) return [from, cut];
-  return [from, to];
+  const cut = () => project(along(from, to, (near - a.depth) / (b.depth - a.depth)));
+  return [a.depth < near ? cut() : a, b.depth < near ? cut() : b];
 }
-

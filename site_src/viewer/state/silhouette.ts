@@ -1,8 +1,9 @@
 /** An object's outline as it is seen straight from above a flat drawing: what lies beside the drawn plane, laid onto it. */
-import type { ObjectData, SceneData, Vec3 } from "../trace/types";
+import type { ObjectData, SceneData, Trace, Vec3 } from "../trace/types";
+import type { Line } from "./lines";
 import { meshOf } from "./mesh";
 import { toWorld } from "./placing";
-import { CURVE, type Curve, type Flat } from "./section";
+import { CURVE, type Curve, type Flat, type Section } from "./section";
 
 const ROUND = 32; // corners of a circle
 const MOST = 3000; // of a mesh's vertices: the outline of more looks the same
@@ -51,4 +52,11 @@ export function silhouetteOf(index: number, scene: SceneData, flat: (point: Vec3
   }
   const all = corners(object, scene);
   return all && { object: index, kind: CURVE.closed, points: hull(all.map(at)) };
+}
+
+/** Outlines of what blocks a light on the chosen lines and does not reach into the section's plane. */
+export function besideOf({ curves, flat }: Section, scene: SceneData, trace: Trace, chosen: readonly Line[]): Curve[] {
+  const blockers = new Set(chosen.filter(({ kind }) => kind === "blocked").map(({ ray, light }) => trace.blocker[ray * trace.lights + light]));
+  for (const { object } of curves) blockers.delete(object);
+  return [...blockers].flatMap((object) => (object < 0 ? [] : (silhouetteOf(object, scene, flat) ?? [])));
 }
