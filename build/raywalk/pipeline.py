@@ -27,9 +27,9 @@ from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, write_pages, write_sizes
 from raywalk.site.preview import write_preview
+from raywalk.site.savings import as_table, savings_lines, savings_of
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.sitemap import base_of, write_sitemap
-from raywalk.site.spared import as_table, spared_lines, spared_of
 from raywalk.slide_pipeline import last_decks, make_decks, plan, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
@@ -77,7 +77,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, 
     words = read_words()
     if chosen.stats:
         yield from (as_table(id, counted, words) for id, counted in facts.items())
-        yield words.say("spared.note")
+        yield words.say("savings.note")
     notes = [line for scene in scenes for line in remarks(scene, facts[scene.id])]
     for code, told in spoken.items():
         notes += missing_translations(told, code)
@@ -222,10 +222,10 @@ def write_edition(
         text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
         write_script(path, f"{scene.id}/words-{code}", text.encode())
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
-    spared = {scene.id: spared_lines(facts[scene.id], words) for scene in scenes}
+    savings = {scene.id: savings_lines(facts[scene.id], words) for scene in scenes}
     told_by = assets | write_words(out, words)
     templates = site_source / "templates"
-    write_pages(out, templates, scenes, figures, told_by, words, spared, downloads, base)
+    write_pages(out, templates, scenes, figures, told_by, words, savings, downloads, base)
     write_manifest(out, words, assets)
 
 
@@ -240,7 +240,7 @@ def bundle(site_source: Path, folder: Path) -> None:
 def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
     """scene.js: what the viewer is told of a scene."""
     display = read_display(scene, entry.folder / "display.npz")
-    data = scene_data(scene, display) | {"spared": spared_of(facts_of(entry))}
+    data = scene_data(scene, display) | {"savings": savings_of(facts_of(entry))}
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

@@ -11,7 +11,7 @@ import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
 import { createSpoken } from "./panels/spoken";
-import { createSpared } from "./panels/spared";
+import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
 import { createViewPad } from "./panels/view-pad";
 import { createWhatIf } from "./panels/what-if";
@@ -53,7 +53,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
   const whatIf = createWhatIf(acts);
   const tileColours = createTileColours(acts);
   const page = createPage(pageParts);
-  const spared = createSpared();
+  const savings = createSavings();
   const spoken = createSpoken();
 
   home.append(
@@ -81,7 +81,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       player.element,
       controls.element,
     ),
-    element("div", "side", picture.element, card.head, card.element, spared.element),
+    element("div", "side", picture.element, card.head, card.element, savings.element),
     spoken.element,
   );
 
@@ -131,7 +131,7 @@ export function createParts(session: Session, acts: Actions, { home, page: pageP
       whatIf.show(state, traced.scene);
       tileColours.show(state, view, trace, session.pointed);
       page.show(traced.scene, traced.trace);
-      spared.show(scene);
+      savings.show(scene);
       spoken.show(state, scene, trace, isAsking(state, scene));
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },

@@ -120,7 +120,7 @@ def test_the_tally_adds_up():
     assert every.tally.camera + every.tally.reflected + every.tally.refracted == len(tree.kind)
     own = int(((tree.object >= 0) & (tree.local_weight > 0)).sum())
     assert every.tally.shadow + every.tally.turned == own * lights
-    assert every.tally.tests + every.tally.tests_spared == len(tree.kind) * len(scene.objects)
+    assert every.tally.tests + every.tally.tests_saved == len(tree.kind) * len(scene.objects)
     assert (
         every.tally.colourless
         == int(((tree.object >= 0) & (tree.local_weight == 0)).sum()) * lights
@@ -131,7 +131,7 @@ def test_rays_that_pass_by_the_box_round_a_mesh_are_counted():
     """Most of the bunny's picture is floor and sky."""
     scene = small(SCENES["06-bunny-far"])
     tally = traced(scene).tally
-    assert 0 < tally.mesh_rays_spared < tally.mesh_rays
+    assert 0 < tally.mesh_rays_saved < tally.mesh_rays
     assert isinstance(scene.objects[-1].shape, Mesh) or plan_of(scene).meshes
 
 

@@ -67,7 +67,7 @@ def _no_boxes(scene: Scene) -> Tracer:
 
 
 def _asked_by_all(mesh: Any) -> Callable[..., Any]:
-    from raywalk.geometry.mesh_spared import goes_past_box
+    from raywalk.geometry.mesh_savings import goes_past_box
 
     nearest = mesh.nearest
 

@@ -27,7 +27,7 @@ FACE = "5"
 
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
-    words: Words | None = None, spared: dict[str, Figures] | None = None,
+    words: Words | None = None, savings: dict[str, Figures] | None = None,
     downloads: dict[str, dict[str, int]] | None = None, base: str = "",
 ) -> None:  # fmt: skip
     """index.html, model/, slides/, offline/ and scenes/<id>/index.html of one language: under
@@ -64,7 +64,7 @@ def write_pages(
         write("slides/index.html", "slides.html")
     for scene in scenes:
         told = _scene(scene, figures[scene.id]) | {
-            "spared": (spared or {}).get(scene.id),
+            "savings": (savings or {}).get(scene.id),
             "downloads": decks.get(scene.id),
         }
         here = f"scenes/{scene.id}/index.html"

@@ -9,7 +9,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Rays
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.geometry.spared import tests_spared
+from raywalk.geometry.savings import tests_saved
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import Kind, Visibility
 from raywalk.trace.wave import Wave
@@ -31,9 +31,9 @@ class Tally:
     dark: int = 0  # not shot: the light gives nothing
     unshadowed: int = 0  # not shot: the scene has no shadows
     tests: int = 0  # exact tests with primitives
-    tests_spared: int = 0  # not made: the ray passes by the sphere round the primitive
+    tests_saved: int = 0  # not made: the ray passes by the sphere round the primitive
     mesh_rays: int = 0  # pairs of a ray and a mesh
-    mesh_rays_spared: int = 0  # not asked: the ray passes by the box round the mesh
+    mesh_rays_saved: int = 0  # not asked: the ray passes by the box round the mesh
 
     def add(self, other: Tally) -> None:
         """Counts another strip in."""
@@ -68,16 +68,16 @@ def tally_waves(scene: Scene, asked: tuple[bool, ...], waves: list[Wave]) -> Tal
 
 def tally_tests(compiled: CompiledScene, rays: Rays, t: np.ndarray) -> Tally:
     """What bounding volumes spare kept rays; t: (n,) where each ends."""
-    spared = tests_spared(compiled.primitives, rays.origin, rays.direction)
+    saved = tests_saved(compiled.primitives, rays.origin, rays.direction)
     tally = Tally(
-        tests=len(t) * len(compiled.primitives.shape) - spared,
-        tests_spared=spared,
+        tests=len(t) * len(compiled.primitives.shape) - saved,
+        tests_saved=saved,
         mesh_rays=len(t) * len(compiled.meshes),
     )
     if compiled.meshes:
-        from raywalk.geometry.mesh_spared import goes_past_box
+        from raywalk.geometry.mesh_savings import goes_past_box
 
         for mesh in compiled.meshes:
             local = rays.origin - mesh.centre
-            tally.mesh_rays_spared += int(goes_past_box(mesh.bvh, local, rays.direction, t).sum())
+            tally.mesh_rays_saved += int(goes_past_box(mesh.bvh, local, rays.direction, t).sum())
     return tally

@@ -27,7 +27,7 @@ MESH_STAGES = frozenset(
     f"{name}.py"
     for name in (
         "geometry/bvh", "geometry/display", "geometry/float32_copy", "geometry/mesh_file",
-        "geometry/mesh_section", "geometry/mesh_spared", "geometry/mesh_target",
+        "geometry/mesh_section", "geometry/mesh_savings", "geometry/mesh_target",
         "geometry/shallow_boxes", "trace/boxes",
     )
 )  # fmt: skip

@@ -4,7 +4,7 @@ import type { SceneData, Trace } from "../trace/types";
 import { KIND_NAMES, LINE_KINDS } from "../state/lines";
 import { grouped, list, say } from "../words";
 import { element } from "./element";
-import { sparedList } from "./spared";
+import { savingsList } from "./savings";
 
 export interface PageParts {
   root: string; // relative path to the site's root
@@ -61,11 +61,11 @@ export function createPage({ root, article, title, links }: PageParts) {
     const figures = element("dl", "figures");
     for (const [name, value] of figuresOf(scene, trace))
       figures.append(element("div", "", element("dt", "", name), element("dd", "numbers", value)));
-    const spared = scene.spared.counts.length ? [element("h2", "", say("spared.title")), sparedList(scene), element("p", "spared-note", say("spared.note"))] : [];
+    const savings = scene.savings.counts.length ? [element("h2", "", say("savings.title")), savingsList(scene), element("p", "savings-note", say("savings.note"))] : [];
     article.replaceChildren(
       element("h1", "", scene.title),
       element("p", "teaches", scene.teaches),
-      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", say("figures.title")), figures, ...spared)),
+      element("div", "plain-columns", picture, element("div", "plain-words", lesson, element("h2", "", say("figures.title")), figures, ...savings)),
     );
   }
 

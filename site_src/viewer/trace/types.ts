@@ -125,8 +125,8 @@ export interface LessonStepData extends LessonStop {
 }
 
 /** scenes/<id>/scene.js */
-/** What tracing a scene did not have to do. Keys are those of words/<language>.json, below "spared". */
-export interface Spared {
+/** What tracing a scene did not have to do. Keys are those of words/<language>.json, below "savings". */
+export interface Savings {
   notRun: readonly ("meshes" | "shadows" | "highlights" | "reflection" | "refraction")[];
   /** whole: of how many; 0 if that is not to be told. */
   counts: readonly (readonly [key: "shadow" | "turned" | "colourless" | "dark" | "unshadowed" | "faint" | "tests" | "mesh" | "kept", part: number, whole: number])[];
@@ -153,5 +153,5 @@ export interface SceneData {
   meshes: Readonly<Record<string, MeshData>>;
   lights: readonly LightData[];
   lesson: readonly LessonStepData[];
-  spared: Spared;
+  savings: Savings;
 }

@@ -7,17 +7,17 @@ from raywalk.optics.compiled import kernel
 
 
 @kernel
-def tests_spared(primitives, origin, direction):
-    """How many exact tests n rays are spared by the spheres round the primitives.
+def tests_saved(primitives, origin, direction):
+    """How many exact tests n rays are saved by the spheres round the primitives.
 
     origin, direction: (n, 3) world.
     """
-    spared = 0
+    saved = 0
     for i in range(origin.shape[0]):
         ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
         dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
         dd = dx * dx + dy * dy + dz * dz
         for k in range(primitives.shape.shape[0]):
             if passes_by(primitives, k, ox, oy, oz, dx, dy, dz, dd):
-                spared += 1
-    return spared
+                saved += 1
+    return saved

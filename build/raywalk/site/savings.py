@@ -7,34 +7,35 @@ from typing import Any
 from raywalk.site.figures import Figures
 from raywalk.words import Words
 
-# Key of its words, what was spared, and of how many; 0 if that is not to be told.
-Spared = tuple[str, int, int]
+# Key of its words, what was saved, and of how many; 0 if that is not to be shown.
+Savings = tuple[str, int, int]
 
 
-def spared_of(facts: dict[str, Any]) -> dict[str, Any]:
+def savings_of(facts: dict[str, Any]) -> dict[str, Any]:
     """The same for the viewer, without words: the stages not run, and the counts there are.
 
     facts: what the trace stage counted (facts.json).
     """
     tally = facts["tally"]
-    tests, pixels = tally["tests"] + tally["tests_spared"], tally["pixels"]
+    tests, pixels = tally["tests"] + tally["tests_saved"], tally["pixels"]
     counts = [(key, tally[key], 0) for key in ("shadow", "turned", "colourless", "dark")]
     counts += [(key, tally[key], 0) for key in ("unshadowed", "faint")]
     counts += [
-        ("tests", tally["tests_spared"], tests),
-        ("mesh", tally["mesh_rays_spared"], tally["mesh_rays"]),
+        ("tests", tally["tests_saved"], tests),
+        ("mesh", tally["mesh_rays_saved"], tally["mesh_rays"]),
         ("kept", pixels - tally["kept_pixels"], pixels),
     ]
     return {"notRun": facts["not_run"], "counts": [count for count in counts if count[1]]}
 
 
-def spared_lines(facts: dict[str, Any], words: Words) -> Figures:
+def savings_lines(facts: dict[str, Any], words: Words) -> Figures:
     """Label and value of each saving there was."""
-    spared, say = spared_of(facts), words.say
-    stages = ", ".join(say(f"spared.stages.{stage}") for stage in spared["notRun"])
-    lines = [(say("spared.notRun"), stages)] if stages else []
+    savings, say = savings_of(facts), words.say
+    stages = ", ".join(say(f"savings.stages.{stage}") for stage in savings["notRun"])
+    lines = [(say("savings.notRun"), stages)] if stages else []
     return lines + [
-        (say(f"spared.{key}"), _value(part, whole, words)) for key, part, whole in spared["counts"]
+        (say(f"savings.{key}"), _value(part, whole, words))
+        for key, part, whole in savings["counts"]
     ]
 
 
@@ -46,7 +47,7 @@ def as_table(scene_id: str, facts: dict[str, Any], words: Words) -> str:
         for kind in ("camera", "reflected", "refracted")
         if tally[kind]
     )
-    lines = [("Rays traced", rays), *spared_lines(facts, words)]
+    lines = [("Rays traced", rays), *savings_lines(facts, words)]
     width = max(len(label) for label, _ in lines)
     return "\n".join([scene_id, *(f"  {label:{width}}  {value}" for label, value in lines)])
 
@@ -56,7 +57,7 @@ def _value(part: int, whole: int, words: Words) -> str:
     if not whole:
         return numbers.grouped(part)
     return words.say(
-        "spared.of",
+        "savings.of",
         part=numbers.grouped(part),
         whole=numbers.grouped(whole),
         share=numbers.percent(part / whole),
