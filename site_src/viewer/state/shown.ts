@@ -5,7 +5,7 @@ import { boxesOf, type BoxesData, type RayBoxes } from "../trace/boxes";
 import { boxLines, NO_BOXES, type BoxLines } from "./box-lines";
 import { costsOf, type Costs } from "./costs";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
-import { lastly } from "./lastly";
+import { memo } from "./memo";
 import { kindsIn, linesOf, thinPixels, type Line, type LineKind } from "./lines";
 import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
 import { triple } from "./vectors";
@@ -46,14 +46,14 @@ const linesFrom = (trace: Trace | null): unknown[] => (trace ? [trace.point, tra
 const range = (from: number, to: number) => Array.from({ length: to - from }, (_, k) => from + k);
 
 export function createShown() {
-  const plane = lastly<PicturePlane>();
-  const chosen = lastly<readonly Line[]>();
-  const thin = lastly<Lines>();
-  const kinds = lastly<ReadonlySet<LineKind>>();
-  const timeline = lastly<Timeline | null>();
-  const costs = lastly<Costs | null>();
-  const tested = lastly<RayBoxes | null>();
-  const boxes = lastly<BoxLines>();
+  const plane = memo<PicturePlane>();
+  const chosen = memo<readonly Line[]>();
+  const thin = memo<Lines>();
+  const kinds = memo<ReadonlySet<LineKind>>();
+  const timeline = memo<Timeline | null>();
+  const costs = memo<Costs | null>();
+  const tested = memo<RayBoxes | null>();
+  const boxes = memo<BoxLines>();
 
   function thinLines(state: ViewState, scene: SceneData, trace: Trace | null): Lines {
     const of = (pixels: readonly number[]) => (trace ? withoutCrowd(pixels.flatMap((pixel) => linesOf(trace, scene, pixel))) : withoutCrowd([]));

@@ -13,7 +13,7 @@
  */
 import { eightBit, recombine } from "../trace/rebuild";
 import { KIND, VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
-import { lastly } from "./lastly";
+import { memo } from "./memo";
 import { brightness, isSwitched, lampsOf, type Switches } from "./switches";
 
 export interface WhatIf {
@@ -99,10 +99,10 @@ function scaled(factor: Float64Array, trace: Trace, bright: readonly number[], s
 
 /** Remembers its last answer, and of it what another switch leaves as it is: columns keep their identity. */
 export function createWhatIf() {
-  const whole = lastly<WhatIf>();
-  const scenes = lastly<SceneData>();
-  const followed = lastly<Followed>();
-  const seen = lastly<Uint8Array>();
+  const whole = memo<WhatIf>();
+  const scenes = memo<SceneData>();
+  const followed = memo<Followed>();
+  const seen = memo<Uint8Array>();
 
   function make(trace: Trace, scene: SceneData, switches: Switches): WhatIf {
     const bright = factorsOf(scene, switches);

@@ -1,5 +1,5 @@
-/** Remembers the last value; makes it anew when one of the things it was made from is another. */
-export function lastly<T>() {
+/** Remembers the last value; makes it anew when one of the things that it was made from has changed. */
+export function memo<T>() {
   let from: readonly unknown[] = [];
   let value: T;
   return (needs: readonly unknown[], make: () => T): T => {
