@@ -73,17 +73,17 @@ def test_meeting_made_slow_counts_as_floor(monkeypatch):
     """If intersecting were all there is, the ratio would be 1: it falls towards it."""
     scene = small("01-shading")
     (usual,) = floors([scene], 1)
-    own = CompiledScene._unsettled
-    monkeypatch.setattr(CompiledScene, "_unsettled", slowed(own, usual["all"]))
+    own = CompiledScene._unrefined
+    monkeypatch.setattr(CompiledScene, "_unrefined", slowed(own, usual["all"]))
     (slow,) = floors([scene], 1)
     assert 1 < slow["ratio"] < usual["ratio"]
 
 
 def test_the_clock_is_taken_off_again():
     """Measuring leaves the tracer as it was."""
-    own = CompiledScene._unsettled
+    own = CompiledScene._unrefined
     list(floors([small("01-shading")], 1))
-    assert CompiledScene._unsettled is own
+    assert CompiledScene._unrefined is own
 
 
 @pytest.mark.parametrize(("over", "holds"), [(0.96, True), (1.04, False)])

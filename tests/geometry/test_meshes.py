@@ -12,7 +12,7 @@ import trimesh
 from tests.geometry.by_hand import affine, mesh_of, scene_of, unit, write_ply
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
-from raywalk.geometry.mesh_target import MeshTarget, settle
+from raywalk.geometry.mesh_target import MeshTarget, redo_in_float64
 from raywalk.scene.model import SceneObject
 
 BUNNY = Path(__file__).parents[2] / "models" / "bunny.ply"
@@ -79,7 +79,7 @@ def by_tree(mesh: MeshTarget, origin: np.ndarray, direction: np.ndarray) -> np.n
     """t (n,) by the float64 tree alone."""
     count = len(origin)
     t, triangle, uv = np.empty(count), np.empty(count, np.int32), np.empty((count, 2))
-    settle(
+    redo_in_float64(
         mesh.bvh, mesh.corners, mesh.centre, mesh.glass, origin - mesh.centre, direction,
         np.full(count, np.inf), np.full(count, -1, np.int32), np.zeros(count, bool),
         np.arange(count), t, triangle, uv,

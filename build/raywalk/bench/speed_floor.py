@@ -37,7 +37,7 @@ def floors(scenes: Sequence[Scene], rounds: int) -> Iterator[dict[str, Any]]:
 def _once(scene: Scene) -> dict[str, float]:
     """Processor seconds of the whole, of what meets rays with surfaces, of bare deflating."""
     met = 0.0
-    own = CompiledScene._unsettled
+    own = CompiledScene._unrefined
 
     def timed(self: CompiledScene, *given: Any) -> Any:
         nonlocal met
@@ -48,12 +48,12 @@ def _once(scene: Scene) -> dict[str, float]:
             met += time.thread_time() - start
 
     with tempfile.TemporaryDirectory() as folder:
-        CompiledScene._unsettled = timed  # type: ignore[method-assign, assignment]
+        CompiledScene._unrefined = timed  # type: ignore[method-assign, assignment]
         start = time.process_time()
         try:
             write_products(scene, Path(folder), threads=1)
         finally:
-            CompiledScene._unsettled = own  # type: ignore[method-assign]
+            CompiledScene._unrefined = own  # type: ignore[method-assign]
         whole = time.process_time() - start
         return {"all": whole, "meet": met, "deflate": _deflating(Path(folder))}
 

@@ -26,7 +26,7 @@ from raywalk.bench.cases import Case
 NOTHING, WORDS = 30.0, 150.0
 TURNS = 5
 PATIENCE = 120.0  # seconds after which a page is taken never to come
-LOOK = 0.01  # seconds between two looks at the page
+POLL = 0.01  # seconds between two glances at the page
 
 
 def rebuild(scenes: Path, work: Path) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def wait_for(address: str, words: str) -> None:
                     return
         except urllib.error.HTTPError:
             pass  # not built yet
-        time.sleep(LOOK)
+        time.sleep(POLL)
     raise TimeoutError(f"{address} never had {words!r}")
 
 

@@ -11,9 +11,9 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives
-from raywalk.geometry.settle import settle_roots
+from raywalk.geometry.refine import refine_roots
 from raywalk.geometry.sides import primitives_beyond
-from raywalk.geometry.surface import Looks, primitive_surface
+from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
 from raywalk.scene.model import Mesh, Plane, Scene
 from raywalk.scene.placement import checker_axes
@@ -78,7 +78,7 @@ class CompiledScene:
     def __init__(self, scene: Scene):
         self.primitives: Primitives = compile_primitives(scene)
         self.rank = _tie_ranks(scene)
-        self.looks = _compile_looks(scene)
+        self.appearance = _appearance_of(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
         clear = np.array(
@@ -96,13 +96,13 @@ class CompiledScene:
         Where a ray has to stop (a shadow ray) it is asked what it meets, and t keeps some more
         roundings.
         """
-        t, met, triangle, uv = self._unsettled(rays, t_max)
+        t, met, triangle, uv = self._unrefined(rays, t_max)
         if t_max is None:
             every = np.arange(len(t))
-            settle_roots(self.primitives, every, rays.origin, rays.direction, rays.leaving, t, met)
+            refine_roots(self.primitives, every, rays.origin, rays.direction, rays.leaving, t, met)
         return t, met, triangle, uv
 
-    def _unsettled(
+    def _unrefined(
         self, rays: Rays, t_max: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         limit = np.full(len(rays.origin), np.inf) if t_max is None else t_max
@@ -127,18 +127,18 @@ class CompiledScene:
 
     def hits(self, rays: Rays) -> Hits:
         """The nearest hit of each ray with everything shading needs."""
-        return self.surface(rays, *self._unsettled(rays))
+        return self.surface(rays, *self._unrefined(rays))
 
     def surface(
         self, rays: Rays, t: np.ndarray, met: np.ndarray, triangle: np.ndarray, uv: np.ndarray
     ) -> Hits:
         """The same of rays whose nearest hits are known, as `nearest` gives them where they have
-        to stop. t is settled in place."""
+        to stop. t is refined in place."""
         count = len(t)
         point, normal = np.zeros((count, 3)), np.zeros((count, 3))
         inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)
         primitive_surface(
-            self.primitives, self.looks, rays.origin, rays.direction, rays.leaving, t, met,
+            self.primitives, self.appearance, rays.origin, rays.direction, rays.leaving, t, met,
             point, normal, inside, material,
         )  # fmt: skip
         geometric = normal
@@ -146,7 +146,7 @@ class CompiledScene:
             geometric = normal.copy()
         for mesh in self.meshes:
             mesh.surface(rays.direction, met, triangle, uv, point, normal, geometric, inside)
-            material[met == mesh.index] = self.looks.material[mesh.index]
+            material[met == mesh.index] = self.appearance.material[mesh.index]
         return Hits(t, met, triangle, point, normal, geometric, inside, material)
 
     def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -156,7 +156,7 @@ class CompiledScene:
         `nearest` names.
         """
         ray, t, met = all_primitives(self.primitives, rays.origin, rays.direction)
-        settle_roots(self.primitives, ray, rays.origin, rays.direction, rays.leaving, t, met)
+        refine_roots(self.primitives, ray, rays.origin, rays.direction, rays.leaving, t, met)
         found = [(ray, t, met)]
         for mesh in self.meshes:
             ray, t = mesh.all_hits(rays.origin, rays.direction)
@@ -248,7 +248,7 @@ def _tie_ranks(scene: Scene) -> np.ndarray:
     return np.argsort(np.array(order, int))
 
 
-def _compile_looks(scene: Scene) -> Looks:
+def _appearance_of(scene: Scene) -> Appearance:
     count = len(scene.objects)
     checker, size, turn = np.full(count, -1, np.int32), np.ones(count), np.ones(count)
     for k, obj in enumerate(scene.objects):
@@ -260,7 +260,7 @@ def _compile_looks(scene: Scene) -> Looks:
         checker[k], size[k] = obj.checker.material, obj.checker.size
         turn[k] = np.sign(v @ np.cross(u, normal))
     material = np.array([obj.material for obj in scene.objects], np.int32)
-    return Looks(material, checker, size, turn)
+    return Appearance(material, checker, size, turn)
 
 
 def _compile_meshes(scene: Scene) -> list[MeshTarget]:

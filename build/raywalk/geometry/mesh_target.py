@@ -2,7 +2,7 @@
 
 Embree works on a float32 copy, centred and scaled to unit size, with rays that start
 where they enter its box: so neither the scene's scale nor its distance from the origin
-matters. What float32 cannot settle (a hit close to an edge, a grazed triangle, surfaces
+matters. What float32 cannot decide (a hit close to an edge, a grazed triangle, surfaces
 almost touching, a proposal that float64 refuses) is traced again in the float64 tree.
 """
 
@@ -78,7 +78,7 @@ class MeshTarget:
             self.corners, self._trusted, inside, direction, t_max, own, touching,
             crossing, proposed, t, triangle, uv,
         )  # fmt: skip
-        settle(
+        redo_in_float64(
             self.bvh, self.corners, self.centre, self.glass, inside, direction, t_max, own,
             touching, redo, t, triangle, uv,
         )  # fmt: skip
@@ -268,7 +268,7 @@ def origin_bound(o, centre):
 
 
 @kernel
-def settle(
+def redo_in_float64(
     bvh, corners, centre, glass, local, direction, t_max, own, touching, redo, t, triangle, uv
 ):
     """Traces rays again in the float64 tree and overwrites their results."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.geometry.settle import from_close_up, settled
+from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.solids import (
     BOX,
@@ -26,13 +26,13 @@ from raywalk.geometry.solids import (
 from raywalk.optics.compiled import kernel
 
 
-class Looks(NamedTuple):
+class Appearance(NamedTuple):
     """Materials of a scene's objects, and the checkers of its planes."""
 
     material: np.ndarray  # (objects,) int32
     checker: np.ndarray  # (objects,) int32: material of odd squares, -1 without a checker
     checker_size: np.ndarray  # (objects,)
-    checker_turn: np.ndarray  # (objects,) +1 or -1: way of the second axis along canonical z
+    checker_turn: np.ndarray  # (objects,) +1 or -1: direction of the second axis along canonical z
 
 
 @kernel
@@ -75,22 +75,22 @@ def starts_in(shape, centre, to_local, stretch, k, ox, oy, oz, is_bound):
 
 
 @kernel
-def square_material(looks, who, x, z):
+def square_material(appearance, who, x, z):
     """Material of object `who` at a canonical point, which only a checker depends on."""
-    odd = looks.checker[who]
+    odd = appearance.checker[who]
     if odd < 0:
-        return looks.material[who]
-    size = looks.checker_size[who]
-    cell = math.floor(x / size) + math.floor(z * looks.checker_turn[who] / size)
-    return odd if cell % 2.0 == 1.0 else looks.material[who]
+        return appearance.material[who]
+    size = appearance.checker_size[who]
+    cell = math.floor(x / size) + math.floor(z * appearance.checker_turn[who] / size)
+    return odd if cell % 2.0 == 1.0 else appearance.material[who]
 
 
 @kernel
 def primitive_surface(
-    primitives, looks, origin, direction, leaving, t, met, point, normal, inside, material
+    primitives, appearance, origin, direction, leaving, t, met, point, normal, inside, material
 ):
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive,
-    and settles their t.
+    and refines their t.
 
     The normal faces the incoming ray, but for rounding where that grazes a solid. Rows of rays
     that met nothing or a mesh stay as they are.
@@ -110,7 +110,7 @@ def primitive_surface(
             direction[i, 0], direction[i, 1], direction[i, 2], t[i],
         )  # fmt: skip
         if not again:
-            better = settled(t[i], shape, x, y, z, dx, dy, dz)
+            better = refined(t[i], shape, x, y, z, dx, dy, dz)
             step = better - t[i]
             t[i], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
         solid = shape == SPHERE or shape == BOX or shape == CYLINDER
@@ -135,4 +135,4 @@ def primitive_surface(
         inside[i] = leaves if solid else side > 0.0
         sign = -1.0 if inside[i] else 1.0
         normal[i, 0], normal[i, 1], normal[i, 2] = sign * nx, sign * ny, sign * nz
-        material[i] = square_material(looks, met[i], x, z)
+        material[i] = square_material(appearance, met[i], x, z)

@@ -80,7 +80,7 @@ def _start(placed: Placed, plane: PicturePlane, aspect: float) -> Observer:
     away = flat * np.cos(tilt) + WORLD_UP * np.sin(tilt)
     points = _landmarks(placed, plane)
     target, distance = placed.centre, 2.5 * placed.radius
-    # Centre what is seen and step back or forth until it just fits; a few rounds settle it.
+    # Centre what is seen and step back or forth until it just fits; a few rounds are enough.
     for _ in range(12):
         observer = Observer(target + away * distance, target, WORLD_UP, FOV)
         view = Projection(observer, aspect, 1.0)

@@ -8,7 +8,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rows_of
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
-from raywalk.trace.media import indices_before, indices_in, settle_media
+from raywalk.trace.media import indices_before, indices_in, resolve_media
 from raywalk.trace.tables import Materials
 from raywalk.trace.tree import Kind
 
@@ -46,7 +46,7 @@ def bounce(
         before = indices_before(crossed, met.object, met.inside, ior_of)
         # Straight on: where glass touches glass, all borders are crossed at once.
         straight = Rays(met.point, direction, met.object, ~met.inside, met.triangle)
-        settle_media(crossed, *compiled.beyond(straight, met.t, straight=True))
+        resolve_media(crossed, *compiled.beyond(straight, met.t, straight=True))
         beyond = indices_in(crossed, ior_of)
         n_from[glass], n_to[glass], after[glass] = before, beyond, crossed
         mirror[glass], through[glass], total[glass] = glass_shares(
@@ -71,7 +71,7 @@ def bounce(
     )  # fmt: skip
     stacks = np.concatenate([media.take(back, axis=0), after.take(on, axis=0)])
     if stacks.shape[1]:
-        settle_media(stacks, *compiled.beyond(onward, hits.t[parent]))
+        resolve_media(stacks, *compiled.beyond(onward, hits.t[parent]))
     return Bounced(
         rays=onward,
         parent=parent.astype(np.int32),

@@ -42,7 +42,7 @@ def indices_before(stacks, who, inside, ior_of):
 
 
 @kernel
-def settle_media(stacks, ray, who, within):
+def resolve_media(stacks, ray, who, within):
     """Takes out of stacks (n, w) what rays are not in any more, and adds what they are in now.
 
     ray, who, within: (c,) each, largest objects first, as CompiledScene.beyond says: of several

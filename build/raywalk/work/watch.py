@@ -1,4 +1,4 @@
-"""Notices that files were saved, by looking: no package is needed, and any disk will do."""
+"""Notices that files were saved, by scanning folders: no package is needed, and any disk will do."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-EVERY = 0.2  # seconds between two looks
-SETTLED = 0.1  # seconds without a change: an editor that saves several files is done
+EVERY = 0.2  # seconds between two scans
+AT_REST = 0.1  # seconds without a change: an editor that saves several files is done
 
 Seen = dict[str, tuple[int, int]]  # path -> time of change, size
 
@@ -18,12 +18,12 @@ def changes(folders: Iterable[Path], quiet: float) -> Iterator[list[str]]:
     """The paths that changed, each time files were saved; nothing at once, and again whenever
     nobody saved anything for `quiet` seconds after that."""
     folders = list(folders)
-    seen = look(folders)
+    seen = scan(folders)
     yield []
     told = time.monotonic()
     while True:
         time.sleep(EVERY)
-        now = look(folders)
+        now = scan(folders)
         if now == seen:
             if time.monotonic() - told > quiet:
                 yield []
@@ -37,29 +37,29 @@ def changes(folders: Iterable[Path], quiet: float) -> Iterator[list[str]]:
         told = time.monotonic()
 
 
-def look(folders: Iterable[Path]) -> Seen:
+def scan(folders: Iterable[Path]) -> Seen:
     """Every file below some folders, but for editors' swap files and other hidden ones."""
     seen: Seen = {}
     for folder in folders:
-        _look_into(str(folder), seen)
+        _scan_into(str(folder), seen)
     return seen
 
 
-def _look_into(folder: str, seen: Seen) -> None:
+def _scan_into(folder: str, seen: Seen) -> None:
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
                 if entry.name.startswith(".") or entry.name.endswith("~"):
                     continue
                 if entry.is_dir():
-                    _look_into(entry.path, seen)
+                    _scan_into(entry.path, seen)
                 else:
                     state = entry.stat()
                     seen[entry.path] = (state.st_mtime_ns, state.st_size)
     except OSError:
-        return  # gone between two looks
+        return  # gone between two scans
 
 
 def _later(folders: list[Path]) -> Seen:
-    time.sleep(SETTLED)
-    return look(folders)
+    time.sleep(AT_REST)
+    return scan(folders)

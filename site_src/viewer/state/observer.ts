@@ -43,7 +43,7 @@ function startObserver(scene: SceneData, plane: PicturePlane, aspect: number): O
   const points = landmarks(scene, plane);
   let target = scene.bounds.center;
   let distance = 2.5 * scene.bounds.radius;
-  // Centre what is seen and step back or forth until it just fits; a few rounds settle it.
+  // Centre what is seen and step back or forth until it just fits; a few rounds are enough.
   for (let round = 0; round < 12; round++) {
     const view = createProjection({ eye: add(target, scale(away, distance)), target, up: WORLD_UP, fov: FOV }, aspect, 1);
     const seen = points.map(view.project);

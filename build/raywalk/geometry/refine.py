@@ -27,7 +27,7 @@ SLIGHT = 1e-4
 
 
 @kernel
-def settle_roots(primitives, ray, origin, direction, leaving, t, met):
+def refine_roots(primitives, ray, origin, direction, leaving, t, met):
     """Moves roots t (n,) onto their surfaces, in place.
 
     ray: (n,) each root's row of origin, direction and leaving; met: (n,) object; what is
@@ -48,7 +48,7 @@ def settle_roots(primitives, ray, origin, direction, leaving, t, met):
             origin[i, 0], origin[i, 1], origin[i, 2],
             direction[i, 0], direction[i, 1], direction[i, 2], t[n],
         )  # fmt: skip
-        t[n] = settled(t[n], shape[k], x, y, z, dx, dy, dz)
+        t[n] = refined(t[n], shape[k], x, y, z, dx, dy, dz)
 
 
 @inlined
@@ -72,7 +72,7 @@ def from_close_up(
 
 
 @kernel
-def settled(t, shape, x, y, z, dx, dy, dz):
+def refined(t, shape, x, y, z, dx, dy, dz):
     """The root t, given its canonical hit point and the canonical direction."""
     step = step_to_surface(shape, x, y, z, dx, dy, dz)
     # Along a face the step is the point's rounding over a slope of rounding, and could end beside
