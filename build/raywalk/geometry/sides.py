@@ -2,8 +2,8 @@
 
 Nothing is remembered and nothing counted: where surfaces touch, rounding may tell that one is
 met a little before or behind the other, or not at all. But where a ray goes on from a point is
-decided by that point and the direction alone, and by the rules that `roots` finds the next hit with.
-So no ray keeps a medium that it has left.
+decided by that point and the direction alone, and by the rules that `roots` finds the next hit
+with. So no ray keeps a medium that it has left.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Notices that files were saved, by scanning folders: no package is needed, and any disk will do."""
+"""Notices that files were saved, by scanning folders: needs no package, works on any disk."""
 
 from __future__ import annotations
 
