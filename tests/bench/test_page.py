@@ -15,7 +15,7 @@ TEMPLATES = Path("site_src/templates")
 ASSETS = {"style_css": "assets/style-0.css"}
 
 
-def way(name: str, nanoseconds: float, largest: float, ours: bool = False) -> dict:
+def method(name: str, nanoseconds: float, largest: float, ours: bool = False) -> dict:
     """A row as `bench` measures it."""
     return {
         "name": name, "ours": ours, "nanoseconds": nanoseconds, "rate": 1e3 / nanoseconds,
@@ -25,14 +25,14 @@ def way(name: str, nanoseconds: float, largest: float, ours: bool = False) -> di
 
 
 def report() -> dict:
-    """One task of three ways, a picture, a resolution."""
-    ways = [
-        way("ours", 100.0, 1e-15, ours=True),
-        way("fast <&>", 50.0, 1e-3),
-        way("slow", 200.0, 1e-7),
+    """One task of three methods, a picture, a resolution."""
+    methods = [
+        method("ours", 100.0, 1e-15, ours=True),
+        method("fast <&>", 50.0, 1e-3),
+        method("slow", 200.0, 1e-7),
     ]
-    task = {"key": "t", "title": "Task", "about": "About.", "floor": "slow", "ways": ways}
-    picture = {"about": "Pictures.", "ways": [
+    task = {"key": "t", "title": "Task", "about": "About.", "floor": "slow", "methods": methods}
+    picture = {"about": "Pictures.", "methods": [
         {"name": "ours", "ours": True, "seconds": 1.0, "ratio": 1.0, "wrong": 0.0, "mean": 0.0,
          "largest": 0.0}]}  # fmt: skip
     rows = [{"size": 5, "error": 6.0, "off": 0.5}, {"size": 15, "error": 2.0, "off": 0.2}]
@@ -69,7 +69,7 @@ def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
         assert f'src="{plot}.svg"' in page
         ElementTree.parse(out / f"benchmarks/{plot}.svg")
     kept = json.loads((out / "benchmarks/benchmarks.json").read_text(encoding="utf-8"))
-    assert kept["bench"]["tasks"][0]["ways"][0]["name"] == "ours"
+    assert kept["bench"]["tasks"][0]["methods"][0]["name"] == "ours"
 
 
 def test_the_front_holds_what_nothing_beats() -> None:
@@ -79,12 +79,12 @@ def test_the_front_holds_what_nothing_beats() -> None:
 
 def test_being_beaten_is_said() -> None:
     """Faster and as exact beats our path; faster and wrong does not."""
-    ours = way("ours", 100.0, 1e-15, ours=True)
-    better = way("better", 90.0, 1e-15)
+    ours = method("ours", 100.0, 1e-15, ours=True)
+    better = method("better", 90.0, 1e-15)
     assert beats(better, ours)
     assert not beats(better | {"wrong": 1.0}, ours)
-    assert not beats(way("inexact", 50.0, 1e-7), ours)
-    holes = {"title": "H", "ways": [ours, better | {"wrong": 7.0}]}
-    told = " ".join(says([{"title": "T", "ways": [ours, better]}, holes]))
+    assert not beats(method("inexact", 50.0, 1e-7), ours)
+    holes = {"title": "H", "methods": [ours, better | {"wrong": 7.0}]}
+    told = " ".join(says([{"title": "T", "methods": [ours, better]}, holes]))
     assert "better is faster than our path" in told
     assert "7 ppm on h" in told

@@ -1,1 +1,1 @@
-"""Measures the tracer: accuracy and speed beside other ways, and stress cases with bounds."""
+"""Measures the tracer: accuracy and speed beside other methods, and stress cases with bounds."""

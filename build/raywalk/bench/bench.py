@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.bench.cases import Case, per_million
-from raywalk.bench.contenders import Met, Way, for_mesh, for_spheres
+from raywalk.bench.contenders import Met, Method, for_mesh, for_spheres
 from raywalk.bench.errors import Errors, Truth, errors_of, mesh_truth, sphere_truth
 from raywalk.bench.families import Pair, coherent, in_ball, incoherent, towards
 from raywalk.bench.made_scenes import bunny, twenty_spheres
@@ -32,12 +32,12 @@ def tasks(side: int = SIDE, rounds: int = ROUNDS, seed: int = SEED) -> Iterator[
     """Six tasks: spheres and mesh, coherent and incoherent; mesh at its vertices, and far out."""
     rng = np.random.default_rng(seed)
     spheres = twenty_spheres(seed)
-    ways, missing = for_spheres(spheres)
+    methods, missing = for_spheres(spheres)
     truth = partial(sphere_truth, spheres)
     for key, rays in _rays(rng, side, 7.0, 3.0).items():
         about = f"20 spheres, {side * side:,} {key} rays"
         named = Named(f"spheres-{key}", f"Spheres, {key} rays", about, "Embree float32, level 64")
-        yield task(named, ways, missing, rays, truth, rounds, rng)
+        yield task(named, methods, missing, rays, truth, rounds, rng)
     yield from mesh_tasks(rng, side, rounds)
 
 
@@ -46,11 +46,11 @@ def mesh_tasks(rng: np.random.Generator, side: int, rounds: int) -> Iterator[dic
     floor = "Embree float32, as is"
     corners = bunny()
     corners = corners - (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1))) / 2
-    ways, missing = for_mesh(corners)
+    methods, missing = for_mesh(corners)
     for key, rays in _rays(rng, side, 2.5, 1.0).items():
         about = f"the bunny of {len(corners):,} triangles, {side * side:,} {key} rays"
         named = Named(f"mesh-{key}", f"Mesh, {key} rays", about, floor)
-        yield task(named, ways, missing, rays, partial(mesh_truth, corners), rounds, rng)
+        yield task(named, methods, missing, rays, partial(mesh_truth, corners), rounds, rng)
     about = (
         f"the bunny, {side * side:,} rays from inside at its vertices: each must hit, the wrong "
         "ones are holes. Where a silhouette's vertex may be passed on either side, errors are not "
@@ -58,19 +58,19 @@ def mesh_tasks(rng: np.random.Generator, side: int, rounds: int) -> Iterator[dic
     )
     named = Named("mesh-vertices", "Mesh, rays at vertices", about, floor, all_hit=True)
     rays = at_vertices(rng, corners, side * side)
-    yield task(named, ways, missing, rays, partial(mesh_truth, corners), rounds, rng)
+    yield task(named, methods, missing, rays, partial(mesh_truth, corners), rounds, rng)
     moved = corners + FAR  # rounded here: this is the mesh that the truth knows
-    ways, missing = for_mesh(moved)
+    methods, missing = for_mesh(moved)
     origin, direction = coherent(side, (0.0, 0.0, 2.5), 0.45)
     about = f"the bunny moved by {FAR:g} along each axis, {side * side:,} coherent rays"
     named = Named("mesh-far", "Mesh far from the origin", about, floor)
     rays = (origin + FAR, direction)
-    yield task(named, ways, missing, rays, partial(mesh_truth, moved), rounds, rng)
+    yield task(named, methods, missing, rays, partial(mesh_truth, moved), rounds, rng)
 
 
 @dataclass(frozen=True)
 class Named:
-    """What a task is called, and beside which way times are given."""
+    """What a task is called, and beside which method times are given."""
 
     key: str
     title: str
@@ -94,52 +94,57 @@ def _rays(rng: np.random.Generator, side: int, away: float, reach: float) -> dic
 
 
 def task(
-    named: Named, ways: list[Way], missing: list[str], rays: Pair,
+    named: Named, methods: list[Method], missing: list[str], rays: Pair,
     truth_of: Callable[[np.ndarray, np.ndarray], Truth], rounds: int, rng: np.random.Generator,
 ) -> dict[str, Any]:  # fmt: skip
-    """Every way timed and judged on the same rays, as plain data."""
+    """Every method timed and judged on the same rays, as plain data."""
     chosen = rng.choice(len(rays[0]), SAMPLE, replace=False)
     truth = truth_of(rays[0][chosen], rays[1][chosen])
-    beside = next(k for k, way in enumerate(ways) if way.name == named.floor)
-    times = interleaved([partial(way.hits, *rays) for way in ways], rounds, beside)
+    beside = next(k for k, method in enumerate(methods) if method.name == named.floor)
+    times = interleaved([partial(method.hits, *rays) for method in methods], rounds, beside)
     rows = []
-    for way, (seconds, ratio) in zip(ways, times, strict=True):
-        met = way.hits(*rays)
+    for method, (seconds, ratio) in zip(methods, times, strict=True):
+        met = method.hits(*rays)
         judged = Met(met.t[chosen], met.point[chosen], met.normal[chosen])
         errors = errors_of(judged, truth, either_way=named.all_hit)
         wrong = per_million(errors.wrong, SAMPLE)
         if named.all_hit:
             wrong = per_million(int(np.isinf(met.t).sum()), len(met.t))
-        rows.append(row(way, errors, seconds / len(rays[0]), ratio, wrong))
+        rows.append(row(method, errors, seconds / len(rays[0]), ratio, wrong))
     absent = f" Not installed, so not measured: {', '.join(missing)}." if missing else ""
-    words = f"{named.about}; each way gives distance, point and normal; errors of {SAMPLE:,} rays."
+    words = (
+        f"{named.about}; each method gives distance, point and normal; errors of {SAMPLE:,} rays."
+    )
     return {
-        "key": named.key, "title": named.title, "floor": named.floor, "ways": rows,
+        "key": named.key, "title": named.title, "floor": named.floor, "methods": rows,
         "about": words[0].upper() + words[1:] + absent,
     }  # fmt: skip
 
 
-def row(way: Way, errors: Errors, seconds: float, ratio: float, wrong: float) -> dict[str, Any]:
+def row(
+    method: Method, errors: Errors, seconds: float, ratio: float, wrong: float
+) -> dict[str, Any]:
     """One line of the table; seconds a ray."""
     return {
-        "name": way.name, "ours": way.ours, "nanoseconds": 1e9 * seconds,
+        "name": method.name, "ours": method.ours, "nanoseconds": 1e9 * seconds,
         "rate": 1e-6 / seconds, "ratio": ratio, "median": errors.median,
         "largest": errors.largest, "point": errors.point, "normal": errors.normal, "wrong": wrong,
     }  # fmt: skip
 
 
-def as_line(way: dict[str, Any]) -> str:
-    """One way for the command line."""
+def as_line(method: dict[str, Any]) -> str:
+    """One method for the command line."""
     return (
-        f"  {way['name']}: {way['nanoseconds']:.0f} ns ({way['ratio']:.2f}), error of t "
-        f"{way['median']:.1e} median, {way['largest']:.1e} largest, {way['wrong']:.0f} ppm wrong"
+        f"  {method['name']}: {method['nanoseconds']:.0f} ns ({method['ratio']:.2f}), error of t "
+        f"{method['median']:.1e} median, {method['largest']:.1e} largest, {method['wrong']:.0f} ppm "
+        "wrong"
     )
 
 
 def bounds(task: dict[str, Any], seed: int) -> Iterator[Case]:
     """Our path's own bounds in one task."""
-    ours = next(way for way in task["ways"] if way["ours"])
-    floor = next(way for way in task["ways"] if way["name"] == task["floor"])
+    ours = next(method for method in task["methods"] if method["ours"])
+    floor = next(method for method in task["methods"] if method["name"] == task["floor"])
     words = {"median": "relative error of t, median", "largest": "relative error of t, max",
              "wrong": "wrong hits, ppm"}  # fmt: skip
     for which, bound in BOUND.items():
@@ -149,29 +154,29 @@ def bounds(task: dict[str, Any], seed: int) -> Iterator[Case]:
         )  # fmt: skip
 
 
-def beats(way: dict[str, Any], ours: dict[str, Any]) -> bool:
+def beats(method: dict[str, Any], ours: dict[str, Any]) -> bool:
     """Faster, and no error larger: below a rounding all errors are equal."""
-    faster = way["nanoseconds"] < ours["nanoseconds"]
-    exact = all(max(way[e], ROUNDING) <= max(ours[e], ROUNDING) for e in ("median", "largest"))
-    return bool(faster and exact and way["wrong"] <= ours["wrong"])
+    faster = method["nanoseconds"] < ours["nanoseconds"]
+    exact = all(max(method[e], ROUNDING) <= max(ours[e], ROUNDING) for e in ("median", "largest"))
+    return bool(faster and exact and method["wrong"] <= ours["wrong"])
 
 
 def says(tasks: list[dict[str, Any]]) -> Iterator[str]:
     """Sentences on where our path stands, the unwelcome ones first."""
     winners = set()
     for task in tasks:
-        ours = next(way for way in task["ways"] if way["ours"])
-        for way in task["ways"]:
-            if not way["ours"] and beats(way, ours):
-                winners.add(way["name"])
+        ours = next(method for method in task["methods"] if method["ours"])
+        for method in task["methods"]:
+            if not method["ours"] and beats(method, ours):
+                winners.add(method["name"])
                 yield (
-                    f"{task['title']}: {way['name']} is faster than our path "
-                    f"({ours['nanoseconds'] / way['nanoseconds']:.2f} times) and as exact here "
-                    f"(largest error {way['largest']:.1e} against {ours['largest']:.1e})."
+                    f"{task['title']}: {method['name']} is faster than our path "
+                    f"({ours['nanoseconds'] / method['nanoseconds']:.2f} times) and as exact here "
+                    f"(largest error {method['largest']:.1e} against {ours['largest']:.1e})."
                 )
     yield from where_winners_fail(tasks, winners)
     where = ", ".join(task["title"].lower() for task in tasks if not any(
-        beats(way, ours) for ours in task["ways"] if ours["ours"] for way in task["ways"]
+        beats(other, ours) for ours in task["methods"] if ours["ours"] for other in task["methods"]
     ))  # fmt: skip
     if where:
         yield f"Nothing measured is both faster and at least as exact as our path on: {where}."
@@ -180,21 +185,21 @@ def says(tasks: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def where_winners_fail(tasks: list[dict[str, Any]], winners: set[str]) -> Iterator[str]:
-    """The wrong hits of those ways on the other rays."""
+    """The wrong hits of those methods on the other rays."""
     for name in sorted(winners):
         wrong = [
-            f"{way['wrong']:,.0f} ppm on {task['title'].lower()}"
-            for task in tasks for way in task["ways"]
-            if way["name"] == name and way["wrong"] > 0
+            f"{method['wrong']:,.0f} ppm on {task['title'].lower()}"
+            for task in tasks for method in task["methods"]
+            if method["name"] == name and method["wrong"] > 0
         ]  # fmt: skip
         if wrong:
-            yield f"The same way, {name}, hits wrongly elsewhere: {', '.join(wrong)}; ours 0."
+            yield f"The same method, {name}, hits wrongly elsewhere: {', '.join(wrong)}; ours 0."
 
 
 def fastest(task: dict[str, Any]) -> str:
     """Who is, and what that costs."""
-    ours = next(way for way in task["ways"] if way["ours"])
-    best = min(task["ways"], key=lambda way: way["nanoseconds"])
+    ours = next(method for method in task["methods"] if method["ours"])
+    best = min(task["methods"], key=lambda method: method["nanoseconds"])
     if best["ours"]:
         return f"{task['title']}: our path is the fastest."
     powers = math.log10(max(best["median"], ROUNDING) / max(ours["median"], ROUNDING))

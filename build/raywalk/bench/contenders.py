@@ -27,8 +27,8 @@ class Met:
     normal: np.ndarray  # (n, 3) of any length and sign
 
 
-class Way(Protocol):
-    """A way to find hits."""
+class Method(Protocol):
+    """A method to find hits."""
 
     name: str
     ours: bool
@@ -237,25 +237,25 @@ def tessellated(spheres: Sequence[Sphere], level: int) -> np.ndarray:
     return np.concatenate([np.array(s.center) + s.radius * unit for s in spheres])
 
 
-def for_spheres(spheres: Sequence[Sphere]) -> tuple[list[Way], list[str]]:
-    """All ways for spheres, ours first; and which peers are not installed."""
-    ways: list[Way] = [Ours(CompiledScene(scene_of(spheres)))]
-    ways += [
+def for_spheres(spheres: Sequence[Sphere]) -> tuple[list[Method], list[str]]:
+    """All methods for spheres, ours first; and which peers are not installed."""
+    methods: list[Method] = [Ours(CompiledScene(scene_of(spheres)))]
+    methods += [
         Embree(f"Embree float32, level {level}", tessellated(spheres, level)) for level in LEVELS
     ]
-    ways += [EmbreeThenSpheres(spheres, 64), NumpySpheres(spheres)]
+    methods += [EmbreeThenSpheres(spheres, 64), NumpySpheres(spheres)]
     corners = tessellated(spheres, 64)
     peers = {
         "trimesh.ray (level 64)": lambda: TrimeshRay(corners),
         "Open3D (level 64)": lambda: Open3D(corners),
         "Mitsuba 3, llvm (its own spheres)": lambda: Mitsuba(spheres=spheres),
     }
-    return _with_peers(ways, peers)
+    return _with_peers(methods, peers)
 
 
-def for_mesh(corners: np.ndarray) -> tuple[list[Way], list[str]]:
-    """All ways for a mesh, ours first; and which peers are not installed."""
-    ways: list[Way] = [
+def for_mesh(corners: np.ndarray) -> tuple[list[Method], list[str]]:
+    """All methods for a mesh, ours first; and which peers are not installed."""
+    methods: list[Method] = [
         Ours(compiled_mesh(corners)),
         Embree("Embree float32, as is", corners),
         EmbreeThenPlanes(corners),
@@ -265,17 +265,17 @@ def for_mesh(corners: np.ndarray) -> tuple[list[Way], list[str]]:
         "Open3D": lambda: Open3D(corners),
         "Mitsuba 3, llvm": lambda: Mitsuba(corners),
     }
-    return _with_peers(ways, peers)
+    return _with_peers(methods, peers)
 
 
-def _with_peers(ways: list[Way], peers: dict[str, Any]) -> tuple[list[Way], list[str]]:
+def _with_peers(methods: list[Method], peers: dict[str, Any]) -> tuple[list[Method], list[str]]:
     missing = []
     for name, make in peers.items():
         try:
-            way = make()
+            method = make()
         except (ImportError, RuntimeError):  # Mitsuba is there, but its LLVM is not
             missing.append(name)
             continue
-        way.name = name
-        ways.append(way)
-    return ways, missing
+        method.name = name
+        methods.append(method)
+    return methods, missing

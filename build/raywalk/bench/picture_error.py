@@ -72,12 +72,12 @@ def pictures(rounds: int, seed: int, size: int = SIZE) -> dict[str, Any]:
     asked = (rows * size + columns).ravel()
     true = TruePicture(scene)
     truth = np.array([true.pixel(size, k % size, k // size) for k in asked.tolist()])
-    ways = []
+    methods = []
     for (name, tracer), (seconds, ratio) in zip(tracers.items(), times, strict=True):
         got = picture(scene, tracer, size)[asked]
         error = np.abs(got - truth)
         wrong = (eight_bit(got) != eight_bit(truth)).any(axis=1).mean()
-        ways.append({
+        methods.append({
             "name": name, "ours": tracer is tracers["ours, float64"], "seconds": seconds,
             "ratio": ratio, "wrong": float(wrong), "mean": float(error.mean()),
             "largest": float(error.max()),
@@ -85,14 +85,14 @@ def pictures(rounds: int, seed: int, size: int = SIZE) -> dict[str, Any]:
     return {
         "about": f"20 spheres, mirrors, shadows, {DEPTH} bounces, {size} x {size} pixels, one "
         f"thread; {len(asked):,} pixels against 50 digits. All are shaded by the same stages.",
-        "ways": ways, "pixels": len(asked),
+        "methods": methods, "pixels": len(asked),
     }  # fmt: skip
 
 
 def picture_cases(measured: dict[str, Any], seed: int) -> Iterator[Case]:
     """No 8-bit pixel wrong, and colours to 1e-9 at worst (grazing mirrors magnify rounding)."""
-    ours = next(way for way in measured["ways"] if way["ours"])
-    other = next(way for way in measured["ways"] if way["name"].endswith("level 64"))
+    ours = next(method for method in measured["methods"] if method["ours"])
+    other = next(method for method in measured["methods"] if method["name"].endswith("level 64"))
     for key, words, bound in (
         ("wrong", "share of 8-bit pixels wrong", 0.0), ("mean", "error of colour, mean", 1e-12),
         ("largest", "error of colour, max", 1e-9),

@@ -74,7 +74,7 @@ class Scale:
 
 
 def scatter(title: str, x_title: str, y_title: str, points: Sequence[Point]) -> str:
-    """Log-log scatter of ways with a legend; the front is a stepped line."""
+    """Log-log scatter of methods with a legend; the front is a stepped line."""
     x = scale_of([p.x for p in points], LEFT, WIDTH - LEGEND)
     y = scale_of([p.y for p in points], HEIGHT - BOTTOM, TOP)
     parts = [frame(title, x_title, y_title, x, y)]
@@ -215,16 +215,18 @@ def plots_of(bench: dict[str, Any]) -> list[Plot]:
 
 def task_plots(task: dict[str, Any]) -> list[Plot]:
     """Time per ray against the median and against the largest error of one task."""
-    ways = task["ways"]
+    methods = task["methods"]
     made = []
     for which, words in (("median", "median"), ("largest", "largest")):
         # An error of 0 has no logarithm: it is drawn at a hundredth of a rounding.
-        errors = [max(way[which], 1e-18) for way in ways]
-        times = [way["nanoseconds"] for way in ways]
+        errors = [max(method[which], 1e-18) for method in methods]
+        times = [method["nanoseconds"] for method in methods]
         fronts = front_of(times, errors)
         points = [
-            Point(t, e, way["name"], MARKERS[k % len(MARKERS)], front)
-            for k, (way, t, e, front) in enumerate(zip(ways, times, errors, fronts, strict=True))
+            Point(t, e, method["name"], MARKERS[k % len(MARKERS)], front)
+            for k, (method, t, e, front) in enumerate(
+                zip(methods, times, errors, fronts, strict=True)
+            )
         ]
         title = f"{task['title']}: {words} error of the distance"
         made.append(Plot(

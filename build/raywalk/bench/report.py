@@ -18,6 +18,7 @@ from raywalk.bench.plots import plots_of
 from raywalk.site.pages import page_environment
 
 REPORTS = "reports"  # below the work folder
+FORMAT = 2  # of the reports: those of an older one are not shown
 SITE_SOURCE = Path("site_src")
 STYLE = Path(__file__).with_name("page.css")
 PACKAGES = ("numpy", "numba", "embreex", "trimesh", "mpmath", "mitsuba", "open3d")
@@ -69,7 +70,9 @@ def publish_reports(
 def _keep(work: Path, name: str, measured: dict[str, Any]) -> None:
     folder = work / REPORTS
     folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps({"machine": _machine(), **measured}, indent=1, allow_nan=False)
+    text = json.dumps(
+        {"format": FORMAT, "machine": _machine(), **measured}, indent=1, allow_nan=False
+    )
     beside = folder / f"{name}.json.partial"
     beside.write_text(text + "\n", encoding="utf-8")
     beside.replace(folder / f"{name}.json")
@@ -77,9 +80,10 @@ def _keep(work: Path, name: str, measured: dict[str, Any]) -> None:
 
 def _kept(work: Path, name: str) -> Any:
     try:
-        return json.loads((work / REPORTS / f"{name}.json").read_text(encoding="utf-8"))
+        kept = json.loads((work / REPORTS / f"{name}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
+    return kept if kept.get("format") == FORMAT else None
 
 
 def _machine() -> dict[str, str]:

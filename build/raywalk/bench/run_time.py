@@ -1,4 +1,4 @@
-"""Time of several ways on the same rays: interleaved rounds, medians of times and of ratios."""
+"""Time of several methods on the same rays: interleaved rounds, medians of times and of ratios."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""raywalk bench: run time against error beside other ways to trace, and what a build costs."""
+"""raywalk bench: run time against error beside other methods to trace, and what a build costs."""
 
 from __future__ import annotations
 
@@ -66,15 +66,15 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
         measured["tasks"].append(task)
         cases += bench.bounds(task, chosen.seed)
         yield f"{task['title']} (time by {task['floor']})"
-        yield from map(bench.as_line, task["ways"])
+        yield from map(bench.as_line, task["methods"])
     measured["says"] = list(bench.says(measured["tasks"]))
     yield "Whole pictures"
     measured["picture"] = pictures(rounds, chosen.seed, 200 if chosen.quick else 400)
     cases += picture_cases(measured["picture"], chosen.seed)
-    for way in measured["picture"]["ways"]:
+    for method in measured["picture"]["methods"]:
         yield (
-            f"  {way['name']}: {way['seconds']:.2f} s, {100 * way['wrong']:.1f} % of 8-bit pixels "
-            f"wrong, mean error {way['mean']:.1e}"
+            f"  {method['name']}: {method['seconds']:.2f} s, {100 * method['wrong']:.1f} % of 8-bit "
+            f"pixels wrong, mean error {method['mean']:.1e}"
         )
     measured["resolution"] = resolution(chosen.seed, 231 if chosen.quick else 1155)
     cases += quantisation(read_scenes(chosen.scenes))

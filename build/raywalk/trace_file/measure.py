@@ -23,7 +23,7 @@ def measured_errors(
         _must_agree(name, getattr(tree, name), ray[name], tree.object >= 0)
     hit, lit = tree.object >= 0, _stored_light(tree, header)
     blocked = tree.visibility == Visibility.BLOCKED
-    way = _to_lights(tree, header)
+    to_light = _to_lights(tree, header)
     found = {
         "point": _most(ray["point"] - tree.point, hit),
         "leaving": _most(ray["point"] - tree.point, ~hit),
@@ -31,7 +31,7 @@ def measured_errors(
         "normal": _most(ray["normal"] - tree.normal),
         "weight": _most(ray["weight"] - tree.weight),
         "localWeight": _most((ray["localWeight"] - tree.local_weight)[hit]),
-        "blocked": _most(((ray["blockedAt"] - tree.blocked_at) * way)[blocked]),
+        "blocked": _most(((ray["blockedAt"] - tree.blocked_at) * to_light)[blocked]),
         "diffuse": _most((ray["diffuse"] - tree.diffuse)[lit["diffuse"]]),
         "specular": _most((ray["specular"] - tree.specular)[lit["specular"]]),
         "hits": _most(ray["hitsT"] - tree.hits_t),

@@ -1,4 +1,4 @@
-"""Which rays lie beside a ray in the picture and came there by the same way.
+"""Which rays lie beside a ray in the picture and came there with the same history.
 
 The neighbours of a camera ray are those of its pixel; those of a reflected ray are
 the reflected rays of its parent's neighbours, and so on. All come earlier in the

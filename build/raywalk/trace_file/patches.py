@@ -36,7 +36,7 @@ class Patch:
     axes: tuple[float, ...] = ()  # 2 or 3 vectors: world = origin + sum of (axis * coordinate)
     gradient: tuple[float, ...] = ()  # M by rows, then b; or the one normal
     step: float = 0.0  # of stored coordinates
-    way: float = 1.0  # how far a normal turns where a point moves by 1; not in the file
+    curvature: float = 1.0  # how far a normal turns where a point moves by 1; not in the file
 
 
 def split_into_patches(
@@ -109,7 +109,7 @@ def _flat(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray) -
     origin = up * float(np.median(point[rows] @ up))
     return Patch(
         index, "flat", "one", tuple(origin.tolist()), (*u.tolist(), *v.tolist()),
-        tuple(up.tolist()), way=0.0,
+        tuple(up.tolist()), curvature=0.0,
     )  # fmt: skip
 
 
@@ -130,9 +130,13 @@ def _curved(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray)
     sign = np.sign((along * normal[rows]).sum(axis=1))
     if np.abs(along * sign[:, None] - normal[rows]).max() > FITS:
         return None
-    way = float(np.abs(np.linalg.eigvalsh(m)).max() / length.min())
-    return _ball(index, m, b, point[rows], way) or Patch(
-        index, "free", "gradient", gradient=(*m.reshape(-1).tolist(), *b.tolist()), way=way
+    curvature = float(np.abs(np.linalg.eigvalsh(m)).max() / length.min())
+    return _ball(index, m, b, point[rows], curvature) or Patch(
+        index,
+        "free",
+        "gradient",
+        gradient=(*m.reshape(-1).tolist(), *b.tolist()),
+        curvature=curvature,
     )
 
 
@@ -144,7 +148,9 @@ SYMMETRIC = np.array([
 ], float)  # fmt: skip
 
 
-def _ball(index: int, m: np.ndarray, b: np.ndarray, point: np.ndarray, way: float) -> Patch | None:
+def _ball(
+    index: int, m: np.ndarray, b: np.ndarray, point: np.ndarray, curvature: float
+) -> Patch | None:
     """The patch as an affine image of the unit sphere, if it is one."""
     m, b = (m, b) if np.trace(m) > 0 else (-m, -b)
     if np.linalg.eigvalsh(m).min() <= 1e-6 * np.abs(m).max():  # m may be all 0: a plane
@@ -159,7 +165,7 @@ def _ball(index: int, m: np.ndarray, b: np.ndarray, point: np.ndarray, way: floa
     axes = axes @ _pole_towards(np.linalg.solve(axes, (point - centre).mean(axis=0)))
     return Patch(
         index, "ball", "gradient", tuple(centre.tolist()), tuple(axes.T.reshape(-1).tolist()),
-        (*m.reshape(-1).tolist(), *b.tolist()), way=way,
+        (*m.reshape(-1).tolist(), *b.tolist()), curvature=curvature,
     )  # fmt: skip
 
 

@@ -37,10 +37,10 @@ def finite_extent(tree: RayTree, scene: Scene) -> float:
     return float((box.max(axis=0) - box.min(axis=0)).max()) or 1.0
 
 
-def point_error(extent: float, way: float) -> float:
-    """Allowed error of points on a patch whose normals turn by `way` a unit of length."""
+def point_error(extent: float, curvature: float) -> float:
+    """Allowed error of points on a patch whose normals turn by `curvature` a unit of length."""
     allowed = min(POINT_SHARE * extent, MOST_POINT)
-    return min(allowed, NORMAL / way) if way > 0 else allowed
+    return min(allowed, NORMAL / curvature) if curvature > 0 else allowed
 
 
 def depth_step(z: np.ndarray, slant: np.ndarray, error: float) -> float:

@@ -31,12 +31,12 @@ class Structure:
     parent: np.ndarray  # always counted in the whole file
     kind: np.ndarray
     level: np.ndarray  # bounces before this ray
-    before: np.ndarray  # equal where two rays came by the same way
+    before: np.ndarray  # equal where two rays have the same history so far
     sides: np.ndarray  # (4, m) see neighbours.py
     paths: list[int]  # where each path (RR, RT ...) of one depth starts, and the end
     surface: np.ndarray
     children: np.ndarray
-    way: np.ndarray  # `before` and the patch met: equal where two rays met the same patches
+    history: np.ndarray  # `before` and the patch met: equal where two rays met the same patches
 
     @property
     def count(self) -> int:
@@ -57,8 +57,8 @@ def grow(
         wave.surface = coder("surface", first, wave.before, wave.before, wave.sides)
         if len(wave.surface) and wave.surface.max() >= len(patch_of):
             raise TraceFileError("damaged", "a ray names a surface that is not there")
-        wave.way = _dense(wave.before * base + patch_of[wave.surface])
-        group = wave.way * base + wave.surface
+        wave.history = _dense(wave.before * base + patch_of[wave.surface])
+        group = wave.history * base + wave.surface
         wave.children = coder("children", first, group, wave.surface, wave.sides)
         waves.append(wave)
         wave, first = _next(wave, first), first + wave.count
@@ -94,7 +94,7 @@ def _next(wave: Structure, first: int) -> Structure:
     empty = np.empty(0, np.int64)
     return Structure(
         wave.pixel[parent], first + parent, kind.astype(np.int64), wave.level[parent] + 1,
-        2 * wave.way[parent] + down, _sides(wave, parent, down), paths, empty, empty, empty,
+        2 * wave.history[parent] + down, _sides(wave, parent, down), paths, empty, empty, empty,
     )  # fmt: skip
 
 
@@ -115,17 +115,17 @@ def _dense(key: np.ndarray) -> np.ndarray:
 
 
 def _joined(waves: list[Structure]) -> Structure:
-    """All depths as one, ways and neighbours made distinct and counted in the file."""
+    """All depths as one, histories and neighbours made distinct and counted in the file."""
     first = np.cumsum([0, *(wave.count for wave in waves)])
     columns: dict[str, np.ndarray] = {
         name: np.concatenate([getattr(wave, name) for wave in waves])
         for name in ("pixel", "parent", "kind", "level", "before", "surface", "children")
     }
-    ways = [wave.way + start for wave, start in zip(waves, first, strict=False)]
+    histories = [wave.history + start for wave, start in zip(waves, first, strict=False)]
     sides = [
         np.where(wave.sides >= 0, wave.sides + start, NONE)
         for wave, start in zip(waves, first, strict=False)
     ]
     return Structure(
-        **columns, way=np.concatenate(ways), sides=np.concatenate(sides, axis=1), paths=[]
+        **columns, history=np.concatenate(histories), sides=np.concatenate(sides, axis=1), paths=[]
     )

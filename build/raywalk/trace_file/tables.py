@@ -105,7 +105,7 @@ def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[s
 
 
 def allowed_error(patch: Patch, extent: float) -> float:
-    error = point_error(extent, patch.way)
+    error = point_error(extent, patch.curvature)
     return error * LEAVING if patch.object < 0 else error
 
 

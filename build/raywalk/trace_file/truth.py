@@ -90,8 +90,8 @@ class TrueNumbers:
 
     def _blocked(self, k: int, ray: Ray) -> np.ndarray:
         position = self.header["lights"][k]["position"]
-        way = rebuild.length([position[c] - ray["point"][:, c] for c in range(3)])
-        return (1 - self.tree.blocked_at[:, k]) * way / self.header["steps"]["blocked"]
+        to_light = rebuild.length([position[c] - ray["point"][:, c] for c in range(3)])
+        return (1 - self.tree.blocked_at[:, k]) * to_light / self.header["steps"]["blocked"]
 
     def _diffuse(self, k: int, ray: Ray) -> np.ndarray:
         return self.tree.diffuse[:, k] / self.tree.passed[:, k] / self._light_steps()

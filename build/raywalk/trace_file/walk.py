@@ -1,4 +1,4 @@
-"""The one way through a trace file's columns, for writing and for reading.
+"""The one pass through a trace file's columns, for writing and for reading.
 
 Each step asks the coder for a column of whole numbers and makes what a person sees of
 it; later columns are predicted from what is known by then. A reading coder takes the
@@ -36,7 +36,7 @@ class Coder(Protocol):
 
 
 def walk(header: dict[str, Any], coder: Coder) -> Ray:
-    """All columns of types.ts's Trace by their names there, and level, way, surface."""
+    """All columns of types.ts's Trace by their names there, and level, history, surface."""
     n, tables = header["n"], header["tables"]
     sides = in_raster(n)
     zeros = np.zeros(n * n, np.int64)
@@ -47,7 +47,7 @@ def walk(header: dict[str, Any], coder: Coder) -> Ray:
     tree = grow(n, first[chosen], patch_of, header["rays"], coder.symbols)
     ray: Ray = {
         "kind": tree.kind, "parent": tree.parent, "pixel": tree.pixel, "level": tree.level,
-        "surface": tree.surface, "way": tree.way, "children": tree.children,
+        "surface": tree.surface, "history": tree.history, "children": tree.children,
         "depth": np.minimum(tree.level, 255), "patch": patch_of[tree.surface],
         "material": surfaces[tree.surface, 1], "inside": surfaces[tree.surface, 2],
         "sign": surfaces[tree.surface, 3],
@@ -146,7 +146,7 @@ def points(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
     for k in range(3):
         stored = ~camera & (free | (k < 2))
         kind = np.where(stored, ray["patch"], ABSENT)
-        group = np.where(stored, ray["way"], ABSENT)
+        group = np.where(stored, ray["history"], ABSENT)
         numbers.append(coder.numbers(f"point{k}", ray, group, kind, tree.sides, []))
     point = np.zeros((m, 3))
     for k, patch in enumerate(header["patches"]):
@@ -168,7 +168,7 @@ def normals(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     patches = header["patches"]
     stored = np.array([patch["normals"] == "stored" for patch in patches])[ray["patch"]]
     kind = np.where(stored, 2 * ray["patch"] + (tree.level > 0), ABSENT)
-    group = np.where(stored, ray["way"], ABSENT)
+    group = np.where(stored, ray["history"], ABSENT)
     u, v = (coder.numbers(f"normal{k}", ray, group, kind, tree.sides, []) for k in range(2))
     normal = np.zeros((tree.count, 3))
     for k, patch in enumerate(patches):
@@ -192,7 +192,7 @@ def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     parted = (split > 0) & ((tree.children & (REFLECTED | REFRACTED)) > 0)
     parted &= (tree.children & TOTAL) == 0
     kind = np.where(parted, ray["surface"], ABSENT)
-    group = np.where(parted, ray["way"], ABSENT)
+    group = np.where(parted, ray["history"], ABSENT)
     share = coder.numbers("split", ray, group, kind, tree.sides, []) * header["steps"]["split"]
     weight = np.ones(tree.count)
     for bit, key in ((1, "reflected"), (2, "refracted"), (3, "total")):
@@ -204,7 +204,7 @@ def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     ray["weight"] = weight
     ray["localWeight"] = np.array([*(m["local"] for m in materials), 0.0])[ray["material"]]
     whole = np.zeros(tree.count, np.int64)
-    tests = coder.numbers("tests", ray, ray["way"], ray["patch"] + whole, tree.sides, [])
+    tests = coder.numbers("tests", ray, ray["history"], ray["patch"] + whole, tree.sides, [])
     ray["tests"] = tests.astype(np.int64)
 
 
@@ -226,7 +226,7 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
     for l, light in enumerate(header["lights"]):
         seen = np.zeros(m, np.int64)
         rows = np.flatnonzero(hit)
-        group, kind = np.where(hit, ray["way"], ABSENT), np.where(hit, ray["surface"], ABSENT)
+        group, kind = np.where(hit, ray["history"], ABSENT), np.where(hit, ray["surface"], ABSENT)
         name = f"visibility{l}"
         seen = coder.symbols(name, 0, group, kind, tree.sides)
         inside("visibility", seen[rows], header["tables"])
@@ -236,17 +236,17 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
         passed = ray["passed"][:, l] = pass_share[np.where(hit, seen, -1)]
 
         blocked = hit & (visibility == Visibility.BLOCKED)
-        group = np.where(blocked, ray["way"] * len(table) + seen, ABSENT)
+        group = np.where(blocked, ray["history"] * len(table) + seen, ABSENT)
         kind = np.where(blocked, 2 * seen + below, ABSENT)
-        way_left = coder.numbers(f"blocked{l}", ray, group, kind, tree.sides, point)
+        stretch_left = coder.numbers(f"blocked{l}", ray, group, kind, tree.sides, point)
         to_light = rebuild.length([light["position"][c] - point[c] for c in range(3)])
-        part = 1 - (way_left * header["steps"]["blocked"]) / np.where(blocked, to_light, 1.0)
+        part = 1 - (stretch_left * header["steps"]["blocked"]) / np.where(blocked, to_light, 1.0)
         ray["blockedAt"][:, l] = np.where(blocked, part, 1.0)
 
         for name in ("diffuse", "specular"):
             coloured = [any(mat[name]) and mat["local"] > 0 for mat in header["materials"]]
             lit = hit & np.array([*coloured, False])[ray["material"]]
-            group = np.where(lit, ray["way"] * surfaces + ray["surface"], ABSENT)
+            group = np.where(lit, ray["history"] * surfaces + ray["surface"], ABSENT)
             kind = np.where(lit, 2 * ray["surface"] + below, ABSENT)
             number = coder.numbers(f"{name}{l}", ray, group, kind, tree.sides, features)
             ray[name][:, l] = np.where(lit, number * step * passed, 0.0)
@@ -256,7 +256,7 @@ def tiles(header: dict[str, Any], coder: Coder, ray: Ray, sides: np.ndarray) -> 
     """8-bit colours, each channel predicted from those before it too. They stand on their own:
     tiles can be shown before any light is decoded."""
     n = header["n"]
-    group, kind = ray["way"][: n * n], ray["patch"][: n * n]
+    group, kind = ray["history"][: n * n], ray["patch"][: n * n]
     channels: list[np.ndarray] = []
     for c in range(3):
         channels.append(coder.numbers(f"tile{c}", ray, group, kind, sides, channels.copy()))

@@ -68,7 +68,7 @@ function read(header: Header, scratch: Scratch): Level {
   const object = looked(patch, patches.map((each) => each.object), new Int16Array(count));
   const point = new Float64Array(3 * count), t = new Float64Array(count);
   const hits = readHits(header, columns, signature, sides, scratch, point, t);
-  alike(all, tree.way, sides, near);
+  alike(all, tree.history, sides, near);
   readPoints(header, columns, tree, scratch, point);
   measure(tree, point, object, n * n, t);
   const normal = readNormals(header, columns, tree, scratch, point);
@@ -180,7 +180,7 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
   let k = 0;
   for (let row = 0; row < count; row++) {
     if (material[row] < 0 || !(split[material[row]] > 0) || (children[row] & 3) === 0 || (children[row] & 4) !== 0) continue;
-    group[row] = tree.way[row];
+    group[row] = tree.history[row];
     rows[k++] = row;
   }
   const parted = rows.subarray(0, k);

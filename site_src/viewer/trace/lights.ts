@@ -49,14 +49,14 @@ function readShadows(
   header: Header, columns: Columns, tree: Structure, { point }: Known, l: number, lit: Lit,
   { symbol: seen, group, kind, kindHit, rows: stopped, near, number: [number] }: Scratch,
 ) {
-  const { way, depth, count } = tree;
+  const { history, depth, count } = tree;
   const { visibility, blocker, passed, blockedAt } = lit;
   const table = header.tables.visibility, lights = header.lights.length;
   const visibilities = Uint8Array.from(table, (each) => each[0]);
   const blockers = Int16Array.from(table, (each) => each[1]);
   const shares = Float64Array.from(table, (each) => each[2] ?? 1);
   const isDimmed = shares.some((share) => share !== 1);
-  columns.symbols(`visibility${l}`, 0, count, way, kindHit, header.tables.surface.length, tree.sides, table.length, seen);
+  columns.symbols(`visibility${l}`, 0, count, history, kindHit, header.tables.surface.length, tree.sides, table.length, seen);
   let blocked = 0;
   for (let row = 0, at = l; row < count; row++, at += lights) {
     group[row] = ABSENT;
@@ -66,7 +66,7 @@ function readShadows(
     if (isDimmed) passed[at] = shares[of];
     if (blockers[of] >= 0) blocker[at] = blockers[of];
     if (visibilities[of] !== VISIBILITY.blocked) continue;
-    group[row] = way[row] * table.length + of;
+    group[row] = history[row] * table.length + of;
     kind[row] = 2 * of + (depth[row] > 0 ? 1 : 0);
     stopped[blocked++] = row;
   }
@@ -86,10 +86,10 @@ type Factor = (typeof FACTORS)[number];
 
 /** A factor is stored where it multiplies a colour that is not black. Works out the neighbours. */
 function colouredRays(header: Header, tree: Structure, { material }: Known, { group, moreRows, evenMoreRows, nearLit, kindLit }: Scratch): Record<Factor, Int32Array> {
-  const { count, surface, way, depth } = tree;
+  const { count, surface, history, depth } = tree;
   const surfaces = header.tables.surface.length;
   for (let row = 0; row < count; row++) {
-    group[row] = way[row] * surfaces + surface[row];
+    group[row] = history[row] * surfaces + surface[row];
     kindLit[row] = 2 * surface[row] + (depth[row] > 0 ? 1 : 0);
   }
   const rows = (name: Factor, out: Int32Array) => {

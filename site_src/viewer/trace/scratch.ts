@@ -10,7 +10,7 @@ export interface Scratch {
   surface: Int32Array;
   patch: Int32Array;
   children: Int32Array;
-  way: Int32Array;
+  history: Int32Array;
   sides: Sides;
   /** Of one column or a few. */
   counting: Int32Array; // 0, 1, 2 ...
@@ -46,7 +46,7 @@ export function giveBack(scratch: Scratch) {
 function made(count: number): Scratch {
   const column = () => new Int32Array(count), numbers = () => new Float64Array(count);
   return {
-    before: column(), reflected: column(), refracted: column(), surface: column(), patch: column(), children: column(), way: column(), sides: noSides(count),
+    before: column(), reflected: column(), refracted: column(), surface: column(), patch: column(), children: column(), history: column(), sides: noSides(count),
     counting: column().map((_, k) => k), zeros: column(), near: noSides(count), nearLit: noSides(count),
     group: column(), kind: column(), kindLit: column(), kindHit: column(), rows: column(), moreRows: column(), evenMoreRows: column(), symbol: column(),
     number: [numbers(), numbers(), numbers()], off: numbers(),

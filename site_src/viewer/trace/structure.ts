@@ -18,13 +18,13 @@ export interface Structure {
   surface: Int32Array; // row of tables.surface
   patch: Int32Array;
   children: Int32Array;
-  way: Int32Array; // equal where two rays met the same patches in the same manner
+  history: Int32Array; // equal where two rays met the same patches in the same manner
   sides: Sides;
 }
 
 /** Rays while the tree grows. */
 interface Growing extends Structure {
-  before: Int32Array; // equal where two rays came by the same way
+  before: Int32Array; // equal where two rays have the same history so far
   group: Int32Array;
   reflected: Int32Array; // the child's row, -1 if there is none
   refracted: Int32Array;
@@ -39,15 +39,15 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
   const tree = seedling(n, rays, firstObject, scratch);
   const base = surfaces.length + 1;
   let paths = [0, n * n]; // where each path (RR, RT ...) of one depth starts, and the end
-  let ways = 0, befores = header.patches.reduce((most, { object }) => Math.max(most, object), 0) + 2;
+  let histories = 0, befores = header.patches.reduce((most, { object }) => Math.max(most, object), 0) + 2;
   for (let depth = 0; paths.length > 1; depth++) {
     const first = paths[0], end = paths[paths.length - 1];
     columns.symbols("surface", first, end, tree.before, tree.before, befores, tree.sides, surfaces.length, tree.surface);
-    const next = markWays(tree, first, end, patchOf, ways);
+    const next = markHistories(tree, first, end, patchOf, histories);
     columns.symbols("children", first, end, tree.group, tree.surface, base, tree.sides, CHILDREN, tree.children);
-    paths = branch(tree, paths, Math.min(depth + 1, 255), rays, ways);
-    befores = 2 * (next - ways);
-    ways = next;
+    paths = branch(tree, paths, Math.min(depth + 1, 255), rays, histories);
+    befores = 2 * (next - histories);
+    histories = next;
     if (paths.length === 1 && end !== rays) throw damaged(`the tree has fewer than its ${rays} rays`);
   }
   return tree;
@@ -55,11 +55,11 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
 
 function seedling(n: number, rays: number, firstObject: Int32Array, scratch: Scratch): Growing {
   if (!(rays >= n * n)) throw damaged(`the tree has more than its ${rays} rays`);
-  const { surface, patch, children, way, sides, before, group, reflected, refracted } = scratch;
+  const { surface, patch, children, history, sides, before, group, reflected, refracted } = scratch;
   const tree: Growing = {
     count: rays,
     pixel: new Int32Array(rays), parent: new Int32Array(rays), kind: new Uint8Array(rays), depth: new Uint8Array(rays),
-    surface, patch, children, way, sides, before, group, reflected, refracted,
+    surface, patch, children, history, sides, before, group, reflected, refracted,
   };
   fillRaster(n, tree.sides);
   for (let k = 0; k < n * n; k++) {
@@ -71,31 +71,31 @@ function seedling(n: number, rays: number, firstObject: Int32Array, scratch: Scr
   return tree;
 }
 
-/** Numbers the ways of these rays from `ways` on, and tells the number after the last. */
-function markWays(tree: Growing, first: number, end: number, patchOf: Int32Array, ways: number): number {
-  const { before, surface, patch, way, group } = tree;
+/** Numbers the histories of these rays from `histories` on, and tells the number after the last. */
+function markHistories(tree: Growing, first: number, end: number, patchOf: Int32Array, histories: number): number {
+  const { before, surface, patch, history, group } = tree;
   const base = patchOf.length + 1;
   const known = new Map<number, number>();
-  let key = -1, number = 0; // neighbours mostly came the same way
+  let key = -1, number = 0; // neighbours mostly have the same history
   for (let row = first; row < end; row++) {
     const met = patchOf[surface[row]], mine = before[row] * base + met;
     if (mine !== key) {
       key = mine;
       const found = known.get(mine);
-      number = found ?? ways + known.size;
+      number = found ?? histories + known.size;
       if (found === undefined) known.set(mine, number);
     }
     patch[row] = met;
-    way[row] = number;
+    history[row] = number;
     group[row] = number * base + surface[row];
   }
-  return ways + known.size;
+  return histories + known.size;
 }
 
 /** Adds the children of the rays on these paths: path by path, reflected before refracted, in
  *  their parents' order. Returns the children's paths. */
-function branch(tree: Growing, paths: number[], depth: number, rays: number, ways: number): number[] {
-  const { children, pixel, parent, kind, way, before, reflected, refracted } = tree;
+function branch(tree: Growing, paths: number[], depth: number, rays: number, histories: number): number[] {
+  const { children, pixel, parent, kind, history, before, reflected, refracted } = tree;
   const end = paths[paths.length - 1];
   const born = [end];
   let k = end;
@@ -112,7 +112,7 @@ function branch(tree: Growing, paths: number[], depth: number, rays: number, way
         parent[k] = row;
         pixel[k] = pixel[row];
         kind[k] = down ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected;
-        before[k] = 2 * (way[row] - ways) + down;
+        before[k] = 2 * (history[row] - histories) + down;
         k++;
       }
       if (k > born[born.length - 1]) born.push(k);
