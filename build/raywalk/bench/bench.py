@@ -136,8 +136,8 @@ def as_line(method: dict[str, Any]) -> str:
     """One method for the command line."""
     return (
         f"  {method['name']}: {method['nanoseconds']:.0f} ns ({method['ratio']:.2f}), error of t "
-        f"{method['median']:.1e} median, {method['largest']:.1e} largest, {method['wrong']:.0f} ppm "
-        "wrong"
+        f"{method['median']:.1e} median, {method['largest']:.1e} largest, {method['wrong']:.0f} "
+        "ppm wrong"
     )
 
 

@@ -73,8 +73,8 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
     cases += picture_cases(measured["picture"], chosen.seed)
     for method in measured["picture"]["methods"]:
         yield (
-            f"  {method['name']}: {method['seconds']:.2f} s, {100 * method['wrong']:.1f} % of 8-bit "
-            f"pixels wrong, mean error {method['mean']:.1e}"
+            f"  {method['name']}: {method['seconds']:.2f} s, {100 * method['wrong']:.1f} % of "
+            f"8-bit pixels wrong, mean error {method['mean']:.1e}"
         )
     measured["resolution"] = resolution(chosen.seed, 231 if chosen.quick else 1155)
     cases += quantisation(read_scenes(chosen.scenes))
