@@ -6,8 +6,8 @@ import io
 
 import pytest
 
-from raywalk.progress import Begin, End, Progress
-from raywalk.terminal import Terminal
+from raywalk.commands.terminal import Terminal
+from raywalk.work.progress import Begin, End, Progress
 
 STORY = [
     "tracing 2 of 2 scenes on 2 cores",

@@ -8,8 +8,8 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from raywalk.errors import Told
-from raywalk.terminal import Terminal
+from raywalk.commands.terminal import Terminal
+from raywalk.errors import UserError
 
 # Every core has a scene or a strip of its own: numpy's linear algebra with threads besides took a
 # third longer to write the trace files, and sums in another order give other last bits.
@@ -37,9 +37,9 @@ def main(arguments: list[str] | None = None) -> int:
     chosen = _parser(arguments).parse_args(arguments)
     terminal = Terminal()
     try:
-        for told in chosen.run(chosen):
-            terminal.show(told)
-    except Told as problems:
+        for message in chosen.run(chosen):
+            terminal.show(message)
+    except UserError as problems:
         terminal.close()
         print(problems, file=sys.stderr)
         return 1

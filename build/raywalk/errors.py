@@ -37,11 +37,11 @@ class SourceError:
         return f"{where}: {self.message}" + (f"\n  {advice}" if advice else "")
 
 
-class Told(Exception):
+class UserError(Exception):
     """An end that a person can act on: str() is all the command line prints."""
 
 
-class SourceErrors(Told):
+class SourceErrors(UserError):
     """Every problem found; str() is what the command line prints."""
 
     def __init__(self, errors: Iterable[SourceError]):

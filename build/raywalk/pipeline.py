@@ -15,7 +15,6 @@ import numpy as np
 
 from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.progress import Begin, End, Event, Progress
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
@@ -39,6 +38,7 @@ from raywalk.work.digests import key_of
 from raywalk.work.explain import why
 from raywalk.work.keys import Parts, page_data_parts, preview_parts, trace_parts, viewer_parts
 from raywalk.work.pool import Finished, cores, run_all
+from raywalk.work.progress import Begin, End, Message, Progress
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry, Store, damage_of
 from raywalk.work.tracing import trace_into
@@ -56,7 +56,7 @@ class Built:
     said: dict[str, Any]  # what the next build tells again if nothing changed
 
 
-def build(chosen: Namespace, site_source: Path) -> Generator[str | Event, None, Built]:
+def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None, Built]:
     """Builds the site, telling what was traced, kept and written."""
     base = base_of(chosen.url)
     scenes = read_scenes(chosen.scenes)
@@ -173,7 +173,7 @@ def guessed_cost(scene: Scene) -> float:
 
 def trace_all(
     missing: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
-) -> Iterator[str | Event]:
+) -> Iterator[str | Message]:
     """Traces scenes into the store, here or on a cluster; tells how far it is."""
     # Long work is started first, or a core waits at the end.
     scenes = sorted(missing, key=guessed_cost, reverse=True)

@@ -12,7 +12,6 @@ import numpy as np
 from PIL import Image
 
 from raywalk.geometry.overlap import overlap_warnings
-from raywalk.progress import Tell, say_nothing
 from raywalk.scene.model import Mesh, Scene
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
@@ -21,6 +20,7 @@ from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_pic
 from raywalk.trace_file import level_of, write_level
 from raywalk.trace_file.png import write_png
 from raywalk.trace_file.script import write_script
+from raywalk.work.progress import Report, say_nothing
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_file import Triangles
@@ -30,11 +30,13 @@ THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any den
 
 
 def write_products(
-    scene: Scene, folder: Path, threads: Threads, report: Tell = say_nothing
+    scene: Scene, folder: Path, threads: Threads, report: Report = say_nothing
 ) -> None:
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
-    boxes.js where there is a mesh, facts.json, display.npz into a folder. report: told the stage,
-    and the share that is done."""
+    boxes.js where there is a mesh, facts.json, display.npz into a folder.
+
+    report: called with the stage and the share that is done.
+    """
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     traced = trace_picture(tracer, threads, lambda share: report("tracing", TRACING * share))

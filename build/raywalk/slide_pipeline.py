@@ -10,13 +10,13 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from raywalk.progress import Tell
 from raywalk.scene.model import Scene
 from raywalk.slides.layout import LAYOUTS, WIDE, Layout
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.digests import digest, key_of
 from raywalk.work.keys import Parts, makers, plain
 from raywalk.work.pool import Finished, Threads, cores, run_all
+from raywalk.work.progress import Report
 from raywalk.work.store import Entry, Store
 
 WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
@@ -159,7 +159,7 @@ def last_decks(store: Store, plans: list[Plan]) -> list[MadeDeck]:
     return found
 
 
-def _make_course(store: Store, plans: list[Plan], threads: Threads, tell: Tell) -> None:
+def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Report) -> None:
     from raywalk.slide_products import write_course_slides
 
     kept = [store.get(each.key).folder / KEPT for each in plans]
@@ -213,7 +213,7 @@ def make_sights(store: Store, made: Plan) -> Entry:
     )
 
 
-def _make(store: Store, task: tuple[Plan, ...], threads: Threads, tell: Tell) -> float:
+def _make(store: Store, task: tuple[Plan, ...], threads: Threads, report: Report) -> float:
     """One scene's slides in some languages; returns the seconds it took."""
     # Only here: a build with nothing to make never pays for numba, ReportLab and python-pptx.
     from raywalk.slide_products import write_scene_slides

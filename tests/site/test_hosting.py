@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 from pypdf import PdfReader
 
-from raywalk.errors import Told
+from raywalk.errors import UserError
 from raywalk.scene import read_scenes
 from raywalk.site.sitemap import base_of, write_sitemap
 
@@ -138,7 +138,7 @@ def test_the_sitemap_has_every_page_and_is_not_there_without_an_address(tmp_path
 )
 def test_an_address_that_is_none_is_refused_before_anything_is_built(url):
     """With what is allowed."""
-    with pytest.raises(Told, match="not the address of a site\n  allowed: http"):
+    with pytest.raises(UserError, match="not the address of a site\n  allowed: http"):
         base_of(url)
 
 

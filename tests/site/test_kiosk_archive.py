@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from raywalk.errors import Told
+from raywalk.errors import UserError
 from raywalk.site import kiosk
 from raywalk.site.kiosk import SITE, TOP, write_archive
 
@@ -212,7 +212,7 @@ def test_an_archive_that_outgrows_its_limit_is_not_written(tmp_path, monkeypatch
     out = tmp_path / "out.zip"
     out.write_bytes(b"before")
     monkeypatch.setattr(kiosk, "LIMIT", 1000)
-    with pytest.raises(Told, match=r"bytes; a kiosk's archive takes 1,000 at most"):
+    with pytest.raises(UserError, match=r"bytes; a kiosk's archive takes 1,000 at most"):
         write_archive(site, SOURCE, out)
     assert out.read_bytes() == b"before"
     assert not list(tmp_path.glob("*.partial"))
@@ -220,5 +220,5 @@ def test_an_archive_that_outgrows_its_limit_is_not_written(tmp_path, monkeypatch
 
 def test_without_a_built_site_the_next_step_is_named(tmp_path):
     """make."""
-    with pytest.raises(Told, match="no built site is there\n  hint: run `make`"):
+    with pytest.raises(UserError, match="no built site is there\n  hint: run `make`"):
         write_archive(tmp_path, SOURCE, tmp_path / "out.zip")

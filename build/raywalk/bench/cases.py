@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from raywalk.errors import Told
+from raywalk.errors import UserError
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Case:
         )
 
 
-class BrokenBounds(Told):
+class BrokenBounds(UserError):
     """Stated bounds that a measurement broke; str() is what the command line prints."""
 
     def __init__(self, broken: Iterable[str]):

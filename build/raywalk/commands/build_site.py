@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from raywalk.progress import Event
 from raywalk.work.last_build import LastBuild, inputs_of
+from raywalk.work.progress import Message
 
 SITE_SOURCE = Path("site_src")
 BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
@@ -41,7 +41,7 @@ def add_options(parser: Any) -> None:
     parser.set_defaults(slides_later=False)
 
 
-def run(chosen: Namespace) -> Iterator[str | Event]:
+def run(chosen: Namespace) -> Iterator[str | Message]:
     """Builds the site, telling what was traced, kept and written."""
     started = time.monotonic()
     last = LastBuild(chosen.work, chosen.out)

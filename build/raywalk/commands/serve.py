@@ -11,9 +11,9 @@ from threading import Thread
 from typing import Any
 
 from raywalk.commands import build_site
-from raywalk.errors import SourceError, SourceErrors, Told, shown_path
-from raywalk.progress import Event
+from raywalk.errors import SourceError, SourceErrors, UserError, shown_path
 from raywalk.site.live import Live
+from raywalk.work.progress import Message
 
 EXTRAS = build_site.SITE_SOURCE / "serve"
 WATCHED = (build_site.SITE_SOURCE, Path("models"))  # besides the scenes
@@ -30,7 +30,7 @@ def add_to(commands: Any) -> None:
     parser.set_defaults(run=run)
 
 
-def run(chosen: Namespace) -> Iterator[str | Event]:
+def run(chosen: Namespace) -> Iterator[str | Message]:
     """Serves until stopped."""
     if chosen.site:
         yield from _serve_as_it_is(chosen)
@@ -45,7 +45,7 @@ def run(chosen: Namespace) -> Iterator[str | Event]:
         service.shutdown()
 
 
-def _follow(chosen: Namespace, live: Live) -> Iterator[str | Event]:
+def _follow(chosen: Namespace, live: Live) -> Iterator[str | Message]:
     """Builds pages at once and after each save, slides when their author pauses."""
     from raywalk.work.watch import changes
 
@@ -61,12 +61,12 @@ def _follow(chosen: Namespace, live: Live) -> Iterator[str | Event]:
         is_first = False
 
 
-def _built(chosen: Namespace, live: Live) -> Iterator[str | Event]:
+def _built(chosen: Namespace, live: Live) -> Iterator[str | Message]:
     """One build; mistakes go to the pages and to the terminal."""
     live.begin()
     try:
         yield from build_site.run(chosen)
-    except Told as problems:
+    except UserError as problems:
         live.failed(str(problems))
         yield str(problems)
     except Exception:  # a fault of ours: seen where the author looks, and the next save may do
@@ -76,7 +76,7 @@ def _built(chosen: Namespace, live: Live) -> Iterator[str | Event]:
         live.done() if chosen.slides_later else live.slides_too()
 
 
-def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Event]:
+def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Message]:
     if not (chosen.site / "index.html").is_file():
         raise SourceErrors([SourceError(chosen.site, "", "is no built site", hint="run make")])
     service = _server(chosen.site, chosen.port, None)

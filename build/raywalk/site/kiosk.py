@@ -6,7 +6,7 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from raywalk.errors import Told, shown_path
+from raywalk.errors import UserError, shown_path
 from raywalk.site.offline import MANIFEST, WORKER
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.sitemap import FILE as SITEMAP
@@ -21,11 +21,11 @@ SCRIPTS = (".sh", ".command")
 
 
 def write_archive(site: Path, source: Path, archive: Path) -> int:
-    """Writes the zip; returns its size in bytes. Raises Told where the site is missing or the
+    """Writes the zip; returns its size in bytes. Raises UserError where the site is missing or the
     archive would be over its limit; then none is written."""
     pages = sorted(site.glob("scenes/*/index.html"))
     if not pages:
-        raise Told(f"{shown_path(site)}: no built site is there\n  hint: run `make` first")
+        raise UserError(f"{shown_path(site)}: no built site is there\n  hint: run `make` first")
     start = _first_scene(site) or "index.html"
     archive.parent.mkdir(parents=True, exist_ok=True)
     beside = archive.with_suffix(".partial")
@@ -35,7 +35,7 @@ def write_archive(site: Path, source: Path, archive: Path) -> int:
                 packed.writestr(_entry(name), content)
         size = beside.stat().st_size
         if size > LIMIT:
-            raise Told(
+            raise UserError(
                 f"{shown_path(archive)}: {size:,} bytes; a kiosk's archive takes {LIMIT:,} at most"
                 "\n  nothing was written"
             )

@@ -7,13 +7,13 @@ from pathlib import Path
 from urllib.parse import quote, urlsplit
 from xml.sax.saxutils import escape
 
-from raywalk.errors import Told
+from raywalk.errors import UserError
 
 FILE = "sitemap.xml"
 
 
 def base_of(url: str) -> str:
-    """The address with a slash at its end, "" if none is given. Raises Told."""
+    """The address with a slash at its end, "" if none is given. Raises UserError."""
     if not url:
         return ""
     try:
@@ -21,7 +21,7 @@ def base_of(url: str) -> str:
     except ValueError:
         parts = urlsplit("")
     if parts.scheme not in ("http", "https") or not parts.netloc or parts.query or parts.fragment:
-        raise Told(
+        raise UserError(
             f'--url (or RAYWALK_URL): "{url}" is not the address of a site\n'
             "  allowed: http:// or https://, a host, a path; e.g. https://school.example/rays/\n"
             "1 error; nothing was traced"

@@ -12,7 +12,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from raywalk.errors import Told, shown_path
+from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
 from raywalk.words.catalogue import DEFAULT
 
@@ -50,7 +50,7 @@ class Size:
         return self.size / self.over
 
 
-class OverBudget(Told):
+class OverBudget(UserError):
     """A file outgrew its budget; str() names file, size, budget and why it is there."""
 
 

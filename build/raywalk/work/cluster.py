@@ -13,11 +13,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from raywalk.errors import Told
-from raywalk.progress import Progress
+from raywalk.errors import UserError
 from raywalk.scene.model import Mesh, Scene
 from raywalk.work.keys import MESH_PACKAGES, PACKAGES, STAGES, Parts, makers
 from raywalk.work.pool import Finished
+from raywalk.work.progress import Progress
 
 PATIENCE = 20.0  # seconds for the scheduler to answer, and for a first worker to come
 HOW = (
@@ -26,7 +26,7 @@ HOW = (
 )
 
 
-class ClusterError(Told):
+class ClusterError(UserError):
     """The cluster cannot be used; str() says why and what helps."""
 
 

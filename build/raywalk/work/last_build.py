@@ -29,7 +29,7 @@ class LastBuild:
         self.out = out
 
     def said(self, inputs: dict[str, str]) -> dict[str, Any] | None:
-        """What the last build told, if it read the same inputs and its output is as it left it."""
+        """What the last build said, if it read the same inputs and its output is as it left it."""
         try:
             record = json.loads(self.file.read_text(encoding="utf-8"))
             is_same = record["inputs"] == inputs | also_read(record["also"])

@@ -20,18 +20,18 @@ from threading import Event as Flag
 from threading import Thread
 from typing import Any, Generic, TypeVar
 
-from raywalk.progress import Progress, Tell
+from raywalk.work.progress import Progress, Report
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 # How many threads a task may run at the moment: more when less is left to do.
 Threads = Callable[[], int]
-# work(task, threads, tell) -> result; tell(stage, share) as often as it likes.
-Work = Callable[[Task, Threads, Tell], Result]
+# work(task, threads, report) -> result; report(stage, share) as often as it likes.
+Work = Callable[[Task, Threads, Report], Result]
 
-EVERY = 0.1  # seconds between two looks at how far the work is, and between two tellings
+EVERY = 0.1  # seconds between two checks of how far the work is, and between two reports
 # In a worker process: where progress goes to, and how many tasks are not finished.
-_told: Any = None
+_messages: Any = None
 _left: Any = None
 
 
@@ -55,7 +55,7 @@ def cores() -> int:
 def run_all(
     work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
 ) -> Iterator[Progress | Finished[Task, Result]]:
-    """work(task, threads, tell) for every task, in the order in which they finish, and how far
+    """work(task, threads, report) for every task, in the order in which they finish, and how far
     each of them is, under its name.
 
     One task gets all cores as threads; several get a process each, with one thread, and with
@@ -67,65 +67,65 @@ def run_all(
         yield from _one_by_one(work, tasks, name)
         return
     context = multiprocessing.get_context("spawn")
-    told, left = context.SimpleQueue(), context.Value("i", len(tasks))
+    messages, left = context.SimpleQueue(), context.Value("i", len(tasks))
     with ProcessPoolExecutor(
-        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=(told, left)
+        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=(messages, left)
     ) as pool:
         waiting = {pool.submit(_in_process, work, task, name(task)): task for task in tasks}
-        yield from follow(pool, waiting, told)
+        yield from follow(pool, waiting, messages)
 
 
 def _one_by_one(
     work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
 ) -> Iterator[Progress | Finished[Task, Result]]:
-    """In a thread, so that progress can be told meanwhile."""
-    told: SimpleQueue[Progress] = SimpleQueue()
+    """In a thread, so that progress can be reported meanwhile."""
+    messages: SimpleQueue[Progress] = SimpleQueue()
     stopped = Flag()
 
     def run(task: Task) -> Result:
-        return work(task, cores, teller(told, name(task), stopped))
+        return work(task, cores, reporter(messages, name(task), stopped))
 
     with ThreadPoolExecutor(1) as pool:
         try:
-            yield from follow(pool, {pool.submit(run, task): task for task in tasks}, told)
+            yield from follow(pool, {pool.submit(run, task): task for task in tasks}, messages)
         finally:
             stopped.set()
 
 
 def follow(
-    pool: Executor, waiting: dict[Future[Result], Task], told: Any
+    pool: Executor, waiting: dict[Future[Result], Task], messages: Any
 ) -> Iterator[Progress | Finished[Task, Result]]:
-    """Hands on what is told and what is finished, until nothing is waited for."""
+    """Hands on messages and what is finished, until nothing is waited for."""
     try:
         while waiting:
             done, _ = wait(waiting, timeout=EVERY, return_when=FIRST_COMPLETED)
-            while not told.empty():
-                yield told.get()
+            while not messages.empty():
+                yield messages.get()
             for future in done:
                 yield Finished(waiting.pop(future), future.result())
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
 
 
-def teller(told: Any, of: str, stopped: Flag | None = None) -> Tell:
-    """Tells progress into a queue, but not more often than anybody looks."""
+def reporter(messages: Any, of: str, stopped: Flag | None = None) -> Report:
+    """Reports progress into a queue, but not more often than anybody reads."""
     last = 0.0
 
-    def tell(stage: str, share: float) -> None:
+    def report(stage: str, share: float) -> None:
         nonlocal last
         if stopped and stopped.is_set():
             raise Stopped
         now = time.monotonic()
         if now - last >= EVERY:
             last = now
-            told.put(Progress(of, stage, share))
+            messages.put(Progress(of, stage, share))
 
-    return tell
+    return report
 
 
-def _begin(told: Any, left: Any) -> None:
-    global _told, _left
-    _told, _left = told, left
+def _begin(messages: Any, left: Any) -> None:
+    global _messages, _left
+    _messages, _left = messages, left
     Thread(target=_end_with_parent, daemon=True).start()
 
 
@@ -139,7 +139,7 @@ def _end_with_parent() -> None:
 
 def _in_process(work: Work[Task, Result], task: Task, of: str) -> Result:
     try:
-        return work(task, _share_of_cores, teller(_told, of))
+        return work(task, _share_of_cores, reporter(_messages, of))
     finally:
         with _left.get_lock():
             _left.value -= 1

@@ -20,21 +20,21 @@ def changes(folders: Iterable[Path], quiet: float) -> Iterator[list[str]]:
     folders = list(folders)
     seen = scan(folders)
     yield []
-    told = time.monotonic()
+    yielded = time.monotonic()
     while True:
         time.sleep(EVERY)
         now = scan(folders)
         if now == seen:
-            if time.monotonic() - told > quiet:
+            if time.monotonic() - yielded > quiet:
                 yield []
-                told = math.inf
+                yielded = math.inf
             continue
         while (later := _later(folders)) != now:
             now = later
         changed = {path for path, _ in now.items() ^ seen.items()}
         seen = now
         yield sorted(changed)
-        told = time.monotonic()
+        yielded = time.monotonic()
 
 
 def scan(folders: Iterable[Path]) -> Seen:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from raywalk.progress import Begin, End, Event, Progress
+from raywalk.work.progress import Begin, End, Message, Progress
 
 if TYPE_CHECKING:
     from rich.progress import Progress as Bars
@@ -16,7 +16,7 @@ PRECISION = 1000.0  # steps of a bar
 
 
 class Terminal:
-    """Prints what a command tells. Where nobody watches, into a file or a pipe: lines only."""
+    """Prints what a command says. Where nobody watches, into a file or a pipe: lines only."""
 
     def __init__(self) -> None:
         self._bars: Bars | None = None
@@ -24,14 +24,14 @@ class Terminal:
         self._costs: dict[str, float] = {}
         self._shares: dict[str, float] = {}
 
-    def show(self, told: str | Event) -> None:
-        match told:
+    def show(self, message: str | Message) -> None:
+        match message:
             case str():
-                self._line(told)
+                self._line(message)
             case Begin(costs) if sys.stdout.isatty():
                 self._begin(costs)
             case Progress() if self._bars:
-                self._progress(self._bars, told)
+                self._progress(self._bars, message)
             case End():
                 self.close()
 
@@ -54,13 +54,16 @@ class Terminal:
         self._of[ALL] = self._bars.add_task(f"{len(costs)} scenes", total=PRECISION, stage="")
         self._bars.start()
 
-    def _progress(self, bars: Bars, told: Progress) -> None:
-        self._shares[told.of] = told.share
-        if told.of not in self._of:
-            self._of[told.of] = bars.add_task(told.of, total=PRECISION, stage=told.stage)
-        done = told.share >= 1.0
+    def _progress(self, bars: Bars, message: Progress) -> None:
+        self._shares[message.of] = message.share
+        if message.of not in self._of:
+            self._of[message.of] = bars.add_task(message.of, total=PRECISION, stage=message.stage)
+        done = message.share >= 1.0
         bars.update(
-            self._of[told.of], completed=PRECISION * told.share, stage=told.stage, visible=not done
+            self._of[message.of],
+            completed=PRECISION * message.share,
+            stage=message.stage,
+            visible=not done,
         )
         whole = sum(self._costs.values())
         so_far = sum(self._costs.get(name, 0.0) * share for name, share in self._shares.items())

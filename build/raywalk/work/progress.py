@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-# Told while work goes on: the stage in one word, and the share of the work that is done, 0..1.
-Tell = Callable[[str, float], None]
+# Called while work goes on: the stage in one word, and the share of the work that is done, 0..1.
+Report = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class Begin:
 
 @dataclass(frozen=True)
 class Progress:
-    """One piece of work is so far."""
+    """How far one piece of work is."""
 
     of: str
     stage: str
@@ -30,7 +30,7 @@ class End:
     """All pieces of work are done."""
 
 
-Event = Begin | Progress | End
+Message = Begin | Progress | End
 
 
 def say_nothing(stage: str, share: float) -> None:
