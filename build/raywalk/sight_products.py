@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from raywalk.onlook import Onlooker, hidden_points, hidden_stretches, shaded_view
 from raywalk.scene.model import Scene
 from raywalk.slides.layout import Layout
 from raywalk.slides.placing import read_placed
 from raywalk.slides.sights import ANSWERS, requests, stops_seen
 from raywalk.slides.what_if import Switches, switched_scene
+from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
 from raywalk.trace.wavefront import Tracer
 
 # The view lies pale behind the lines: what adds less than 1/16 to a pixel is not seen there,
@@ -27,11 +27,11 @@ def write_sights(scene: Scene, traced: Path, layout: Layout, folder: Path) -> No
     """view-<k>.png and sights.json for a scene's lesson. traced: what write_products wrote."""
     asked = requests(stops_seen(read_placed(scene, traced / "display.npz"), traced, layout))
     tracer = Tracer(scene, min(scene.render.depth, DEEPEST), LEAST_SHARE)
-    looks = [_onlooker(look) for look in asked["looks"]]
-    for k, (look, onlooker) in enumerate(zip(asked["looks"], looks, strict=True)):
+    observers = [_observer(look) for look in asked["looks"]]
+    for k, (look, observer) in enumerate(zip(asked["looks"], observers, strict=True)):
         lit = _lit(tracer, scene, look["switches"])
-        Image.fromarray(shaded_view(lit, onlooker)).save(folder / f"view-{k}.png")
-    steps = [_answer(tracer, looks[step["look"]].eye, step) for step in asked["steps"]]
+        Image.fromarray(shaded_view(lit, observer)).save(folder / f"view-{k}.png")
+    steps = [_answer(tracer, observers[step["look"]].eye, step) for step in asked["steps"]]
     (folder / ANSWERS).write_text(json.dumps({"steps": steps}, sort_keys=True), encoding="utf-8")
 
 
@@ -59,6 +59,6 @@ def _answer(tracer: Tracer, eye: np.ndarray, step: dict[str, Any]) -> dict[str, 
     }
 
 
-def _onlooker(look: dict[str, Any]) -> Onlooker:
+def _observer(look: dict[str, Any]) -> Observer:
     vectors = {key: np.array(look[key], float) for key in ("eye", "right", "up", "forward")}
-    return Onlooker(**vectors, focal=look["focal"], width=look["width"], height=look["height"])
+    return Observer(**vectors, focal=look["focal"], width=look["width"], height=look["height"])

@@ -22,7 +22,7 @@ from raywalk.work.store import Entry, Store
 WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
 # Where the tracer is asked: a lesson's words are not in it, so a change of words traces nothing.
 SIGHT_STAGES = (
-    "onlook.py", "sight_products.py", "trace_file",
+    "trace/observer_view.py", "sight_products.py", "trace_file",
     *(f"slides/{name}.py" for name in (
         "costs", "frustum", "layout", "lines", "observer", "placing", "sights", "views", "what_if",
     )),

@@ -70,7 +70,7 @@ for (const how of ["", "&gl=none"])
     const drawn = [...text.matchAll(/<line x1="([^"]+)" y1="([^"]+)" x2="([^"]+)" y2="([^"]+)"/g)].map((found) => found.slice(1).map(Number));
     assert.equal(drawn.length, lines);
     // A place 0.8 of the way is asked of the stage; lines are written to a hundredth of a pixel. Only
-    // the onlooker's perspective moves it along the line, so it is compared across.
+    // the observer's perspective moves it along the line, so it is compared across.
     for (const [k, [x1, y1, x2, y2]] of drawn.entries()) {
       const on = await page.evaluate((line) => window.raywalk.stats().onLine(line), k);
       const away = Math.abs((x2 - x1) * (on.y - y1) - (y2 - y1) * (on.x - x1)) / Math.hypot(x2 - x1, y2 - y1);

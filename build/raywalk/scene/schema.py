@@ -117,10 +117,10 @@ class LightTable(Table):
 
 
 class ObserverTable(Table):
-    """Where the onlooker stands in a step of the lesson."""
+    """Where the observer stands in a step of the lesson."""
 
-    eye: Point = Field(description="where the onlooker is")
-    target: Point = Field(description="what the onlooker looks at")
+    eye: Point = Field(description="where the observer is")
+    target: Point = Field(description="what the observer looks at")
 
 
 def _observer_form(value: Any) -> str | None:
@@ -197,7 +197,7 @@ class ViewTable(Table):
     slice: Maybe[Slice] = Field(
         default=None, description="the selected row's or column's plane of rays, drawn flat"
     )
-    observer: Maybe[Observer] = Field(default=None, description="where the onlooker stands")
+    observer: Maybe[Observer] = Field(default=None, description="where the observer stands")
     switches: Maybe[SwitchesTable] = Field(default=None, description="what-if switches")
     colours: Maybe[Colours] = Field(
         default=None, description="what the tiles show: the picture, or what it cost"

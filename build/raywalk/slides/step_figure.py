@@ -1,4 +1,4 @@
-"""A lesson step's figure: the scene from where the onlooker stands, and the rays in it."""
+"""A lesson step's figure: the scene from where the observer stands, and the rays in it."""
 
 from __future__ import annotations
 
@@ -48,11 +48,11 @@ class Drawing:
 
     @property
     def near(self) -> float:
-        """World units before the onlooker, nearer than which nothing is drawn."""
+        """World units before the observer, nearer than which nothing is drawn."""
         return NEAR * self.placed.radius
 
     def point(self, world: np.ndarray) -> Point | None:
-        """Where a point is on the slide; None behind the onlooker or beyond the frame."""
+        """Where a point is on the slide; None behind the observer or beyond the frame."""
         x, y, depth = self.seen.projection.project(world)
         inside = 0 <= x <= self.box.width and 0 <= y <= self.box.height
         if depth <= self.near or not inside:
@@ -60,7 +60,7 @@ class Drawing:
         return (self.box.left + float(x), self.box.top + float(y))
 
     def line(self, ends: np.ndarray) -> tuple[np.ndarray, tuple[float, float]] | None:
-        """(2, 2) slide coordinates of a world line's part before the onlooker (not cut at the
+        """(2, 2) slide coordinates of a world line's part before the observer (not cut at the
         frame), and between which shares of that part it is within the frame."""
         kept = self.seen.projection.in_front(ends, self.near)
         if kept is None:
@@ -151,7 +151,7 @@ def _squares(drawing: Drawing) -> list[Item]:
 
 
 def _area(drawing: Drawing, column: int, row: int, across: int, down: int) -> list[Point]:
-    """A part of the picture plane within the frame; [] if a corner is behind the onlooker."""
+    """A part of the picture plane within the frame; [] if a corner is behind the observer."""
     columns = np.array([column, column + across, column + across, column])
     rows = np.array([row, row, row + down, row + down])
     return _within(drawing, _on_plane(drawing, columns, rows).tolist())
@@ -164,7 +164,7 @@ def _on_plane(drawing: Drawing, columns: np.ndarray, rows: np.ndarray) -> np.nda
 
 
 def _within(drawing: Drawing, corners: list[list[float]]) -> list[Point]:
-    """What of an area is in the frame; [] if a corner (x, y, depth) is behind the onlooker."""
+    """What of an area is in the frame; [] if a corner (x, y, depth) is behind the observer."""
     if any(depth <= drawing.near for _, _, depth in corners):
         return []
     box = drawing.box

@@ -1,7 +1,7 @@
-"""What an onlooker sees of a scene: a shaded view from any place, and which stretches of a
+"""What an observer sees of a scene: a shaded view from any place, and which stretches of a
 line are hidden from there.
 
-Walls are cut away as on the viewer's stage: a plane seen from the side on which the ray-tracing
+Walls are cut outwards as on the viewer's stage: a plane seen from the side on which the ray-tracing
 camera is not, and what of a plane lies beyond another one, outside of the room.
 """
 
@@ -17,11 +17,12 @@ from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene.model import Plane
 from raywalk.scene.placement import placement
 from raywalk.trace.bounce import Bounced
+from raywalk.trace.camera import unit_directions
 from raywalk.trace.media import stack_width, stacks_holding
 from raywalk.trace.tree import Kind
 from raywalk.trace.wavefront import Tracer, eight_bit
 
-# An endless floor fades away between these distances from the scene's middle, in its radii.
+# An endless floor fades outwards between these distances from the scene's middle, in its radii.
 FADE_FROM, FADE_TO = 1.0, 2.1
 # A plane ends this share of the scene's radius beyond where another one crosses it: no gap.
 EDGE = 1e-6
@@ -33,7 +34,7 @@ ON_SURFACE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class Onlooker:
+class Observer:
     """Where it stands and how wide it sees; pixels of its view. Vectors (3,), frame unit."""
 
     eye: np.ndarray
@@ -45,31 +46,31 @@ class Onlooker:
     height: int
 
 
-def shaded_view(tracer: Tracer, look: Onlooker) -> np.ndarray:
+def shaded_view(tracer: Tracer, observer: Observer) -> np.ndarray:
     """(height, width, 4) uint8: traced colours, and how much there is to see at each pixel:
     0 where rays leave the scene, fading far out on a plane."""
-    walls, media = Walls(tracer, look.eye), _media_at(tracer, look.eye)
-    pixels = np.arange(look.width * look.height)
+    walls, media = Walls(tracer, observer.eye), _media_at(tracer, observer.eye)
+    pixels = np.arange(observer.width * observer.height)
     view = np.zeros((len(pixels), 4), np.uint8)
     for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
-        first = _through_cut(tracer, _from(look, _directions(look, strip)), walls)
+        first = _through_cut(tracer, _rays_through(observer, strip), walls)
         wave = tracer.to_the_end(_as_camera_rays(tracer, media, first))[0]
         view[strip, :3] = eight_bit(wave.colour)
         view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
-    return view.reshape(look.height, look.width, 4)
+    return view.reshape(observer.height, observer.width, 4)
 
 
 def hidden_stretches(
     tracer: Tracer, eye: np.ndarray, lines: np.ndarray
 ) -> list[list[tuple[float, float]]]:
-    """For each of the lines (n, 2, 3) the stretches, as shares of its way, that an opaque object
+    """For each of the lines (n, 2, 3) the stretches, as shares of its length, that an opaque object
     hides from the eye. Stretches shorter than 1 / SAMPLES may be missed; ends are exact to 1e-6."""
     if not len(lines):
         return []
     walls = Walls(tracer, eye)
     share = (np.arange(SAMPLES) + 0.5) / SAMPLES
-    start, way = lines[:, :1], lines[:, 1:] - lines[:, :1]
-    hidden = _hidden(tracer, eye, (start + share[:, None] * way).reshape(-1, 3), walls)
+    start, span = lines[:, :1], lines[:, 1:] - lines[:, :1]
+    hidden = _hidden(tracer, eye, (start + share[:, None] * span).reshape(-1, 3), walls)
     hidden = hidden.reshape(len(lines), SAMPLES)
     line, before = np.nonzero(hidden[:, 1:] != hidden[:, :-1])
     low, high = share[before], share[before + 1]
@@ -90,7 +91,7 @@ def hidden_points(tracer: Tracer, eye: np.ndarray, points: np.ndarray) -> np.nda
 
 
 class Walls:
-    """A scene's planes, and what of them is cut away for an onlooker."""
+    """A scene's planes, and what of them is cut outwards for an observer."""
 
     def __init__(self, tracer: Tracer, eye: np.ndarray):
         scene = tracer.scene
@@ -107,7 +108,7 @@ class Walls:
             self.sides.append((k, normal, float(point @ normal)))
 
     def let_through(self, hits: Hits) -> np.ndarray:
-        """(n,) bool: hits on walls that are not there for the onlooker."""
+        """(n,) bool: hits on walls that are not there for the observer."""
         hit = hits.object != NOWHERE
         gone = hit & self.cut[hits.object] if len(self.cut) else np.zeros(len(hit), bool)
         for k, normal, offset in self.sides:
@@ -123,21 +124,16 @@ def _stretches(starts_hidden: bool, changes: list[float]) -> list[tuple[float, f
     return list(zip(borders[::2], borders[1::2], strict=True))
 
 
-def _directions(look: Onlooker, pixels: np.ndarray) -> np.ndarray:
-    """(n, 3) unit directions through the centres of pixels (n,), raster order."""
-    row, column = np.divmod(pixels, look.width)
-    x = (column + 0.5 - look.width / 2) / look.focal
-    y = (row + 0.5 - look.height / 2) / look.focal
-    away = look.forward + x[:, None] * look.right - y[:, None] * look.up
-    return np.asarray(away / np.sqrt((away**2).sum(axis=1, keepdims=True)))
-
-
-def _from(look: Onlooker, direction: np.ndarray) -> Rays:
-    return rays_from(np.tile(look.eye, (len(direction), 1)), direction)
+def _rays_through(observer: Observer, pixels: np.ndarray) -> Rays:
+    """From the observer's eye through the centres of pixels (n,), raster order."""
+    frame = np.array([observer.right, observer.up, observer.forward])
+    spread = observer.height / (2 * observer.focal)
+    direction = unit_directions(frame, spread, observer.width, observer.height, pixels)
+    return rays_from(np.tile(observer.eye, (len(pixels), 1)), direction)
 
 
 def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> Rays:
-    """The rays, started anew behind every plane that is cut away."""
+    """The rays, started anew behind every plane that is cut outwards."""
     going = np.arange(len(rays.origin)) if walls.sides else np.empty(0, int)
     rays = Rays(*(column.copy() for column in rays))
     while len(going):
@@ -150,7 +146,7 @@ def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> Rays:
 
 
 def _media_at(tracer: Tracer, eye: np.ndarray) -> list[int]:
-    """The glass that the onlooker stands in."""
+    """The glass that the observer stands in."""
     scene = tracer.scene
     around = objects_around(tracer.compiled, eye)
     return [k for k in around if scene.materials[scene.objects[k].material].transmit > 0]
@@ -183,12 +179,12 @@ def _presence(tracer: Tracer, met: np.ndarray, point: np.ndarray) -> np.ndarray:
 
 
 def _hidden(tracer: Tracer, eye: np.ndarray, points: np.ndarray, walls: Walls) -> np.ndarray:
-    """(n,) bool: whether something opaque and not cut away stands before each point."""
+    """(n,) bool: whether something opaque and not cut outwards stands before each point."""
     scene = tracer.scene
     clear = np.array([scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool)
-    away = points - eye
-    reach = np.sqrt((away**2).sum(axis=1))
-    rays = rays_from(np.tile(eye, (len(points), 1)), away / reach[:, None])
+    outwards = points - eye
+    reach = np.sqrt((outwards**2).sum(axis=1))
+    rays = rays_from(np.tile(eye, (len(points), 1)), outwards / reach[:, None])
     left = reach * (1.0 - ON_SURFACE)
     hidden, going = np.zeros(len(points), bool), np.arange(len(points))
     while len(going):

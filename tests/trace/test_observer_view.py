@@ -1,12 +1,12 @@
-"""What an onlooker sees, and what is hidden from it."""
+"""What an observer sees, and what is hidden from it."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.testing import assert_allclose
 
-from raywalk.onlook import Walls, hidden_points, hidden_stretches
 from raywalk.scene import read_scene
+from raywalk.trace.observer_view import Walls, hidden_points, hidden_stretches
 from raywalk.trace.wavefront import Tracer
 
 ROOM = """
@@ -75,7 +75,7 @@ def test_glass_hides_nothing(tmp_path):
 
 
 def test_a_wall_seen_from_behind_is_cut_away(tmp_path):
-    """The camera is before the wall, the onlooker behind it: the ball shows, the wall does not."""
+    """The camera is before the wall, the observer behind it: the ball shows, the wall does not."""
     behind = np.array([0.0, 0, -12])
     room = tracer(tmp_path)
     assert Walls(room, behind).cut.tolist() == [False, False, True]
