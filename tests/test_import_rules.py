@@ -92,6 +92,16 @@ def test_only_geometry_knows_the_mesh_engines(engine: str) -> None:
             assert engine not in found, f"{file.relative_to(PACKAGE)} imports {engine}"
 
 
+def test_a_build_knows_nothing_of_the_bench() -> None:
+    """What measures the pipeline stands above it: only its two commands import it."""
+    allowed = {"bench", "commands/bench.py", "commands/stress.py"}
+    for file in sorted(PACKAGE.rglob("*.py")):
+        place = file.relative_to(PACKAGE)
+        if place.parts[0] not in allowed and place.as_posix() not in allowed:
+            found = [name for name in imported(file) if name.startswith("raywalk.bench")]
+            assert not found, f"{place} imports {found[0]}"
+
+
 def test_start_up_needs_no_engine() -> None:
     """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
     no module that reads scenes imports them at its top."""

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.bench.report import publish_reports
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
 from raywalk.scene.model import Mesh, Scene
@@ -26,6 +25,7 @@ from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, write_pages, write_sizes
 from raywalk.site.preview import write_preview
+from raywalk.site.reports import publish_reports
 from raywalk.site.savings import as_table, savings_lines, savings_of
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.sitemap import base_of, write_sitemap

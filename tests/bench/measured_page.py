@@ -11,7 +11,8 @@ from pathlib import Path
 from test_page import TEMPLATES, report
 
 from raywalk.bench.cases import Case
-from raywalk.bench.report import keep_bench, keep_stress, publish_reports
+from raywalk.bench.report import keep_bench, keep_stress
+from raywalk.site.reports import publish_reports
 
 out = Path(sys.argv[1])
 keep_bench(out / "work", report())

@@ -8,8 +8,9 @@ from pathlib import Path
 
 from raywalk.bench.bench import beats, says
 from raywalk.bench.cases import Case
-from raywalk.bench.plots import front_of
-from raywalk.bench.report import keep_bench, keep_stress, publish_reports
+from raywalk.bench.report import keep_bench, keep_stress
+from raywalk.site.plots import front_of
+from raywalk.site.reports import publish_reports
 
 TEMPLATES = Path("site_src/templates")
 ASSETS = {"style_css": "assets/style-0.css"}

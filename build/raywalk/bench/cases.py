@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from raywalk.errors import UserError
+from raywalk.site.reports import shown
 
 
 @dataclass(frozen=True)
@@ -65,15 +66,6 @@ def refuse_broken(cases: Iterable[Case]) -> None:
     ]
     if broken:
         raise BrokenBounds(broken)
-
-
-def shown(value: float) -> str:
-    """Three digits, and none for whole numbers."""
-    return f"{value:,.0f}" if value == round_or_nan(value) and abs(value) < 1e7 else f"{value:.3g}"
-
-
-def round_or_nan(value: float) -> float:
-    return float(round(value)) if math.isfinite(value) else math.nan
 
 
 def per_million(wrong: int, rays: int) -> float:

@@ -1,4 +1,4 @@
-"""What was measured, kept as JSON and published as a page with plots."""
+"""What was measured, kept as JSON for the page that site/reports.py makes of it."""
 
 from __future__ import annotations
 
@@ -6,21 +6,16 @@ import hashlib
 import json
 import os
 import platform
-import shutil
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from raywalk.bench.cases import Case, shown
-from raywalk.bench.plots import plots_of
-from raywalk.site.pages import page_environment
+from raywalk.bench.cases import Case
+from raywalk.site.reports import FORMAT, REPORTS, publish_reports
 
-REPORTS = "reports"  # below the work folder
-FORMAT = 2  # of the reports: those of an older one are not shown
 SITE_SOURCE = Path("site_src")
-STYLE = Path(__file__).with_name("page.css")
 PACKAGES = ("numpy", "numba", "embreex", "trimesh", "mpmath", "mitsuba", "open3d")
 
 
@@ -42,31 +37,6 @@ def publish_page(work: Path, out: Path) -> Iterator[str]:
         yield f"page: {out.as_posix()}/benchmarks/index.html"
 
 
-def publish_reports(
-    out: Path, templates: Path, assets: dict[str, str], scenes: Sequence[Any] = (),
-    work: Path = Path(".work"),
-) -> bool:  # fmt: skip
-    """Writes benchmarks/ (page, plots, JSON) below `out` from what was kept; False if nothing."""
-    kept = {name: _kept(work, name) for name in ("bench", "stress")}
-    if not any(kept.values()):
-        return False
-    folder = out / "benchmarks"
-    folder.mkdir(parents=True, exist_ok=True)
-    plots = plots_of(kept["bench"]) if kept["bench"] else []
-    for plot in plots:
-        (folder / f"{plot.name}.svg").write_text(plot.svg, encoding="utf-8")
-    text = json.dumps(kept, indent=1, allow_nan=False)
-    (folder / "benchmarks.json").write_text(text + "\n", encoding="utf-8")
-    shutil.copyfile(STYLE, folder / "benchmarks.css")
-    environment = page_environment(templates)
-    environment.filters["shown"] = lambda value: value if isinstance(value, str) else shown(value)
-    page = environment.get_template("benchmarks.html").render(
-        root="../", scenes=scenes, plots=plots, **kept, **assets
-    )
-    (folder / "index.html").write_text(page, encoding="utf-8")
-    return True
-
-
 def _keep(work: Path, name: str, measured: dict[str, Any]) -> None:
     folder = work / REPORTS
     folder.mkdir(parents=True, exist_ok=True)
@@ -76,14 +46,6 @@ def _keep(work: Path, name: str, measured: dict[str, Any]) -> None:
     beside = folder / f"{name}.json.partial"
     beside.write_text(text + "\n", encoding="utf-8")
     beside.replace(folder / f"{name}.json")
-
-
-def _kept(work: Path, name: str) -> Any:
-    try:
-        kept = json.loads((work / REPORTS / f"{name}.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
-    return kept if kept.get("format") == FORMAT else None
 
 
 def _machine() -> dict[str, str]:
