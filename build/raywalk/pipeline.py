@@ -15,7 +15,8 @@ import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scenes
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.site import sizes
 from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words

@@ -12,7 +12,8 @@ import numpy as np
 from PIL import Image
 
 from raywalk.geometry.overlap import overlap_warnings
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import RayTree, Visibility

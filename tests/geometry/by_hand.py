@@ -9,19 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.scene.model import (
+from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
+from raywalk.scene.shapes import (
     Box,
-    Camera,
     Cylinder,
     Disc,
     Ellipsoid,
-    Light,
-    Material,
     Mesh,
     Plane,
-    Render,
-    Scene,
-    SceneObject,
     Shape,
     Sphere,
     Triangle,

@@ -17,7 +17,8 @@ from tests.geometry.by_hand import SHAPES, SOLIDS, moved, random_affine, scene_o
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
 from raywalk.optics.scatter import mirror_directions
-from raywalk.scene.model import Plane, SceneObject, Sphere
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Plane, Sphere
 
 EPS = np.finfo(float).eps
 RAYS = 2000

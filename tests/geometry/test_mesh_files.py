@@ -13,7 +13,8 @@ from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.containment import objects_around, winding_number
 from raywalk.geometry.mesh_file import Triangles, load_triangles
-from raywalk.scene.model import Box, Plane, SceneObject, Sphere
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Box, Plane, Sphere
 
 
 def load(path: Path, smooth: bool = False, transform: np.ndarray | None = None) -> Triangles:

@@ -7,7 +7,7 @@ from tests.geometry.by_hand import CLEAR, scene_of
 
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.overlap import overlap_warnings
-from raywalk.scene.model import Box, Cylinder, Plane, Sphere
+from raywalk.scene.shapes import Box, Cylinder, Plane, Sphere
 
 BALL = Sphere((0.0, 0.0, 0.0), 1.0)
 PAIRS = {

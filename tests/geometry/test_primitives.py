@@ -10,7 +10,8 @@ from tests.geometry.by_hand import SHAPES, random_affine, scene_of, unit
 from tests.geometry.truth import TrueHit, true_hits
 
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import SceneObject, Sphere
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Sphere
 
 EPS = np.finfo(float).eps
 # A hit or miss counts as decided where a shape 1e-12 larger or smaller agrees: 4,500 roundings

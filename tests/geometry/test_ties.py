@@ -9,7 +9,8 @@ import pytest
 from tests.geometry.by_hand import affine, scene_of, unit
 
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import Box, Cylinder, Disc, Plane, SceneObject, Shape, Triangle
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Disc, Plane, Shape, Triangle
 
 RAYS = 5000
 # All hold the square |x|, |z| <= 1 of the plane y = 0, from below.

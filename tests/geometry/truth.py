@@ -15,17 +15,8 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 from mpmath import mpf
 
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Plane,
-    SceneObject,
-    Shape,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Shape, Sphere, Triangle
 
 DIGITS = 50
 mpmath.mp.dps = DIGITS

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from raywalk.bench.made_scenes import placed, scene_of
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
-from raywalk.scene.model import Box, Cylinder, Ellipsoid, SceneObject, Sphere
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Sphere
 
 ALWAYS_THE_SAME = settings(derandomize=True, deadline=None, max_examples=100)
 place = st.floats(-2.0, 2.0)

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from raywalk.scene import read_scenes
-from raywalk.scene.model import Ellipsoid, Mesh, Plane, Sphere
+from raywalk.scene.shapes import Ellipsoid, Mesh, Plane, Sphere
 
 SCENES = Path(__file__).parents[2] / "scenes"
 RED, GREEN, BLUE, WHITE = (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)

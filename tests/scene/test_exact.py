@@ -11,8 +11,9 @@ from mpmath import mpf
 from tests.geometry.truth import _about, _product
 
 from raywalk.scene.exact import DIGITS, cosine, rest_of, rounded, sine
-from raywalk.scene.model import Ellipsoid, SceneObject
+from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
+from raywalk.scene.shapes import Ellipsoid
 
 
 @pytest.mark.parametrize(

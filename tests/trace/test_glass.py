@@ -11,18 +11,8 @@ import pytest
 from tests.geometry.by_hand import CHALK, CLEAR, MIRROR, scene_of, unit
 
 from raywalk.errors import SourceErrors
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Ellipsoid,
-    Material,
-    Plane,
-    Scene,
-    SceneObject,
-    Shape,
-    Sphere,
-    Triple,
-)
+from raywalk.scene.model import Material, Scene, SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Plane, Shape, Sphere, Triple
 from raywalk.trace.tree import Kind
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer

@@ -12,19 +12,8 @@ import pytest
 from tests.geometry.by_hand import CHALK, CLEAR, SHAPES, moved, scene_of, unit
 
 from raywalk.scene import read_scene
-from raywalk.scene.model import (
-    Box,
-    Checker,
-    Disc,
-    Light,
-    Material,
-    Plane,
-    Scene,
-    SceneObject,
-    Shape,
-    Sphere,
-    Triple,
-)
+from raywalk.scene.model import Checker, Light, Material, Scene, SceneObject
+from raywalk.scene.shapes import Box, Disc, Plane, Shape, Sphere, Triple
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer, trace_scene

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from raywalk.scene import read_scene, read_scenes
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import plan_of
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture

@@ -11,15 +11,8 @@ from tests.geometry.by_hand import CHALK, CLEAR, scene_of, unit
 
 from raywalk.bench.glass_bodies import body
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Light,
-    Plane,
-    SceneObject,
-    Shape,
-    Sphere,
-)
+from raywalk.scene.model import Light, SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Plane, Shape, Sphere
 from raywalk.trace.pixel_tree import pixel_tree
 from raywalk.trace.wavefront import Tracer
 

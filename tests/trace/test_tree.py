@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from tests.geometry.by_hand import CHALK, CLEAR, MIRROR, scene_of
 
-from raywalk.scene.model import Light, Plane, Scene, SceneObject, Sphere
+from raywalk.scene.model import Light, Scene, SceneObject
+from raywalk.scene.shapes import Plane, Sphere
 from raywalk.trace.record import kept_pixels
 from raywalk.trace.tree import Kind, RayTree, Visibility
 from raywalk.trace.wavefront import (

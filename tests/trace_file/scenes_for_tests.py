@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 from tiny_tracer import make_scene
 
-from raywalk.scene.model import Checker, Ellipsoid, Light, Material, Plane, Scene, Sphere
+from raywalk.scene.model import Checker, Light, Material, Scene
+from raywalk.scene.shapes import Ellipsoid, Plane, Sphere
 
 GREY = (0.1, 0.1, 0.1)
 

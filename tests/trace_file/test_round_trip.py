@@ -10,7 +10,7 @@ from conftest import Encoded
 from scenes_for_tests import RED
 from tiny_tracer import make_scene, trace_tiny
 
-from raywalk.scene.model import Sphere
+from raywalk.scene.shapes import Sphere
 from raywalk.trace.tree import Visibility
 from raywalk.trace_file import TraceFileError, decode, encode
 from raywalk.trace_file.precision import COLOUR, NORMAL, finite_extent

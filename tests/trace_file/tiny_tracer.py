@@ -13,18 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raywalk.scene.model import (
-    Camera,
-    Ellipsoid,
-    Light,
-    Material,
-    Plane,
-    Render,
-    Scene,
-    SceneObject,
-    Sphere,
-    Triple,
-)
+from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
+from raywalk.scene.shapes import Ellipsoid, Plane, Sphere, Triple
 from raywalk.trace.tree import Kind, RayTree, Visibility
 
 EPSILON = 1e-9  # keeps a ray from meeting the surface it leaves

@@ -12,7 +12,7 @@ from raywalk.bench.embree32 import NOTHING, Embree32
 from raywalk.bench.families import unit_rows
 from raywalk.bench.made_scenes import ball, compiled_mesh, scene_of
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import Sphere
+from raywalk.scene.shapes import Sphere
 
 STRIP = 16_384  # our tracer's own; peers get all rays at once, as they like best
 LEVELS = (16, 32, 64, 128)

@@ -11,7 +11,7 @@ from mpmath import mpf  # type: ignore[import-untyped]
 from raywalk.bench.contenders import Met
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.truth import at, inner, minus, nearest_hit, triangle_meets, unit, vector
-from raywalk.scene.model import Sphere
+from raywalk.scene.shapes import Sphere
 
 OTHER = 1e-3  # relative: further off than this, another surface was hit, or tessellation ended
 LOOSE = 1e-6  # candidates of a triangle's truth: by barycentric coordinates, in float64

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.bench.made_scenes import icosphere, placed, write_ply
-from raywalk.scene.model import Box, Cylinder, Ellipsoid, Mesh, Shape, Sphere
+from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Mesh, Shape, Sphere
 
 Depth = Callable[[np.ndarray], np.ndarray]  # (n, 3) own frame -> (n,) < 0 inside, own units
 CUBE = ((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))

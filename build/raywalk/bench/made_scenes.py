@@ -11,17 +11,8 @@ from typing import Any
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
-from raywalk.scene.model import (
-    Camera,
-    Light,
-    Material,
-    Mesh,
-    Render,
-    Scene,
-    SceneObject,
-    Shape,
-    Sphere,
-)
+from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
+from raywalk.scene.shapes import Mesh, Shape, Sphere
 
 CHALK = Material("chalk", ambient=(0.1, 0.1, 0.1), diffuse=(0.8, 0.7, 0.6))
 PLAIN_RENDER = Render(size=15, resolutions=(5, 15))

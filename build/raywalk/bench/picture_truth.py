@@ -7,7 +7,8 @@ from typing import Any
 from mpmath import mp, mpf  # type: ignore[import-untyped]
 
 from raywalk.bench.truth import Vector, at, cross, inner, minus, unit, vector
-from raywalk.scene.model import Light, Scene, Sphere
+from raywalk.scene.model import Light, Scene
+from raywalk.scene.shapes import Sphere
 
 
 class TruePicture:

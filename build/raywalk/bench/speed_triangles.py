@@ -20,7 +20,8 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.bench.made_scenes import placed, scene_of
-from raywalk.scene.model import Camera, Light, Material, Mesh, Plane, Scene, SceneObject
+from raywalk.scene.model import Camera, Light, Material, Scene, SceneObject
+from raywalk.scene.shapes import Mesh, Plane
 from raywalk.trace.wavefront import STRIP, Tracer
 
 DRAGON = Path("models/dragon.ply")

@@ -24,7 +24,8 @@ from raywalk.bench.cases import Case
 from raywalk.bench.made_scenes import placed
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene import read_scenes
-from raywalk.scene.model import Camera, Mesh, Scene
+from raywalk.scene.model import Camera, Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import STRIP, Tracer

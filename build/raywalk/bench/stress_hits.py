@@ -22,19 +22,9 @@ from raywalk.bench.families import (
 from raywalk.bench.made_scenes import placed, scene_of
 from raywalk.bench.truth import TrueHit, nearest_hit
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Plane,
-    Scene,
-    SceneObject,
-    Shape,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.placement import placement
+from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Shape, Sphere, Triangle
 
 SUBJECT = "hit distances"
 # Well conditioned: rounding the inputs themselves, half an ulp each, moves t by 2 ulp at most.

@@ -14,7 +14,8 @@ from raywalk.bench.twofold import Twofold, columns, dot
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.optics.scatter import mirror_directions
-from raywalk.scene.model import Plane, Scene, Sphere
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Plane, Sphere
 
 # Bounces: bound of the point's median error in radii, and which share of the rays goes so far.
 IN_SPHERE = {10: (8e-15, 1), 50: (3e-13, 5), 100: (1e-12, 10), 200: (1e-11, 20), 1000: (1e-10, 100)}

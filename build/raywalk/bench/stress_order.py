@@ -12,7 +12,7 @@ from raywalk.bench.families import around, directions, in_ball, towards
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.sphere_truth import nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import Box, Disc, Plane, Shape, Sphere, Triangle
+from raywalk.scene.shapes import Box, Disc, Plane, Shape, Sphere, Triangle
 
 CLOSE = (1e-3, 1e-4)  # of the contact: the spheres are about the square of this apart there
 

@@ -13,7 +13,8 @@ from raywalk.bench.families import around
 from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, placed, scene_of
 from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import Box, Cylinder, Ellipsoid, Light, SceneObject, Shape, Sphere
+from raywalk.scene.model import Light, SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Shape, Sphere
 from raywalk.trace.lighting import light_hits
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import Visibility

@@ -18,7 +18,8 @@ from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene import read_scenes
-from raywalk.scene.model import Scene, SceneObject, Shape, Sphere
+from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.shapes import Shape, Sphere
 from raywalk.trace.probe import probe, read_rays
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wavefront import trace_scene

@@ -12,7 +12,7 @@ from raywalk.bench.families import around, directions, perpendicular
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.scene.model import Sphere
+from raywalk.scene.shapes import Sphere
 
 UNIT = Sphere((0.0, 0.0, 0.0), 1.0)
 # Distance: bound of the error of t, about one step of float64 there. It holds for the median;

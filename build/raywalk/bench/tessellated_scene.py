@@ -11,7 +11,7 @@ from raywalk.bench.contenders import tessellated
 from raywalk.bench.embree32 import NOTHING, Embree32
 from raywalk.geometry.compiled import Hits, Rays
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.scene.model import Sphere
+from raywalk.scene.shapes import Sphere
 
 LIFT = np.float32(1e-4)  # a usual choice; smaller brings acne, larger brings gaps
 

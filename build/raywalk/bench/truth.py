@@ -15,17 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from mpmath import mp, mpf  # type: ignore[import-untyped]
 
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Plane,
-    Scene,
-    SceneObject,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
 
 mp.dps = 50
 Vector = tuple[Any, Any, Any]

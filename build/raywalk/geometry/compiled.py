@@ -15,8 +15,9 @@ from raywalk.geometry.refine import refine_roots
 from raywalk.geometry.sides import primitives_beyond
 from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
-from raywalk.scene.model import Mesh, Plane, Scene
+from raywalk.scene.model import Scene
 from raywalk.scene.placement import checker_axes
+from raywalk.scene.shapes import Mesh, Plane
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_target import MeshTarget
@@ -86,7 +87,7 @@ class CompiledScene:
         )
         self.clear_rows = np.flatnonzero(clear[self.primitives.object])
         self.neighbours = neighbours(self.primitives, self.meshes, clear)
-        self.outermost_first = outermost_first(self.primitives, self.meshes, len(clear))
+        self.outermost_first = outermost_first(scene, self.primitives, self.meshes)
 
     def nearest(
         self, rays: Rays, t_max: np.ndarray | None = None

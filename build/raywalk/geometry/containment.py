@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
+from raywalk.geometry.faces import holds
 from raywalk.geometry.nearest import to_local
-from raywalk.geometry.solids import BOX, CYLINDER, PLANE, SPHERE, height
 
 
 def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
@@ -22,9 +22,7 @@ def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
 def _primitives_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
     table, around = compiled.primitives, []
     for k, shape in enumerate(table.shape):
-        x, y, z = to_local(table.to_local[k], *(point - table.centre[k]))
-        behind = shape == PLANE and y < 0.0
-        if behind or (shape in (SPHERE, BOX, CYLINDER) and height(shape, x, y, z) < 0.0):
+        if holds(shape, *to_local(table.to_local[k], *(point - table.centre[k]))):
             around.append(int(table.object[k]))
     return around
 

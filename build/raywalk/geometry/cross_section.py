@@ -10,17 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Plane,
-    SceneObject,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
+from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_file import Triangles

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from raywalk.geometry.mesh_file import Triangles, load_triangles
-from raywalk.scene.model import Mesh, Scene, SceneObject
+from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.shapes import Mesh
 
 
 def display_triangles(scene: Scene, obj: SceneObject) -> Triangles:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
-from raywalk.geometry.solids import PLANE
+from raywalk.geometry.faces import PLANE
 from raywalk.scene.model import Scene
 
 

@@ -8,7 +8,8 @@ from fractions import Fraction
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene.model import Mesh, Scene, SceneObject
+from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.shapes import Mesh
 
 # A triangle thinner than this share of its longest edge has no direction left in float64:
 # its normal would be rounding. Slivers down to aspect 1e10 stay.

@@ -15,16 +15,9 @@ import math
 import numpy as np
 
 from raywalk.geometry.along_ray import point_along
-from raywalk.geometry.sides import POINT_ERROR, goes_in
-from raywalk.geometry.solids import (
-    DISC,
-    PLANE,
-    TRIANGLE,
-    TUBE,
-    chord_exit,
-    height,
-    line_roots,
-)
+from raywalk.geometry.faces import PLANE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.sides import POINT_ERROR
+from raywalk.geometry.solids import chord_exit, flat_root, line_roots
 from raywalk.optics.compiled import inlined, kernel
 
 NOWHERE = -1  # "leaves no surface", and "met no object"
@@ -44,20 +37,6 @@ def to_local(matrix, x, y, z):
 
 
 @kernel
-def flat_root(shape, ox, oy, oz, dx, dy, dz):
-    """(t, height of the origin) on a canonical plane, disc or triangle; t = inf if missed."""
-    if shape == PLANE:
-        return (-oy / dy if dy != 0.0 else math.inf), oy
-    if dz == 0.0:
-        return math.inf, oz
-    t = -oz / dz
-    x, y = ox + t * dx, oy + t * dy
-    if shape == DISC:
-        return (t if x * x + y * y <= 1.0 else math.inf), oz
-    return (t if x >= 0.0 and y >= 0.0 and x + y <= 1.0 else math.inf), oz
-
-
-@kernel
 def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound, least):
     """Up to two parameters t > least (else inf) at which a ray meets a canonical primitive.
 
@@ -66,14 +45,14 @@ def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound, least):
     bound: how far, in canonical units, the origin may be off a surface it lies on; 0 for
     rays that start in free space.
     """
-    if shape == PLANE or shape == DISC or shape == TRIANGLE:
+    if is_flat(shape):
         if own:
             return math.inf, math.inf
         t, level = flat_root(shape, ox, oy, oz, dx, dy, dz)
         if t > least and (abs(level) > bound or least < 0.0):
             return t, math.inf
         return math.inf, math.inf
-    if not own and bound > 0.0 and abs(height(shape, ox, oy, oz)) <= 2.0 * bound:
+    if not own and bound > 0.0 and is_near(shape, ox, oy, oz, bound):
         own = True  # touches another surface here: leave it as if it were its own
         inner = goes_in(shape, ox, oy, oz, dx, dy, dz, bound)
     if own:
@@ -141,11 +120,7 @@ def lies_on(primitives, k, ox, oy, oz, dx, dy, dz, t):
     lx = m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z
     ly = m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z
     lz = m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z
-    if shape == PLANE:
-        return abs(ly) <= bound
-    if shape == DISC or shape == TRIANGLE:
-        return abs(lz) <= bound
-    return abs(height(shape, lx, ly, lz)) <= 2.0 * bound
+    return is_near(shape, lx, ly, lz, bound)
 
 
 @kernel

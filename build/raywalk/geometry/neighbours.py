@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raywalk.geometry.faces import PLANE
 from raywalk.geometry.primitives import Primitives
-from raywalk.geometry.solids import BOX, CYLINDER, PLANE, SPHERE
+from raywalk.scene.model import Scene
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_target import MeshTarget
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
 # Boxes further apart than this share of their sizes and places do not touch: a million times
 # the error of a hit point.
 SLACK = 1e-9
-# Volume of a canonical solid; a plane stands for the half-space behind it.
-VOLUMES = {SPHERE: 4.0 / 3.0 * np.pi, BOX: 8.0, CYLINDER: 2.0 * np.pi, PLANE: np.inf}
 
 
 def neighbours(primitives: Primitives, meshes: list[MeshTarget], clear: np.ndarray) -> np.ndarray:
@@ -45,19 +44,19 @@ def neighbours(primitives: Primitives, meshes: list[MeshTarget], clear: np.ndarr
     return np.asarray(met & clear[None, :])
 
 
-def outermost_first(primitives: Primitives, meshes: list[MeshTarget], objects: int) -> np.ndarray:
+def outermost_first(scene: Scene, primitives: Primitives, meshes: list[MeshTarget]) -> np.ndarray:
     """(objects,) int ranks by volume, the largest 0: what lies in another is smaller.
 
     Of equals the lower object lies inside: as where surfaces tie it is the one that is met.
     """
-    volume = np.zeros(objects)
+    volume = np.zeros(len(scene.objects))
     for row, k in enumerate(primitives.object):
         scale = abs(float(np.linalg.det(primitives.to_world[row])))
-        volume[k] = scale * VOLUMES.get(int(primitives.shape[row]), 0.0)
+        volume[k] = scale * scene.objects[k].shape.canonical.volume
     for mesh in meshes:
         a, b, c = mesh.corners.transpose(1, 0, 2)
         volume[mesh.index] = abs(float((a * np.cross(b, c)).sum())) / 6.0
-    order = np.lexsort([-np.arange(objects), -_rounded(volume)])
+    order = np.lexsort([-np.arange(len(volume)), -_rounded(volume)])
     return np.argsort(order)
 
 

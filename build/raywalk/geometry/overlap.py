@@ -13,8 +13,9 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.containment import winding_number
+from raywalk.geometry.faces import PLANE, height
 from raywalk.geometry.nearest import to_local
-from raywalk.geometry.solids import BOX, CYLINDER, PLANE, height
+from raywalk.geometry.solids import solid_interval
 from raywalk.scene.model import Scene
 
 SAMPLES = 256  # points a surface: overlaps of a few per cent are found, slighter ones may not be
@@ -53,11 +54,8 @@ def surface_points(compiled: CompiledScene, k: int) -> np.ndarray:
     shape, points = table.shape[row], _on_sphere(SAMPLES)
     if shape == PLANE:
         return np.empty((0, 3))
-    if shape == BOX:
-        points = points / np.abs(points).max(axis=1, keepdims=True)
-    if shape == CYLINDER:
-        rim = np.maximum(np.hypot(points[:, 0], points[:, 1]), np.abs(points[:, 2]))
-        points = points / rim[:, None]
+    away = [solid_interval(shape, 0.0, 0.0, 0.0, *direction)[1] for direction in points]
+    points = np.array(away)[:, None] * points
     return np.asarray(table.centre[row] + points @ table.to_world[row].T)
 
 

@@ -7,21 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.solids import BOX, CYLINDER, DISC, PLANE, SPHERE, TRIANGLE, TUBE
+from raywalk.geometry.faces import NAMES
 from raywalk.scene.exact import DIGITS, rest_of, rounded
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Mesh,
-    Plane,
-    Scene,
-    Shape,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
+from raywalk.scene.shapes import Mesh, Shape, Triangle
 
 
 class Primitives(NamedTuple):
@@ -31,7 +21,7 @@ class Primitives(NamedTuple):
     the order of the scene's objects.
     """
 
-    shape: np.ndarray  # (p,) int8: SPHERE .. TRIANGLE
+    shape: np.ndarray  # (p,) int8: index into NAMES
     object: np.ndarray  # (p,) int32: index into Scene.objects
     centre: np.ndarray  # (p, 3) world
     centre_rest: np.ndarray  # (p, 3) what float64 leaves over of it
@@ -55,7 +45,7 @@ def compile_primitives(scene: Scene) -> Primitives:
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
-        shape=np.array([_code(scene.objects[k].shape) for k in kept], np.int8),
+        shape=np.array([NAMES.index(scene.objects[k].shape.canonical.name) for k in kept], np.int8),
         object=np.array(kept, np.int32),
         centre=rounded(middle),
         centre_rest=rest_of(middle),
@@ -79,17 +69,10 @@ ROOMY = 1.0 + 1e-6
 
 def _reach(shape: Shape, to_world: np.ndarray) -> float:
     """Radius of a sphere round the centre that holds the shape, world units."""
+    if isinstance(shape, Triangle):  # its centre is a corner
+        return ROOMY * float(np.linalg.norm(to_world[:, :2], axis=0).max())
     stretch = float(np.linalg.norm(to_world, 2))  # the longest axis of the unit sphere's image
-    match shape:
-        case Plane():
-            return np.inf
-        case Box():
-            return ROOMY * np.sqrt(3.0) * stretch
-        case Cylinder():
-            return ROOMY * np.sqrt(2.0) * stretch
-        case Triangle():  # its centre is a corner
-            return ROOMY * float(np.linalg.norm(to_world[:, :2], axis=0).max())
-    return ROOMY * stretch
+    return ROOMY * shape.canonical.reach * stretch
 
 
 def _inverse(linear: np.ndarray) -> np.ndarray:
@@ -112,20 +95,3 @@ SKEWED = 4.0
 def _growth(to_world: np.ndarray, to_local: np.ndarray) -> np.ndarray:
     """(p,) by how much rounding the inverse moves a surface point, in roundings of the point."""
     return np.asarray((np.abs(to_world) @ np.abs(to_local)).sum(axis=2).max(axis=1, initial=0.0))
-
-
-def _code(shape: Shape) -> int:
-    match shape:
-        case Sphere() | Ellipsoid():
-            return SPHERE
-        case Box():
-            return BOX
-        case Cylinder():
-            return CYLINDER if shape.capped else TUBE
-        case Plane():
-            return PLANE
-        case Disc():
-            return DISC
-        case Triangle():
-            return TRIANGLE
-    raise TypeError(f"{type(shape).__name__} is not an analytic primitive")

@@ -9,21 +9,8 @@ from __future__ import annotations
 
 from raywalk.geometry.along_ray import point_along, sharp_product
 from raywalk.geometry.nearest import CLOSE, NOWHERE
-from raywalk.geometry.solids import (
-    BOX,
-    DISC,
-    PLANE,
-    SPHERE,
-    TRIANGLE,
-    face_normal,
-    is_at_edge,
-    line_roots,
-)
+from raywalk.geometry.solids import step_to_surface
 from raywalk.optics.compiled import inlined, kernel
-
-# Below it, the second root is so far that the step's series ends after two terms: the third
-# would be this squared, of the step.
-SLIGHT = 1e-4
 
 
 @kernel
@@ -78,37 +65,3 @@ def refined(t, shape, x, y, z, dx, dy, dz):
     # Along a face the step is the point's rounding over a slope of rounding, and could end beside
     # the face: the root that the solid's interval gave stays in it.
     return t + step if abs(step) < CLOSE * t else t
-
-
-@kernel
-def step_to_surface(shape, x, y, z, dx, dy, dz):
-    """From a canonical point next to a surface, the parameter of the line's crossing with it."""
-    if shape == PLANE:
-        return -y / dy
-    if shape == DISC or shape == TRIANGLE:
-        return -z / dz
-    if shape == SPHERE:
-        a, b, c = dx * dx + dy * dy + dz * dz, x * dx + y * dy + z * dz, x * x + y * y + z * z - 1.0
-    elif is_at_edge(shape, x, y, z):
-        return nearer_root(shape, x, y, z, dx, dy, dz)
-    else:
-        nx, ny, nz = face_normal(shape, x, y, z)
-        if shape == BOX or nz != 0.0:
-            # A face has one coordinate of +-1; the normal, of which the others are 0, picks it.
-            away = nx * dx + ny * dy + nz * dz
-            return (1.0 - (nx * x + ny * y + nz * z)) / away
-        a, b, c = dx * dx + dy * dy, x * dx + y * dy, x * x + y * y - 1.0
-    if abs(a * c) < SLIGHT * b * b:
-        # a s^2 + 2 b s + c = 0: the small root, s = -c / 2b - a s^2 / 2b and one term more.
-        half = 0.5 / b
-        first = -c * half
-        bend = a * first * half
-        return first * (1.0 - bend * (1.0 - 2.0 * bend))
-    return nearer_root(shape, x, y, z, dx, dy, dz)
-
-
-@kernel
-def nearer_root(shape, x, y, z, dx, dy, dz):
-    """The same by the equation itself: at edges, and where the line is almost tangent."""
-    one, other = line_roots(shape, x, y, z, dx, dy, dz)
-    return one if abs(one) < abs(other) else other

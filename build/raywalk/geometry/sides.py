@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.geometry.solids import BOX, CYLINDER, PLANE, SPHERE, height
+from raywalk.geometry.faces import goes_in, holds, is_near
 from raywalk.optics.compiled import kernel
 
 # A computed hit point is off its surface by at most this share of |p| + |centre|:
@@ -21,32 +21,14 @@ SLACK = 1e-9
 
 
 @kernel
-def goes_in(shape, x, y, z, dx, dy, dz, bound):
-    """Whether a ray goes into a solid from a canonical point within `bound` of its surface.
-
-    At an edge it must go inwards from every face there: a convex solid is on one side of each.
-    """
-    if shape == PLANE:
-        return dy < 0.0
-    if shape == BOX:
-        edge = 1.0 - 2.0 * bound
-        into_x, into_y, into_z = x * dx < 0.0, y * dy < 0.0, z * dz < 0.0
-        return (abs(x) < edge or into_x) and (abs(y) < edge or into_y) and (abs(z) < edge or into_z)
-    if shape == SPHERE:
-        return x * dx + y * dy + z * dz < 0.0
-    if x * x + y * y >= 1.0 - 2.0 * bound and x * dx + y * dy >= 0.0:
-        return False
-    return not (shape == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
-
-
-@kernel
 def is_within(shape, x, y, z, dx, dy, dz, bound):
     """Whether a ray is in a closed body just beyond a canonical point; of a plane, behind it.
 
     bound: how far, in canonical units, the point may be off a surface that it lies on.
     """
-    level = y if shape == PLANE else 0.5 * height(shape, x, y, z)
-    return goes_in(shape, x, y, z, dx, dy, dz, bound) if abs(level) <= bound else level < 0.0
+    if is_near(shape, x, y, z, bound):
+        return goes_in(shape, x, y, z, dx, dy, dz, bound)
+    return holds(shape, x, y, z)
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Convex solids in canonical form: where a line is inside, and what side a point is on.
+"""Lines and canonical shapes: where a line is inside of a convex solid, and where it crosses.
 
 A line meets a convex solid in one interval [t_in, t_out]; a ray that starts on the
 solid's own surface therefore either never meets it again (it leaves outwards) or
@@ -13,12 +13,22 @@ from __future__ import annotations
 
 import math
 
+from raywalk.geometry.faces import (
+    BOX,
+    CYLINDER,
+    DISC,
+    PLANE,
+    SPHERE,
+    TUBE,
+    face_normal,
+    is_at_edge,
+    is_flat,
+)
 from raywalk.optics.compiled import kernel
 
-SPHERE, BOX, CYLINDER, TUBE, PLANE, DISC, TRIANGLE = range(7)
-# Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
-# (1e7 away, a hit point is off by 1e-9).
-EDGE = 1.0 - 1e-6
+# Below it, the second root is so far that the step's series ends after two terms: the third
+# would be this squared, of the step.
+SLIGHT = 1e-4
 
 
 @kernel
@@ -132,79 +142,48 @@ def slab_exit(o, d):
 
 
 @kernel
-def face_normal(shape, x, y, z):
-    """Canonical outward gradient at (or near) a point of the surface, not unit.
+def flat_root(shape, ox, oy, oz, dx, dy, dz):
+    """(t, height of the origin) on a canonical plane, disc or triangle; t = inf if missed."""
+    if shape == PLANE:
+        return (-oy / dy if dy != 0.0 else math.inf), oy
+    if dz == 0.0:
+        return math.inf, oz
+    t = -oz / dz
+    x, y = ox + t * dx, oy + t * dy
+    if shape == DISC:
+        return (t if x * x + y * y <= 1.0 else math.inf), oz
+    return (t if x >= 0.0 and y >= 0.0 and x + y <= 1.0 else math.inf), oz
 
-    Where faces meet, the face whose equation is closest to holding.
-    """
+
+@kernel
+def step_to_surface(shape, x, y, z, dx, dy, dz):
+    """From a canonical point next to a surface, the parameter of the line's crossing with it."""
+    if shape == PLANE:
+        return -y / dy
+    if is_flat(shape):
+        return -z / dz
     if shape == SPHERE:
-        return x, y, z
-    if shape == TUBE:
-        return x, y, 0.0
-    if shape == CYLINDER:
-        if 1.0 - abs(z) < 1.0 - math.sqrt(x * x + y * y):
-            return 0.0, 0.0, math.copysign(1.0, z)
-        return x, y, 0.0
-    ax, ay, az = abs(x), abs(y), abs(z)
-    if ax >= ay and ax >= az:
-        return math.copysign(1.0, x), 0.0, 0.0
-    if ay >= az:
-        return 0.0, math.copysign(1.0, y), 0.0
-    return 0.0, 0.0, math.copysign(1.0, z)
+        a, b, c = dx * dx + dy * dy + dz * dz, x * dx + y * dy + z * dz, x * x + y * y + z * z - 1.0
+    elif is_at_edge(shape, x, y, z):
+        return nearer_root(shape, x, y, z, dx, dy, dz)
+    else:
+        nx, ny, nz = face_normal(shape, x, y, z)
+        if shape == BOX or nz != 0.0:
+            # A face has one coordinate of +-1; the normal, of which the others are 0, picks it.
+            away = nx * dx + ny * dy + nz * dz
+            return (1.0 - (nx * x + ny * y + nz * z)) / away
+        a, b, c = dx * dx + dy * dy, x * dx + y * dy, x * x + y * y - 1.0
+    if abs(a * c) < SLIGHT * b * b:
+        # a s^2 + 2 b s + c = 0: the small root, s = -c / 2b - a s^2 / 2b and one term more.
+        half = 0.5 / b
+        first = -c * half
+        bend = a * first * half
+        return first * (1.0 - bend * (1.0 - 2.0 * bend))
+    return nearer_root(shape, x, y, z, dx, dy, dz)
 
 
 @kernel
-def height(shape, x, y, z):
-    """How far outside the surface a canonical point is: > 0 outside, 0 on it, < 0 inside."""
-    if shape == SPHERE:
-        return x * x + y * y + z * z - 1.0
-    if shape == TUBE:
-        return x * x + y * y - 1.0
-    if shape == CYLINDER:
-        return max(x * x + y * y - 1.0, abs(z) - 1.0)
-    return max(abs(x), max(abs(y), abs(z))) - 1.0
-
-
-@kernel
-def passed_face(shape, x, y, z, dx, dy, dz, leaves):
-    """face_normal where faces of a box or capped cylinder meet: of those a ray can pass.
-
-    leaves: the ray comes out of the solid. At an edge rounding may put the neighbour first,
-    and a ray that enters would be told that it leaves.
-    """
-    sense = 1.0 if leaves else -1.0
-    if shape == CYLINDER:
-        side, cap = sense * (x * dx + y * dy), sense * z * dz
-        if side > 0.0 and cap > 0.0:
-            return face_normal(shape, x, y, z)
-        return (x, y, 0.0) if side > cap else (0.0, 0.0, math.copysign(1.0, z))
-    kx = x if sense * x * dx > 0.0 else 0.0
-    ky = y if sense * y * dy > 0.0 else 0.0
-    kz = z if sense * z * dz > 0.0 else 0.0
-    if kx == 0.0 and ky == 0.0 and kz == 0.0:
-        return face_normal(shape, x, y, z)
-    return face_normal(shape, kx, ky, kz)
-
-
-@kernel
-def is_at_edge(shape, x, y, z):
-    """Whether a surface point is so close to an edge that rounding decides between its faces."""
-    if shape == CYLINDER:
-        return min(math.sqrt(x * x + y * y), abs(z)) > EDGE
-    if shape == BOX:
-        ax, ay, az = abs(x), abs(y), abs(z)
-        return max(min(ax, ay), min(max(ax, ay), az)) > EDGE  # the middle one of the three
-    return False
-
-
-@kernel
-def onto_surface(shape, x, y, z, nx, ny, nz):
-    """The nearest-by-scaling point of the face with this normal: takes out the rounding left
-    by o + t d."""
-    if shape == SPHERE:
-        length = math.sqrt(x * x + y * y + z * z)
-        return x / length, y / length, z / length
-    if nz == 0.0 and (shape == TUBE or shape == CYLINDER):
-        length = math.sqrt(x * x + y * y)
-        return x / length, y / length, z
-    return (nx if nx != 0.0 else x), (ny if ny != 0.0 else y), (nz if nz != 0.0 else z)
+def nearer_root(shape, x, y, z, dx, dy, dz):
+    """The same by the equation itself: at edges, and where the line is almost tangent."""
+    one, other = line_roots(shape, x, y, z, dx, dy, dz)
+    return one if abs(one) < abs(other) else other

@@ -7,22 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raywalk.geometry.faces import height, is_solid, on_surface
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.sides import POINT_ERROR
-from raywalk.geometry.solids import (
-    BOX,
-    CYLINDER,
-    DISC,
-    PLANE,
-    SPHERE,
-    TRIANGLE,
-    face_normal,
-    height,
-    is_at_edge,
-    onto_surface,
-    passed_face,
-)
 from raywalk.optics.compiled import kernel
 
 
@@ -33,26 +21,6 @@ class Appearance(NamedTuple):
     checker: np.ndarray  # (objects,) int32: material of odd squares, -1 without a checker
     checker_size: np.ndarray  # (objects,)
     checker_turn: np.ndarray  # (objects,) +1 or -1: direction of the second axis along canonical z
-
-
-@kernel
-def on_surface(shape, x, y, z, dx, dy, dz, leaves):
-    """A canonical hit point moved onto the surface, and the outward gradient there.
-
-    leaves: whether the ray comes out of the primitive there, if it is a solid.
-    """
-    if shape == PLANE:
-        return x, 0.0, z, 0.0, 1.0, 0.0
-    if shape == DISC or shape == TRIANGLE:
-        return x, y, 0.0, 0.0, 0.0, 1.0
-    if is_at_edge(shape, x, y, z):
-        gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
-    else:
-        gx, gy, gz = face_normal(shape, x, y, z)
-    x, y, z = onto_surface(shape, x, y, z, gx, gy, gz)
-    if shape == SPHERE:
-        gx, gy, gz = x, y, z
-    return x, y, z, gx, gy, gz
 
 
 @kernel
@@ -113,7 +81,7 @@ def primitive_surface(
             better = refined(t[i], shape, x, y, z, dx, dy, dz)
             step = better - t[i]
             t[i], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
-        solid = shape == SPHERE or shape == BOX or shape == CYLINDER
+        solid = is_solid(shape)
         leaves = solid and (
             again
             or starts_in(

@@ -3,24 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import isinf
 
 import numpy as np
 
-from raywalk.scene.model import (
-    Box,
-    Camera,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Material,
-    SceneObject,
-    Shape,
-    Sphere,
-    Triangle,
-)
+from raywalk.scene.model import Camera, Material, SceneObject
 from raywalk.scene.placement import placement
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema import CameraTable, LightTable
+from raywalk.scene.shapes import Mesh, Shape
 from raywalk.scene.wording import plain, quoted
 
 # Sine of the angle below which two directions are one to the eye: up that runs along the
@@ -70,17 +61,15 @@ def check_light(table: LightTable, at: Location, problems: Problems) -> None:
 
 def check_closed(shape: Shape, material: Material, at: Location, problems: Problems) -> None:
     """Light that enters a body must be able to leave it: glass needs an inside."""
-    is_open = isinstance(shape, Disc | Triangle) or (
-        isinstance(shape, Cylinder) and not shape.capped
-    )
+    # A mesh is asked where its triangles are known.
+    is_open = shape.canonical.height is None and not isinstance(shape, Mesh)
     if material.transmit > 0 and is_open:
-        kind = "cylinder without caps" if isinstance(shape, Cylinder) else _word(shape)
         problems.add(
             (*at, "material"),
             f"{quoted(material.name)} lets light through (transmit = {plain(material.transmit)}), "
-            f"but a {kind} has no inside",
-            hint="glass needs a closed shape: a sphere, ellipsoid, box, capped cylinder or "
-            "closed mesh, or a plane as the border of a half-space",
+            f"but a {shape.title} has no inside",
+            hint="glass needs a closed shape: a sphere, ellipsoid, box or closed mesh, one with "
+            "caps, or a plane as the border of a half-space",
         )
 
 
@@ -98,23 +87,14 @@ def check_eye_outside(
 
 
 def is_strictly_inside(point: Sequence[float], obj: SceneObject) -> bool:
-    """Whether a point lies inside a sphere, ellipsoid, box or capped cylinder.
+    """Whether a point lies inside a closed shape.
 
-    False for every other shape: planes and open shapes have no inside that hides a
-    camera, and meshes are asked where their triangles are known.
+    False for planes and open shapes, which have no inside that hides a camera; meshes are asked
+    where their triangles are known.
     """
-    if not isinstance(obj.shape, Sphere | Ellipsoid | Box | Cylinder):
+    canonical = obj.shape.canonical
+    if canonical.height is None or isinf(canonical.reach):
         return False
     linear, centre = placement(obj)
-    x, y, z = np.linalg.solve(linear, np.asarray(point, float) - centre)
-    match obj.shape:
-        case Box():
-            return bool(max(abs(x), abs(y), abs(z)) < 1)
-        case Cylinder():
-            return bool(obj.shape.capped and x * x + y * y < 1 and abs(z) < 1)
-        case _:
-            return bool(x * x + y * y + z * z < 1)
-
-
-def _word(shape: Shape) -> str:
-    return type(shape).__name__.lower()
+    local = np.linalg.solve(linear, np.asarray(point, float) - centre)
+    return bool(canonical.height(*local.tolist()) < 0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 
 from raywalk.scene.check_view import check_view
 from raywalk.scene.checks import (
@@ -26,13 +26,13 @@ from raywalk.scene.model import (
     Scene,
     SceneObject,
 )
-from raywalk.scene.models import Models
+from raywalk.scene.models import Models, mesh_file
 from raywalk.scene.names import with_defaults
-from raywalk.scene.problems import Problems
+from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import resolutions_of
 from raywalk.scene.schema import SceneFile, StepTable, ViewTable
-from raywalk.scene.schema_objects import ObjectTable, PlaneTable
-from raywalk.scene.shapes import shape_of
+from raywalk.scene.schema_objects import MeshTable, ObjectTable, PlaneTable
+from raywalk.scene.shapes import SHAPES, Mesh, Shape
 from raywalk.scene.transforms import is_singular, product
 
 
@@ -140,7 +140,7 @@ class _Parts:
 
     def _add_object(self, i: int, table: ObjectTable, name: str, known: Materials) -> None:
         at = ("objects", i)
-        shape = shape_of(table, self.models, at, self.problems)
+        shape = self._shape_of(table, at)
         material = self._material_of(table, name, known, (*at, "material"))
         transform = product(table.transform)
         if is_singular(transform):
@@ -151,6 +151,18 @@ class _Parts:
         check_closed(shape, material, at, self.problems)
         even, checker = self._checkered(table, name, material)
         self.objects.append(SceneObject(name, shape, even, transform, checker))
+
+    def _shape_of(self, table: ObjectTable, at: Location) -> Shape | None:
+        """None, with the problem noted, if it has no extent or no file."""
+        if isinstance(table, MeshTable):
+            found = mesh_file(table, self.models, at, self.problems)
+            return Mesh(*found, table.smooth, table.subdivide) if found else None
+        kind = SHAPES[table.kind]
+        shape: Shape = kind(**{each.name: getattr(table, each.name) for each in fields(kind)})
+        flaws = list(shape.flaws())
+        for key, message, hint in flaws:
+            self.problems.add((*at, key) if key else at, message, hint=hint)
+        return None if flaws else shape
 
     def _material_of(
         self, table: ObjectTable, name: str, known: Materials, at: Sequence[str | int]

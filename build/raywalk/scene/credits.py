@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
 from raywalk.scene.models import ModelTable, find_catalogue, read_catalogue
+from raywalk.scene.shapes import Mesh
 
 
 def named_models(scene: Scene) -> list[ModelTable]:

@@ -1,4 +1,4 @@
-"""Sines and cosines to 50 digits, for numbers of a scene that are worked out once.
+"""Vectors and angles to 50 digits, for numbers of a scene that are worked out once.
 
 Decimal comes with Python; it has roots, but no sines.
 """
@@ -54,3 +54,37 @@ def rest_of(exact: np.ndarray) -> np.ndarray:
     """What `rounded` leaves over, in float64."""
     kept: Any = [Decimal(x) for x in rounded(exact).ravel().tolist()]
     return rounded(exact - np.array(kept, object).reshape(exact.shape))
+
+
+def exact(values: Any) -> np.ndarray:
+    """An array of Decimals that are the given float64 numbers to the last digit."""
+    given = np.asarray(values, float)
+    return np.array([Decimal(x) for x in given.ravel().tolist()], object).reshape(given.shape)
+
+
+EYE = exact(np.eye(3))
+
+
+def unit(vector: np.ndarray) -> np.ndarray:
+    """(3,) Decimals made 1 long."""
+    return np.asarray(vector / (vector @ vector).sqrt())
+
+
+def axes_across(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The two unit axes across a unit vector: the world axes left when its largest component is
+    dropped, made perpendicular to it; x and z of a vector that is upright."""
+    first, second = (axis for axis in range(3) if axis != int(np.argmax(np.abs(n))))
+    u = unit(_perpendicular(EYE[first], n))
+    return u, unit(_perpendicular(_perpendicular(EYE[second], n), u))
+
+
+def _perpendicular(vector: np.ndarray, to: np.ndarray) -> np.ndarray:
+    return np.asarray(vector - (vector @ to) * to)
+
+
+def rotation(axis: np.ndarray, degrees: float) -> np.ndarray:
+    """(3, 3) right-handed turn about a unit axis through the origin (Rodrigues)."""
+    x, y, z = axis
+    none = Decimal(0)
+    cross = np.array([[none, -z, y], [z, none, -x], [-y, x, none]])
+    return np.asarray(EYE + sine(degrees) * cross + (1 - cosine(degrees)) * (cross @ cross))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.scene.model import Light, Triple
+from raywalk.scene.model import Light
 from raywalk.scene.schema import LightTable
+from raywalk.scene.shapes import Triple
 
 DEFAULT_SAMPLES = (4, 4)
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-Triple = tuple[float, float, float]
+from raywalk.scene.shapes import Shape, Triple
 
 
 @dataclass(frozen=True)
@@ -32,68 +32,6 @@ class Material:
     transmit: float = 0.0
     ior: float = 1.0
     fresnel: bool = False
-
-
-@dataclass(frozen=True)
-class Sphere:
-    center: Triple
-    radius: float
-
-
-@dataclass(frozen=True)
-class Ellipsoid:
-    center: Triple
-    radii: Triple
-    rotation: Triple = (0.0, 0.0, 0.0)  # degrees about x, then y, then z
-
-
-@dataclass(frozen=True)
-class Plane:
-    """Infinite; its inside is the half-space behind the normal."""
-
-    point: Triple
-    normal: Triple
-
-
-@dataclass(frozen=True)
-class Cylinder:
-    start: Triple  # centre of one end
-    end: Triple  # centre of the other
-    radius: float
-    capped: bool = True
-
-
-@dataclass(frozen=True)
-class Box:
-    minimum: Triple
-    maximum: Triple
-
-
-@dataclass(frozen=True)
-class Disc:
-    center: Triple
-    normal: Triple
-    radius: float
-
-
-@dataclass(frozen=True)
-class Triangle:
-    a: Triple
-    b: Triple
-    c: Triple
-
-
-@dataclass(frozen=True)
-class Mesh:
-    """A triangle mesh in a file; `model` is its name in models.toml or its file name."""
-
-    model: str
-    path: Path
-    smooth: bool = True  # normals interpolated from the vertices, else one per triangle
-    subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
-
-
-Shape = Sphere | Ellipsoid | Plane | Cylinder | Box | Disc | Triangle | Mesh
 
 
 @dataclass(frozen=True)

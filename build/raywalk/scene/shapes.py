@@ -1,107 +1,248 @@
-"""From the TOML of one object to its shape, refused where it has no extent."""
+"""Shapes: their numbers as authors give them, and what each is the affine image of.
+
+A class a shape, found by its name in lower case, which is the TOML's `type`. Its fields are those
+of its table in schema_objects.py. Everything else about a shape is said of its canonical one:
+the tracer, outlines and the viewer know only these and where they stand.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TypeVar
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+from math import inf, pi, sqrt
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from raywalk.scene.model import (
-    Box,
-    Cylinder,
-    Disc,
-    Ellipsoid,
-    Mesh,
-    Plane,
-    Shape,
-    Sphere,
-    Triangle,
-    Triple,
-)
-from raywalk.scene.models import Models, mesh_file
-from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema_objects import (
-    BoxTable,
-    CylinderTable,
-    DiscTable,
-    EllipsoidTable,
-    MeshTable,
-    ObjectTable,
-    PlaneTable,
-    SphereTable,
-    TriangleTable,
-)
+from raywalk.scene.exact import EYE, axes_across, exact, rotation, unit
 from raywalk.scene.wording import plain
 
+Triple = tuple[float, float, float]
+Placement = tuple[np.ndarray, np.ndarray]  # (3, 3) linear part, (3,) centre; Decimals
+Flaw = tuple[str, str, str]  # the key, what is wrong with it, a hint
 # A triangle whose height is this share of its longest side is a line to float64.
 THINNEST = 1e-14
 
-Note = Callable[..., None]
-Flat = TypeVar("Flat", Plane, Disc)
+
+class Canonical(NamedTuple):
+    """A shape in its own coordinates, which an affine map takes into the world."""
+
+    name: str  # what kernels and outlines are chosen by
+    reach: float = inf  # radius of a sphere round the origin that holds it
+    volume: float = 0.0  # of what is closed
+    height: Callable[..., Any] | None = None  # of what is closed: of (x, y, z), < 0 inside
 
 
-def shape_of(table: ObjectTable, models: Models, at: Location, problems: Problems) -> Shape | None:
-    """The object's shape; None, with the problem noted, if it has no extent or no file."""
-
-    def note(key: str, message: str, hint: str = "") -> None:
-        problems.add((*at, key) if key else at, message, hint=hint)
-
-    match table:
-        case SphereTable():
-            return Sphere(table.center, table.radius)
-        case EllipsoidTable():
-            return Ellipsoid(table.center, table.radii, table.rotation)
-        case PlaneTable():
-            return _facing(table.normal, Plane(table.point, table.normal), note)
-        case DiscTable():
-            disc = Disc(table.center, table.normal, table.radius)
-            return _facing(table.normal, disc, note)
-        case CylinderTable():
-            return _cylinder(table, note)
-        case BoxTable():
-            return _box(table, note)
-        case TriangleTable():
-            return _triangle(table, note)
-        case MeshTable():
-            found = mesh_file(table, models, at, problems)
-            return Mesh(*found, table.smooth, table.subdivide) if found else None
-    raise TypeError(f"no shape for {type(table).__name__}")
+# The geometry's kernels are compiled from these.
+def sphere_height(x, y, z):  # type: ignore[no-untyped-def]
+    return x * x + y * y + z * z - 1.0
 
 
-def _facing(normal: Triple, shape: Flat, note: Note) -> Flat | None:
-    if any(normal):
-        return shape
-    note("normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]")
-    return None
+def box_height(x, y, z):  # type: ignore[no-untyped-def]
+    return max(abs(x), max(abs(y), abs(z))) - 1.0
 
 
-def _cylinder(table: CylinderTable, note: Note) -> Cylinder | None:
-    if table.start == table.end:
-        note("end", f"{plain(table.end)} is also the start: the cylinder has no length")
-        return None
-    return Cylinder(table.start, table.end, table.radius, table.capped)
+def cylinder_height(x, y, z):  # type: ignore[no-untyped-def]
+    return max(x * x + y * y - 1.0, abs(z) - 1.0)
 
 
-def _box(table: BoxTable, note: Note) -> Box | None:
-    flat = [k for k in range(3) if table.minimum[k] >= table.maximum[k]]
-    for k in flat:
-        note(
-            "maximum",
-            f"{'xyz'[k]} = {plain(table.maximum[k])} is not above the minimum's "
-            f"{plain(table.minimum[k])}",
-        )
-    return None if flat else Box(table.minimum, table.maximum)
+def plane_height(x, y, z):  # type: ignore[no-untyped-def]
+    return y
 
 
-def _triangle(table: TriangleTable, note: Note) -> Triangle | None:
-    a, b, c = (np.array(corner) for corner in (table.a, table.b, table.c))
-    sides = np.array([b - a, c - a, c - b])
-    longest = np.abs(sides).max()
-    if longest > 0:
-        sides = sides / longest  # first: squares of 1e-200 would vanish
-        area = np.linalg.norm(np.cross(sides[0], sides[1]))
-        if area > THINNEST * (sides**2).sum(axis=1).max():
-            return Triangle(table.a, table.b, table.c)
-    note("", "a, b and c lie on one line: the triangle has no area")
-    return None
+SPHERE = Canonical("sphere", 1.0, 4.0 / 3.0 * pi, sphere_height)  # of radius 1
+BOX = Canonical("box", sqrt(3.0), 8.0, box_height)  # |x|, |y|, |z| <= 1
+CYLINDER = Canonical("cylinder", sqrt(2.0), 2.0 * pi, cylinder_height)  # x^2 + y^2 <= 1, |z| <= 1
+TUBE = Canonical("tube", sqrt(2.0))  # the same without its ends
+PLANE = Canonical("plane", inf, inf, plane_height)  # y = 0 facing +y, the half-space behind it
+DISC = Canonical("disc", 1.0)  # z = 0, of radius 1, facing +z
+TRIANGLE = Canonical("triangle", 1.0)  # (0,0,0) (1,0,0) (0,1,0)
+MESH = Canonical("mesh")  # in its file's coordinates; closed or not, as its triangles are
+
+
+class Shape:
+    """What every shape answers."""
+
+    @property
+    def canonical(self) -> Canonical:
+        raise NotImplementedError
+
+    def placement(self) -> Placement:
+        """Where the canonical shape stands, before the object's transform."""
+        raise NotImplementedError
+
+    def flaws(self) -> Iterator[Flaw]:
+        """Why the numbers, each allowed by itself, make no shape."""
+        yield from ()
+
+    def drawn(self) -> dict[str, Any]:
+        """What the viewer is told to draw: a shape of viewer/state/shapes.ts."""
+        return {"type": self.canonical.name}
+
+    @property
+    def word(self) -> str:
+        """The TOML's `type`."""
+        return type(self).__name__.lower()
+
+    @property
+    def title(self) -> str:
+        """What an error calls it."""
+        return self.word
+
+
+@dataclass(frozen=True)
+class Sphere(Shape):
+    center: Triple
+    radius: float
+
+    canonical = SPHERE
+
+    def placement(self) -> Placement:
+        return Decimal(self.radius) * EYE, exact(self.center)
+
+
+@dataclass(frozen=True)
+class Ellipsoid(Shape):
+    center: Triple
+    radii: Triple
+    rotation: Triple = (0.0, 0.0, 0.0)  # degrees about x, then y, then z
+
+    canonical = SPHERE
+
+    def placement(self) -> Placement:
+        about_x, about_y, about_z = (rotation(EYE[k], self.rotation[k]) for k in range(3))
+        return about_z @ about_y @ about_x * exact(self.radii), exact(self.center)
+
+
+@dataclass(frozen=True)
+class Plane(Shape):
+    """Infinite; its inside is the half-space behind the normal."""
+
+    point: Triple
+    normal: Triple
+
+    canonical = PLANE
+
+    def placement(self) -> Placement:
+        n = unit(exact(self.normal))
+        u, _ = axes_across(n)
+        return np.column_stack([u, n, np.cross(u, n)]), exact(self.point)
+
+    def flaws(self) -> Iterator[Flaw]:
+        yield from _without_direction(self.normal)
+
+
+@dataclass(frozen=True)
+class Cylinder(Shape):
+    start: Triple  # centre of one end
+    end: Triple  # centre of the other
+    radius: float
+    capped: bool = True
+
+    @property
+    def canonical(self) -> Canonical:
+        return CYLINDER if self.capped else TUBE
+
+    def placement(self) -> Placement:
+        start, end = exact(self.start), exact(self.end)
+        half = (end - start) / 2
+        axis, radius = unit(half), Decimal(self.radius)
+        u, _ = axes_across(axis)
+        linear = np.column_stack([radius * u, radius * np.cross(axis, u), half])
+        return linear, start + half
+
+    def flaws(self) -> Iterator[Flaw]:
+        if self.start == self.end:
+            yield "end", f"{plain(self.end)} is also the start: the {self.word} has no length", ""
+
+    def drawn(self) -> dict[str, Any]:
+        return {"type": "cylinder"} | ({} if self.capped else {"open": True})
+
+    @property
+    def title(self) -> str:
+        return self.word if self.capped else f"{self.word} without caps"
+
+
+@dataclass(frozen=True)
+class Box(Shape):
+    minimum: Triple
+    maximum: Triple
+
+    canonical = BOX
+
+    def placement(self) -> Placement:
+        low, high = exact(self.minimum), exact(self.maximum)
+        return EYE * ((high - low) / 2), (low + high) / 2
+
+    def flaws(self) -> Iterator[Flaw]:
+        for axis, low, high in zip("xyz", self.minimum, self.maximum, strict=True):
+            if low >= high:
+                said = f"{axis} = {plain(high)} is not above the minimum's {plain(low)}"
+                yield "maximum", said, ""
+
+
+@dataclass(frozen=True)
+class Disc(Shape):
+    center: Triple
+    normal: Triple
+    radius: float
+
+    canonical = DISC
+
+    def placement(self) -> Placement:
+        n = unit(exact(self.normal))
+        u, _ = axes_across(n)
+        frame = np.column_stack([u, np.cross(n, u), n])
+        return Decimal(self.radius) * frame, exact(self.center)
+
+    def flaws(self) -> Iterator[Flaw]:
+        yield from _without_direction(self.normal)
+
+
+@dataclass(frozen=True)
+class Triangle(Shape):
+    a: Triple
+    b: Triple
+    c: Triple
+
+    canonical = TRIANGLE
+
+    def placement(self) -> Placement:
+        a, b, c = exact(self.a), exact(self.b), exact(self.c)
+        return np.column_stack([b - a, c - a, np.cross(b - a, c - a)]), a
+
+    def flaws(self) -> Iterator[Flaw]:
+        a, b, c = (np.array(corner) for corner in (self.a, self.b, self.c))
+        sides = np.array([b - a, c - a, c - b])
+        longest = np.abs(sides).max()
+        if longest > 0:
+            sides = sides / longest  # first: squares of 1e-200 would vanish
+            area = np.linalg.norm(np.cross(sides[0], sides[1]))
+            if area > THINNEST * (sides**2).sum(axis=1).max():
+                return
+        yield "", "a, b and c lie on one line: the triangle has no area", ""
+
+
+@dataclass(frozen=True)
+class Mesh(Shape):
+    """A triangle mesh in a file; `model` is its name in models.toml or its file name."""
+
+    model: str
+    path: Path
+    smooth: bool = True  # normals interpolated from the vertices, else one per triangle
+    subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
+
+    canonical = MESH
+
+    def placement(self) -> Placement:
+        return EYE, exact((0.0, 0.0, 0.0))
+
+
+SHAPES: dict[str, type[Any]] = {each.__name__.lower(): each for each in Shape.__subclasses__()}
+
+
+def _without_direction(normal: Triple) -> Iterator[Flaw]:
+    if not any(normal):
+        yield "normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]"

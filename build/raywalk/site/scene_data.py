@@ -8,19 +8,9 @@ from typing import Any
 import numpy as np
 
 from raywalk.lesson_text import lesson_html
-from raywalk.scene.model import (
-    Camera,
-    Cylinder,
-    Ellipsoid,
-    LessonStep,
-    Light,
-    Material,
-    Mesh,
-    Plane,
-    Scene,
-    SceneObject,
-)
+from raywalk.scene.model import Camera, LessonStep, Light, Material, Scene, SceneObject
 from raywalk.scene.placement import checker_axes, placement
+from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 
 Json = dict[str, Any]
@@ -110,19 +100,16 @@ def _light(light: Light) -> Json:
 
 
 def _object(obj: SceneObject, display: Display) -> Json:
-    word = type(obj.shape).__name__.lower()
     linear, centre = placement(obj)
     if isinstance(obj.shape, Mesh):
         linear, centre = np.eye(3), display.meshes[obj.name].centre
     data: Json = {
         "name": obj.name,
-        "type": "sphere" if isinstance(obj.shape, Ellipsoid) else word,
-        "label": word,
+        **obj.shape.drawn(),
+        "label": obj.shape.word,
         "material": obj.material,
         "transform": _column_major(linear, centre),
     }
-    if isinstance(obj.shape, Cylinder) and not obj.shape.capped:
-        data["open"] = True
     if isinstance(obj.shape, Mesh):
         data["mesh"] = obj.name
     if obj.checker and isinstance(obj.shape, Plane):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.scene.model import Plane
+from raywalk.scene.shapes import Plane
 from raywalk.slides.placing import Placed
 
 SHARE = 0.46  # of the way to the nearest object: well clear of the eye and of the scene

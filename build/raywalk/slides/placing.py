@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from raywalk.scene.model import Box, Cylinder, Disc, Ellipsoid, Mesh, Plane, Scene, Sphere, Triangle
+from raywalk.scene.model import Scene
 from raywalk.scene.placement import placement
+from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Mesh, Plane, Sphere, Triangle
 
 UNIT_BOX = np.array([[-1.0, -1, -1], [1, 1, 1]])
 FLAT_BOX = np.array([[-1.0, -1, 0], [1, 1, 0]])

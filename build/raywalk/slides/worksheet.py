@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raywalk.scene import model
 from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.shapes import Triple
 from raywalk.slides.blocks import flow, flow_texts, one_line, text
 from raywalk.slides.figure import Deck, Item, Line, Run, Slide, Text
 from raywalk.slides.handout import A4
@@ -18,6 +18,7 @@ from raywalk.slides.sights import Seen
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.words import number, say, vector, words
 from raywalk.trace_file import DecodedTrace, Kind, Visibility
+from raywalk.words.catalogue import find, slots_of
 
 SIZE = 12.0
 HEAD = 20.0
@@ -175,28 +176,18 @@ def _given(scene: Scene) -> tuple[list[Item], float]:
 
 def shape_words(obj: SceneObject) -> str:
     """A shape in its own coordinates; the transform, if it has one, is only named."""
-    shape = obj.shape
-    match shape:
-        case model.Sphere():
-            words = say("slides.sphere", at=vector(shape.center), radius=number(shape.radius))
-        case model.Ellipsoid():
-            words = say("slides.ellipsoid", at=vector(shape.center), radii=vector(shape.radii))
-        case model.Plane():
-            words = say("slides.plane", at=vector(shape.point), normal=vector(shape.normal))
-        case model.Cylinder():
-            words = say("slides.cylinder", start=vector(shape.start), end=vector(shape.end),
-                        radius=number(shape.radius))  # fmt: skip
-        case model.Box():
-            words = say("slides.box", low=vector(shape.minimum), high=vector(shape.maximum))
-        case model.Disc():
-            words = say("slides.disc", at=vector(shape.center), normal=vector(shape.normal),
-                        radius=number(shape.radius))  # fmt: skip
-        case model.Triangle():
-            words = say("slides.triangle", a=vector(shape.a), b=vector(shape.b), c=vector(shape.c))
-        case _:
-            words = say("slides.mesh", model=shape.model)
+    word = obj.shape.word
+    slots = slots_of(find(words().tree, f"slides.shape.{word}"))
+    numbers = {slot: _written(getattr(obj.shape, slot)) for slot in slots}
+    shape = say(f"slides.shape.{word}", **numbers)
     moved = not np.array_equal(obj.transform, np.eye(4))
-    return say("slides.moved", shape=words) if moved else words
+    return say("slides.moved", shape=shape) if moved else shape
+
+
+def _written(value: str | float | Triple) -> str:
+    if isinstance(value, str):
+        return value
+    return number(value) if isinstance(value, float | int) else vector(value)
 
 
 def _block(count: int, question: Question, with_answers: bool) -> tuple[list[Item], float]:

@@ -14,8 +14,8 @@ import numpy as np
 from raywalk.geometry.compiled import Hits, Rays, rays_from
 from raywalk.geometry.containment import objects_around
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.scene.model import Plane
 from raywalk.scene.placement import placement
+from raywalk.scene.shapes import Plane
 from raywalk.trace.bounce import Bounced
 from raywalk.trace.camera import unit_directions
 from raywalk.trace.media import stack_width, stacks_holding

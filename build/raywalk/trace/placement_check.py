@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene.model import Plane, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Plane
 
 
 def refuse_buried_camera(scene: Scene, around: list[int]) -> None:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 
 # A ray with a smaller share in its pixel is not followed in pictures: it could change the
 # 8-bit colour by 0.06 of a step. Clear glass splits every ray in two and would otherwise

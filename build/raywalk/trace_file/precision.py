@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.scene.model import Plane, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Plane
 from raywalk.trace.tree import RayTree
 
 # A person reads three decimals in a scene some 5 to 25 units wide.

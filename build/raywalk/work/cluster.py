@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import UserError
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.work.keys import MESH_PACKAGES, PACKAGES, STAGES, Parts, makers
 from raywalk.work.pool import Finished
 from raywalk.work.progress import Progress

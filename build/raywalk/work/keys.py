@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.scene.model import Mesh, Scene
+from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Mesh
 from raywalk.work.digests import digest, digests
 
 SOURCE = Path(__file__).resolve().parent.parent

@@ -1,0 +1,171 @@
+"""Points on and near canonical surfaces: which face, its normal, and on which side a ray goes on.
+
+The table of shapes is a closed set of numbers that the kernels branch on; what each one is, is
+said in scene/shapes.py. Codes that come first are of solids, those that come last are flat.
+"""
+
+from __future__ import annotations
+
+import math
+
+from raywalk.optics.compiled import kernel
+from raywalk.scene import shapes
+
+NAMES = ("sphere", "box", "cylinder", "tube", "plane", "disc", "triangle")
+SPHERE, BOX, CYLINDER, TUBE, PLANE, DISC, TRIANGLE = range(len(NAMES))
+# Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
+# (1e7 away, a hit point is off by 1e-9).
+EDGE = 1.0 - 1e-6
+
+sphere_height = kernel(shapes.sphere_height)
+box_height = kernel(shapes.box_height)
+cylinder_height = kernel(shapes.cylinder_height)
+
+
+@kernel
+def is_solid(shape):
+    """Whether it is closed and finite."""
+    return shape < TUBE
+
+
+@kernel
+def is_flat(shape):
+    """Whether a line crosses it once."""
+    return shape >= PLANE
+
+
+@kernel
+def height(shape, x, y, z):
+    """How far outside of a round or box shape's surface a point is, about twice over: > 0 outside,
+    0 on it, < 0 inside."""
+    if shape == SPHERE:
+        return sphere_height(x, y, z)
+    if shape == TUBE:
+        return x * x + y * y - 1.0
+    if shape == CYLINDER:
+        return cylinder_height(x, y, z)
+    return box_height(x, y, z)
+
+
+@kernel
+def is_near(shape, x, y, z, bound):
+    """Whether a point is within `bound` of the surface, or of a flat shape's plane."""
+    if shape == PLANE:
+        return abs(y) <= bound
+    if is_flat(shape):
+        return abs(z) <= bound
+    return abs(height(shape, x, y, z)) <= 2.0 * bound
+
+
+@kernel
+def holds(shape, x, y, z):
+    """Whether a point is strictly inside of a solid, or behind a plane."""
+    if shape == PLANE:
+        return y < 0.0
+    return is_solid(shape) and height(shape, x, y, z) < 0.0
+
+
+@kernel
+def goes_in(shape, x, y, z, dx, dy, dz, bound):
+    """Whether a ray goes into a solid from a canonical point within `bound` of its surface.
+
+    At an edge it must go inwards from every face there: a convex solid is on one side of each.
+    """
+    if shape == PLANE:
+        return dy < 0.0
+    if shape == BOX:
+        edge = 1.0 - 2.0 * bound
+        into_x, into_y, into_z = x * dx < 0.0, y * dy < 0.0, z * dz < 0.0
+        return (abs(x) < edge or into_x) and (abs(y) < edge or into_y) and (abs(z) < edge or into_z)
+    if shape == SPHERE:
+        return x * dx + y * dy + z * dz < 0.0
+    if x * x + y * y >= 1.0 - 2.0 * bound and x * dx + y * dy >= 0.0:
+        return False
+    return not (shape == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
+
+
+@kernel
+def face_normal(shape, x, y, z):
+    """Canonical outward gradient at (or near) a point of the surface, not unit.
+
+    Where faces meet, the face whose equation is closest to holding.
+    """
+    if shape == SPHERE:
+        return x, y, z
+    if shape == TUBE:
+        return x, y, 0.0
+    if shape == CYLINDER:
+        if 1.0 - abs(z) < 1.0 - math.sqrt(x * x + y * y):
+            return 0.0, 0.0, math.copysign(1.0, z)
+        return x, y, 0.0
+    ax, ay, az = abs(x), abs(y), abs(z)
+    if ax >= ay and ax >= az:
+        return math.copysign(1.0, x), 0.0, 0.0
+    if ay >= az:
+        return 0.0, math.copysign(1.0, y), 0.0
+    return 0.0, 0.0, math.copysign(1.0, z)
+
+
+@kernel
+def passed_face(shape, x, y, z, dx, dy, dz, leaves):
+    """face_normal where faces of a box or capped cylinder meet: of those a ray can pass.
+
+    leaves: the ray comes out of the solid. At an edge rounding may put the neighbour first,
+    and a ray that enters would be told that it leaves.
+    """
+    sense = 1.0 if leaves else -1.0
+    if shape == CYLINDER:
+        side, cap = sense * (x * dx + y * dy), sense * z * dz
+        if side > 0.0 and cap > 0.0:
+            return face_normal(shape, x, y, z)
+        return (x, y, 0.0) if side > cap else (0.0, 0.0, math.copysign(1.0, z))
+    kx = x if sense * x * dx > 0.0 else 0.0
+    ky = y if sense * y * dy > 0.0 else 0.0
+    kz = z if sense * z * dz > 0.0 else 0.0
+    if kx == 0.0 and ky == 0.0 and kz == 0.0:
+        return face_normal(shape, x, y, z)
+    return face_normal(shape, kx, ky, kz)
+
+
+@kernel
+def is_at_edge(shape, x, y, z):
+    """Whether a surface point is so close to an edge that rounding decides between its faces."""
+    if shape == CYLINDER:
+        return min(math.sqrt(x * x + y * y), abs(z)) > EDGE
+    if shape == BOX:
+        ax, ay, az = abs(x), abs(y), abs(z)
+        return max(min(ax, ay), min(max(ax, ay), az)) > EDGE  # the middle one of the three
+    return False
+
+
+@kernel
+def onto_surface(shape, x, y, z, nx, ny, nz):
+    """The nearest-by-scaling point of the face with this normal: takes out the rounding left
+    by o + t d."""
+    if shape == SPHERE:
+        length = math.sqrt(x * x + y * y + z * z)
+        return x / length, y / length, z / length
+    if nz == 0.0 and (shape == TUBE or shape == CYLINDER):
+        length = math.sqrt(x * x + y * y)
+        return x / length, y / length, z
+    return (nx if nx != 0.0 else x), (ny if ny != 0.0 else y), (nz if nz != 0.0 else z)
+
+
+@kernel
+def on_surface(shape, x, y, z, dx, dy, dz, leaves):
+    """A canonical hit point moved onto the surface, and the outward gradient there.
+
+    leaves: whether the ray comes out of the primitive there, if it is a solid.
+    """
+    if shape == PLANE:
+        return x, 0.0, z, 0.0, 1.0, 0.0
+    if shape == DISC or shape == TRIANGLE:
+        return x, y, 0.0, 0.0, 0.0, 1.0
+    if is_at_edge(shape, x, y, z):
+        gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
+    else:
+        gx, gy, gz = face_normal(shape, x, y, z)
+    x, y, z = onto_surface(shape, x, y, z, gx, gy, gz)
+    if shape == SPHERE:
+        gx, gy, gz = x, y, z
+    return x, y, z, gx, gy, gz
