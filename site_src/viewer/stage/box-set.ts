@@ -25,11 +25,5 @@ export function createBoxSet() {
         parts[name].visible = boxes[name].length > 0;
       }
     },
-    dispose() {
-      for (const { geometry, material } of Object.values(parts)) {
-        geometry.dispose();
-        material.dispose();
-      }
-    },
   };
 }

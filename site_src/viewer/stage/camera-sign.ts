@@ -41,8 +41,5 @@ export function createCameraSign(plane: PicturePlane, radius: number) {
     object,
     /** Hidden while the observer looks through it. */
     show: (visible: boolean) => void (object.visible = visible),
-    dispose() {
-      for (const each of [box, lens, rays, paint, stroke]) each.dispose();
-    },
   };
 }

@@ -68,9 +68,5 @@ export function createDots(size: number, glow = 0) {
     resize(ratio: number) {
       material.uniforms.ratio.value = ratio;
     },
-    dispose() {
-      geometry.dispose();
-      material.dispose();
-    },
   };
 }

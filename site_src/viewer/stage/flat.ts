@@ -2,11 +2,10 @@
 import { LINES, STAGE } from "../palette";
 import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
+import { lastly } from "../state/lastly";
 import type { Line } from "../state/lines";
-import type { Observer } from "../state/types";
 import { seenPart, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
-import type { SceneData } from "../trace/types";
 import { shapesOf, type Piece } from "./flat-shapes";
 import { arrowHead, disc, stroke, type Brush, type Place } from "./pen";
 import type { StageRenderer, StageView } from "./renderer";
@@ -128,61 +127,68 @@ function drawCross(brush: Brush, projection: Projection, at: Vec3, radius: numbe
   brush.lineWidth = 1;
 }
 
+/** Bodies, far ones first, with the tiles in between where they stand. */
+function drawBodies(brush: Brush, view: StageView, projection: Projection, pieces: readonly Piece[]) {
+  const planeDepth = projection.project(onPlane(view.plane, 0.5, 0.5, 1)).depth;
+  const behind = pieces.findIndex(({ depth }) => depth < planeDepth);
+  const split = behind < 0 ? pieces.length : behind;
+  for (const piece of pieces.slice(0, split)) drawPiece(brush, projection, piece);
+  drawTiles(brush, projection, view);
+  for (const piece of pieces.slice(split)) drawPiece(brush, projection, piece);
+}
+
+function drawPiece(brush: Brush, projection: Projection, piece: Piece) {
+  if (piece.kind === "ball") return drawBall(brush, projection, piece);
+  if (!path(brush, projection, piece.points)) return;
+  brush.fillStyle = brush.strokeStyle = css(piece.colour, piece.alpha);
+  brush.fill();
+  if (piece.alpha === 1) brush.stroke();
+}
+
+function drawLines(brush: Brush, { thin, chosen, lit, boxLines }: StageView, projection: Projection, near: number) {
+  brush.globalAlpha = thin.length > 1000 ? 0.25 : 0.6;
+  for (const line of thin) drawLine(brush, projection, line, 0.9, near);
+  brush.globalAlpha = 1;
+  for (const line of chosen) drawLine(brush, projection, line, lit?.ray === line.ray && lit.light === line.light ? 5 : 3, near);
+  drawEdges(brush, projection, boxLines.missed, STAGE.boxMissed, near);
+  drawEdges(brush, projection, boxLines.entered, STAGE.boxEntered, near);
+}
+
+/** Where rays end, what blocks lights, lamps. */
+function drawSigns(brush: Brush, { thin, chosen, switched }: StageView, projection: Projection) {
+  const ends = (lines: readonly Line[], radius: number) => {
+    for (const line of lines) if (line.light < 0 && !line.leaves && !line.growing) drawDot(brush, projection, line.to, radius, LINES[line.kind].colour);
+  };
+  ends(thin, 2);
+  ends(chosen, 4.5);
+  for (const line of chosen) if (line.kind === "blocked" && !line.growing) drawCross(brush, projection, line.to, 9, LINES.blocked.colour, false);
+  for (const { position, intensity } of switched.lights)
+    if (intensity > 0) drawDot(brush, projection, position, 8, STAGE.lamp);
+    else drawCross(brush, projection, position, 8, STAGE.lampOff, true);
+}
+
 export function createFlatRenderer(): StageRenderer {
   const canvas = document.createElement("canvas");
-  canvas.dataset.flat = "yes";
   const brush = canvas.getContext("2d")!;
-  let known: { scene: SceneData; pieces: ReturnType<typeof shapesOf> } | null = null;
+  const shapes = lastly<ReturnType<typeof shapesOf>>();
   let size = { width: 1, height: 1, ratio: 1 };
-
-  function drawBodies(view: StageView, observer: Observer, projection: Projection) {
-    if (known?.scene !== view.scene) known = { scene: view.scene, pieces: shapesOf(view.scene) };
-    const pieces = known.pieces(observer.eye, projection);
-    const planeDepth = projection.project(onPlane(view.plane, 0.5, 0.5, 1)).depth;
-    let tilesDone = false;
-    for (const piece of pieces) {
-      if (!tilesDone && piece.depth < planeDepth) {
-        drawTiles(brush, projection, view);
-        tilesDone = true;
-      }
-      if (piece.kind === "ball") drawBall(brush, projection, piece);
-      else if (path(brush, projection, piece.points)) {
-        brush.fillStyle = brush.strokeStyle = css(piece.colour, piece.alpha);
-        brush.fill();
-        if (piece.alpha === 1) brush.stroke();
-      }
-    }
-    if (!tilesDone) drawTiles(brush, projection, view);
-  }
 
   return {
     canvas,
-    draw(view, observer, projection) {
+    isFlat: true,
+    draw({ view, observer, projection }) {
       brush.setTransform(size.ratio, 0, 0, size.ratio, 0, 0);
       brush.clearRect(0, 0, size.width, size.height);
       brush.lineWidth = 1;
-      drawBodies(view, observer, projection);
+      drawBodies(brush, view, projection, shapes([view.scene], () => shapesOf(view.scene))(observer.eye, projection));
       const near = view.scene.bounds.radius / 300;
       const { eye } = view.plane;
+      const fromAside = length(sub(observer.eye, eye)) > near;
       brush.strokeStyle = STAGE.frustum;
-      for (const corner of planeCorners(view.plane))
-        if (length(sub(observer.eye, eye)) > near && path(brush, projection, [eye, corner])) brush.stroke();
-      brush.globalAlpha = view.thin.length > 1000 ? 0.25 : 0.6;
-      for (const line of view.thin) drawLine(brush, projection, line, 0.9, near);
-      brush.globalAlpha = 1;
-      for (const line of view.chosen) {
-        const lit = view.lit?.ray === line.ray && view.lit.light === line.light;
-        drawLine(brush, projection, line, lit ? 5 : 3, near);
-      }
-      for (const name of ["missed", "entered"] as const) drawEdges(brush, projection, view.boxLines[name], name === "entered" ? STAGE.boxEntered : STAGE.boxMissed, near);
-      const chosen = new Set(view.chosen);
-      for (const line of [...view.thin, ...view.chosen])
-        if (line.light < 0 && !line.leaves && !line.growing) drawDot(brush, projection, line.to, chosen.has(line) ? 4.5 : 2, LINES[line.kind].colour);
-      for (const line of view.chosen) if (line.kind === "blocked" && !line.growing) drawCross(brush, projection, line.to, 9, LINES.blocked.colour, false);
-      for (const { position, intensity } of view.switched.lights)
-        if (intensity > 0) drawDot(brush, projection, position, 8, STAGE.lamp);
-        else drawCross(brush, projection, position, 8, STAGE.lampOff, true);
-      if (length(sub(observer.eye, eye)) > near) drawDot(brush, projection, eye, 7, STAGE.camera);
+      if (fromAside) for (const corner of planeCorners(view.plane)) if (path(brush, projection, [eye, corner])) brush.stroke();
+      drawLines(brush, view, projection, near);
+      drawSigns(brush, view, projection);
+      if (fromAside) drawDot(brush, projection, eye, 7, STAGE.camera);
     },
     resize(width, height, ratio) {
       size = { width, height, ratio };

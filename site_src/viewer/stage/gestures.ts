@@ -69,14 +69,11 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
     acts.zoom(Math.exp(pixels * WHEEL_PER_PIXEL));
   }
 
-  const off = new AbortController();
-  const { signal } = off;
-  element.addEventListener("pointerdown", press, { signal });
-  element.addEventListener("pointermove", drag, { signal });
-  element.addEventListener("pointerup", release, { signal });
-  element.addEventListener("pointercancel", release, { signal });
-  element.addEventListener("pointerleave", () => acts.leave(), { signal });
-  element.addEventListener("wheel", wheel, { signal, passive: false });
-  element.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
-  return { dispose: () => off.abort() };
+  element.addEventListener("pointerdown", press);
+  element.addEventListener("pointermove", drag);
+  element.addEventListener("pointerup", release);
+  element.addEventListener("pointercancel", release);
+  element.addEventListener("pointerleave", acts.leave);
+  element.addEventListener("wheel", wheel, { passive: false });
+  element.addEventListener("contextmenu", (event) => event.preventDefault());
 }

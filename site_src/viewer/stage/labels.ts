@@ -50,6 +50,13 @@ function place(label: Label, width: number, height: number, taken: readonly Box[
   return free.find((box) => !struck(box)) ?? free[0] ?? null;
 }
 
+/** Places every few pixels along a line, x y x y ..., for labels to keep clear of. */
+export function strokesAlong(from: readonly [number, number], to: readonly [number, number]): number[] {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const steps = Math.max(1, Math.min(300, Math.ceil(Math.hypot(dx, dy) / 6)));
+  return Array.from({ length: steps + 1 }, (_, k) => [from[0] + (k / steps) * dx, from[1] + (k / steps) * dy]).flat();
+}
+
 export function createLabels() {
   const element = document.createElement("div");
   element.className = "labels";

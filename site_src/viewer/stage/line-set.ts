@@ -76,10 +76,5 @@ export function createLineSet(thick: boolean) {
     resize(width: number, height: number) {
       for (const material of materials) material.uniforms.stage.value.set(width, height);
     },
-    dispose() {
-      body.dispose();
-      heads.dispose();
-      for (const material of materials) material.dispose();
-    },
   };
 }

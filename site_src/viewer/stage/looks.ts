@@ -76,7 +76,6 @@ export interface Looks {
   isClear: (material: MaterialData) => boolean;
   /** Only these parts of the surfaces' colours count: what brings the others is black. */
   count: (isOn: (part: Part) => boolean) => void;
-  dispose: () => void;
 }
 
 /** plain: no mirror and no glass, every surface is matte in its own colour. */
@@ -121,11 +120,6 @@ export function createLooks(plain: boolean): Looks {
         each.full ??= colours.map(({ colour }) => colour.toArray()); // only now: walls have toned theirs down
         for (const [k, { part, colour }] of colours.entries()) colour.fromArray(each.full[k]).multiplyScalar(isOn(part) ? 1 : 0);
       }
-    },
-    dispose() {
-      for (const { look } of made) look.dispose();
-      balls.chrome.dispose();
-      balls.clear.dispose();
     },
   };
 }

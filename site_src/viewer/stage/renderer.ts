@@ -24,9 +24,17 @@ export interface StageView {
   ring: string | null; // outline of the selected tile; null while it blinks off
 }
 
+/** What is drawn just now, and from where. */
+export interface Drawn {
+  view: StageView;
+  observer: Observer;
+  projection: Projection; // CSS pixels
+}
+
 export interface StageRenderer {
   canvas: HTMLCanvasElement;
-  draw: (view: StageView, observer: Observer, projection: Projection) => void;
+  isFlat: boolean;
+  draw: (now: Drawn) => void;
   /** Colours are others now: what was made with the old ones goes. */
   forget: () => void;
   /** CSS pixels, and device pixels in each. */

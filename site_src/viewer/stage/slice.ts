@@ -1,11 +1,9 @@
 /** The slice view: a row's or a column's plane of camera rays as a flat drawing, in place of the stage. */
 import { say } from "../words";
-import { createLabels } from "./labels";
+import { createLabels, strokesAlong } from "./labels";
 import { drawSlice } from "./slice-drawing";
 import { namesOf } from "./slice-names";
 import { sheetOf, type Sheet, type SliceView } from "./slice-sheet";
-
-const STROKE = 24; // places along a line, for labels to keep clear of
 
 export function createSlice(acts: { pick: (along: number) => void }) {
   const canvas = document.createElement("canvas");
@@ -28,7 +26,9 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
     sheet = sheetOf(now, width, height);
     drawSlice(brush, now, sheet);
-    labels.show(namesOf(now, sheet), width, height, [], strokesOf(now, sheet), now.large);
+    const { on } = sheet;
+    const strokes = now.chosen.flatMap((line) => strokesAlong(on(line.from), on(line.to)));
+    labels.show(namesOf(now, sheet), width, height, [], strokes, now.large);
   }
 
   function pick(event: PointerEvent) {
@@ -56,10 +56,3 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     },
   };
 }
-
-/** Places along the chosen rays, x y x y ... */
-const strokesOf = ({ chosen }: SliceView, { on }: Sheet): number[] =>
-  chosen.flatMap(({ from, to }) => {
-    const [a, b] = [on(from), on(to)];
-    return Array.from({ length: STROKE }, (_, k) => [a[0] + ((b[0] - a[0]) * k) / STROKE, a[1] + ((b[1] - a[1]) * k) / STROKE]).flat();
-  });

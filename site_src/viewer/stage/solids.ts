@@ -116,12 +116,5 @@ export function createSolids(scene: SceneData, plain: boolean) {
       lights.everywhere.intensity = isOn("ambient") ? EVERYWHERE : 0;
       looks.count(isOn);
     },
-    dispose() {
-      object.traverse((each) => {
-        if (each instanceof Mesh) each.geometry.dispose();
-        if (each instanceof PointLight) each.dispose();
-      });
-      looks.dispose();
-    },
   };
 }

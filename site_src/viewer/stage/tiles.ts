@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, Group, Mesh, NearestFilter, ShaderMaterial, Vector2 } from "three";
 import { STAGE } from "../palette";
 import { planeCorners, type PicturePlane } from "../state/frustum";
+import { lastly } from "../state/lastly";
 
 const VERTEX = `
 varying vec2 at;
@@ -41,13 +42,40 @@ void main() {
 #endif
 }`;
 
-export function createTiles(plane: PicturePlane) {
+/** The tiles' colours as a texture: red, green, blue, and whether the tile is filled. */
+function createTexels() {
+  const texture = { value: null as DataTexture | null };
+  const painted = lastly<void>();
+  function paint(colours: Uint8Array | null, n: number, count: number) {
+    if (texture.value?.image.width !== n) {
+      texture.value?.dispose();
+      texture.value = new DataTexture(new Uint8Array(4 * n * n), n, n);
+      texture.value.magFilter = texture.value.minFilter = NearestFilter;
+    }
+    const data = texture.value.image.data as Uint8Array;
+    data.fill(0);
+    for (let k = 0; colours && k < count; k++) {
+      data.set(colours.subarray(3 * k, 3 * k + 3), 4 * k);
+      data[4 * k + 3] = 255;
+    }
+    texture.value.needsUpdate = true;
+  }
+  return { texture, show: (colours: Uint8Array | null, n: number, count: number) => painted([colours, n, count], () => paint(colours, n, count)) };
+}
+
+function quadOf(plane: PicturePlane): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(planeCorners(plane).flat()), 3));
   geometry.setAttribute("uv", new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  return geometry;
+}
+
+export function createTiles(plane: PicturePlane) {
+  const geometry = quadOf(plane);
+  const texels = createTexels();
   const uniforms = {
-    colours: { value: null as DataTexture | null },
+    colours: texels.texture,
     n: { value: 1 },
     selected: { value: new Vector2() },
     ring: { value: new Color() },
@@ -55,60 +83,23 @@ export function createTiles(plane: PicturePlane) {
     gridEmpty: { value: new Color(STAGE.gridEmpty) },
     gridFilled: { value: new Color(STAGE.gridFilled) },
   };
-  // Filled tiles hide what is behind them, empty ones must not: two passes over the same quad.
-  const material = (filled: boolean) =>
-    new ShaderMaterial({
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
-      uniforms,
-      defines: filled ? { FILLED: 1 } : {},
-      side: DoubleSide,
-      transparent: !filled,
-      depthWrite: filled,
-    });
   const object = new Group();
-  const [solid, empty] = [true, false].map((filled) => new Mesh(geometry, material(filled)));
-  empty.renderOrder = 5;
-  object.add(solid, empty);
-  let shown = { colours: null as Uint8Array | null, n: 0, count: -1 };
-
-  function paint(colours: Uint8Array | null, n: number, count: number) {
-    if (shown.colours === colours && shown.n === n && shown.count === count) return;
-    if (shown.n !== n) {
-      uniforms.colours.value?.dispose();
-      const texture = new DataTexture(new Uint8Array(4 * n * n), n, n);
-      texture.magFilter = texture.minFilter = NearestFilter;
-      uniforms.colours.value = texture;
-      uniforms.n.value = n;
-    }
-    const texture = uniforms.colours.value!;
-    const data = texture.image.data as Uint8Array;
-    data.fill(0);
-    if (colours)
-      for (let k = 0; k < count; k++) {
-        data[4 * k] = colours[3 * k];
-        data[4 * k + 1] = colours[3 * k + 1];
-        data[4 * k + 2] = colours[3 * k + 2];
-        data[4 * k + 3] = 255;
-      }
-    texture.needsUpdate = true;
-    shown = { colours, n, count };
+  // Filled tiles hide what is behind them, empty ones must not: two passes over the same quad.
+  for (const filled of [true, false]) {
+    const passes = { defines: filled ? { FILLED: 1 } : {}, transparent: !filled, depthWrite: filled };
+    const mesh = new Mesh(geometry, new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms, side: DoubleSide, ...passes }));
+    if (!filled) mesh.renderOrder = 5;
+    object.add(mesh);
   }
-
   return {
     object,
     /** colours: (3 * n * n) 8-bit. count: tiles filled, in scan order. ring: colour of the selected tile's outline, null while it blinks off. */
     show(colours: Uint8Array | null, n: number, count: number, selected: readonly [number, number], ring: string | null) {
-      paint(colours, n, count);
+      texels.show(colours, n, count);
+      uniforms.n.value = n;
       uniforms.selected.value.set(...selected);
       uniforms.ringShown.value = ring ? 1 : 0;
       if (ring) uniforms.ring.value.set(ring);
-    },
-    dispose() {
-      geometry.dispose();
-      solid.material.dispose();
-      empty.material.dispose();
-      uniforms.colours.value?.dispose();
     },
   };
 }

@@ -64,9 +64,7 @@ export function createWall(object: ObjectData, scene: SceneData, looks: Looks, o
   if (checker) {
     const share = (corner: Vec3, axis: Vec3) => dot(sub(corner, checker.origin), axis) / (2 * checker.size);
     geometry.setAttribute("uv", floats(corners.flatMap((c) => checker.axes.map((axis) => share(c, axis))), 2));
-    const map = checkerTexture(object, scene);
-    look.addEventListener("dispose", () => map.dispose());
-    look.map = map;
+    look.map = checkerTexture(object, scene);
     look.color.set(0xffffff);
   }
   look.transparent = true;

@@ -1,13 +1,15 @@
 /** The stage drawn with three. One frame for each call of draw: nothing runs by itself. */
 import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 import { LINES, STAGE } from "../palette";
+import { lastly } from "../state/lastly";
 import type { Line } from "../state/lines";
 import { dot, length, sub } from "../state/vectors";
 import { createBoxSet } from "./box-set";
 import { createCameraSign } from "./camera-sign";
 import { createDots, type Dot } from "./dots";
 import { createLineSet } from "./line-set";
-import type { StageRenderer, StageView } from "./renderer";
+import { release } from "./release";
+import type { Drawn, StageRenderer, StageView } from "./renderer";
 import { createSolids } from "./solids";
 import { createTiles } from "./tiles";
 
@@ -23,6 +25,7 @@ const lampDots = ({ scene, switched }: StageView): Dot[] =>
     return share > 0 ? { at: position, colour: STAGE.lamp, bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
   });
 
+const OPTIONS = { alpha: true, antialias: true, powerPreference: "low-power" } as const;
 const KEPT_SETS = 4;
 const DOTS_UP_TO = 1500; // lines: beyond, the dots would hide what they lie on
 
@@ -35,110 +38,123 @@ function createSet(view: StageView) {
   const tiles = createTiles(view.plane);
   const sign = createCameraSign(view.plane, view.scene.bounds.radius);
   const lamps = createDots(34, 0.55);
-  const chosen = createLineSet(true);
-  const thin = createLineSet(false);
-  const hits = createDots(9);
-  const thinHits = createDots(6);
-  const stops = createDots(19);
+  const [chosen, thin] = [createLineSet(true), createLineSet(false)];
+  const [hits, thinHits, stops] = [9, 6, 19].map((size) => createDots(size));
   const boxes = createBoxSet();
-  const parts = [solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes];
-  world.add(...parts.map((part) => part.object));
-  const shown: { chosen?: readonly Line[]; thin?: readonly Line[]; lit?: unknown; boxes?: unknown; switched?: unknown } = {};
+  world.add(...[solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes].map((part) => part.object));
+  const [forChosen, forThin, forBoxes, forSwitches] = [1, 2, 3, 4].map(() => lastly<void>());
   return {
+    of: view.scene,
     world,
     show(now: StageView, fromEye: boolean) {
       tiles.show(now.costs?.colours ?? null, now.state.n, now.tiles, now.state.pixel, now.ring);
       sign.show(!fromEye);
-      if (shown.chosen !== now.chosen || shown.lit !== now.lit) {
+      forChosen([now.chosen, now.lit], () => {
         chosen.show(now.chosen, now.lit);
         hits.show(endsOf(now.chosen, false));
         stops.show(endsOf(now.chosen, true));
-      }
-      if (shown.boxes !== now.boxLines) boxes.show(now.boxLines);
-      if (shown.thin !== now.thin) {
+      });
+      forThin([now.thin], () => {
         thin.show(now.thin, null);
         thinHits.show(now.thin.length > DOTS_UP_TO ? [] : endsOf(now.thin, false));
-      }
-      if (shown.switched !== now.switched) {
+      });
+      forBoxes([now.boxLines], () => boxes.show(now.boxLines));
+      forSwitches([now.switched], () => {
         solids.follow(now.switched, now.state.switches);
         lamps.show(lampDots(now));
-      }
-      Object.assign(shown, { chosen: now.chosen, thin: now.thin, lit: now.lit, boxes: now.boxLines, switched: now.switched });
+      });
     },
     resize(width: number, height: number, ratio: number) {
       for (const lines of [chosen, thin]) lines.resize(width, height);
       for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio);
     },
-    dispose: () => parts.forEach((part) => part.dispose()),
   };
 }
 
-/** null where the browser gives no WebGL. */
-export function createWebglRenderer(onLost: () => void): StageRenderer | null {
-  const canvas = document.createElement("canvas");
-  const options = { alpha: true, antialias: true, powerPreference: "low-power" } as const;
-  const context = canvas.getContext("webgl2", options) as WebGL2RenderingContext | null;
-  if (!context) return null;
-  // Before three hears of it: another renderer takes over, nothing is to be restored.
-  canvas.addEventListener("webglcontextlost", (event) => (event.stopImmediatePropagation(), onLost()));
+/** The last few scenes stay on the graphics card: going back to one takes no time. */
+function createSets(made: (set: ReturnType<typeof createSet>) => void) {
+  const sets = new Map<string, ReturnType<typeof createSet>>();
+  return {
+    all: () => [...sets.values()],
+    of(view: StageView) {
+      const name = `${view.scene.id} ${isPlain(view)}`;
+      const last = sets.get(name);
+      const known = last?.of === view.scene ? last : null;
+      if (last && !known) release(last.world); // the scene was read anew since
+      const set = known ?? createSet(view);
+      sets.delete(name);
+      sets.set(name, set);
+      if (!known) made(set);
+      for (const [each, old] of sets) if (sets.size > KEPT_SETS) release(old.world), sets.delete(each);
+      return set;
+    },
+    forget() {
+      for (const { world } of sets.values()) release(world);
+      sets.clear();
+    },
+  };
+}
+
+/** As the observer sees it: near and far as close together as the scene lets them be. */
+function aim(camera: PerspectiveCamera, { view, observer, projection }: Drawn) {
+  const { center, radius } = view.scene.bounds;
+  const depth = dot(sub(center, observer.eye), projection.forward);
+  camera.position.set(...observer.eye);
+  camera.up.set(...observer.up);
+  camera.lookAt(...observer.target);
+  camera.fov = (Math.atan(projection.height / 2 / projection.focal) * 360) / Math.PI;
+  camera.aspect = projection.width / projection.height;
+  camera.near = Math.max(radius / 300, depth - 8 * radius);
+  camera.far = Math.max(depth, 0) + 8 * radius;
+  camera.updateProjectionMatrix();
+}
+
+function createThree(canvas: HTMLCanvasElement, context: WebGL2RenderingContext): WebGLRenderer {
   ColorManagement.enabled = false; // the course's colours are display values
-  const renderer = new WebGLRenderer({ canvas, context, ...options });
+  const renderer = new WebGLRenderer({ canvas, context, ...OPTIONS });
   renderer.outputColorSpace = LinearSRGBColorSpace;
   renderer.localClippingEnabled = true;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false; // nothing moves but the observer
   renderer.debug.checkShaderErrors = false; // asking waits for the compiler; the tests look at what is drawn
+  return renderer;
+}
+
+/** null where the browser gives no WebGL. */
+export function createWebglRenderer(onLost: () => void): StageRenderer | null {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", OPTIONS) as WebGL2RenderingContext | null;
+  if (!context) return null;
+  // Before three hears of it: another renderer takes over, nothing is to be restored.
+  canvas.addEventListener("webglcontextlost", (event) => (event.stopImmediatePropagation(), onLost()));
+  const renderer = createThree(canvas, context);
   const camera = new PerspectiveCamera();
-  let size = { width: 1, height: 1, ratio: 1 };
-  const sets = new Map<string, ReturnType<typeof createSet> & { of: StageView["scene"] }>();
-
-  /** The last few scenes stay on the graphics card: going back to one takes no time. */
-  function setFor(view: StageView) {
-    const name = `${view.scene.id} ${isPlain(view)}`;
-    const last = sets.get(name);
-    const known = last?.of === view.scene ? last : null;
-    if (last && !known) last.dispose(); // the scene was read anew since
-    const set = known ?? { ...createSet(view), of: view.scene };
-    sets.delete(name);
-    sets.set(name, set);
-    if (known) return set;
-    for (const [each, old] of sets) if (sets.size > KEPT_SETS) old.dispose(), sets.delete(each);
-    set.resize(size.width, size.height, size.ratio);
+  let size: [number, number, number] = [1, 1, 1];
+  const sets = createSets((set) => {
+    set.resize(...size);
     renderer.shadowMap.needsUpdate = true;
-    return set;
-  }
-
+  });
   return {
     canvas,
-    draw(view, observer, projection) {
-      const { center, radius } = view.scene.bounds;
-      const now = setFor(view);
-      const depth = dot(sub(center, observer.eye), projection.forward);
-      camera.position.set(...observer.eye);
-      camera.up.set(...observer.up);
-      camera.lookAt(...observer.target);
-      camera.fov = (Math.atan(size.height / 2 / projection.focal) * 360) / Math.PI;
-      camera.aspect = size.width / size.height;
-      camera.near = Math.max(radius / 300, depth - 8 * radius);
-      camera.far = Math.max(depth, 0) + 8 * radius;
-      camera.updateProjectionMatrix();
-      now.show(view, length(sub(observer.eye, view.plane.eye)) < radius / 50);
-      renderer.render(now.world, camera);
+    isFlat: false,
+    draw(now) {
+      const { view, observer } = now;
+      const set = sets.of(view);
+      aim(camera, now);
+      set.show(view, length(sub(observer.eye, view.plane.eye)) < view.scene.bounds.radius / 50);
+      renderer.render(set.world, camera);
     },
     resize(width, height, ratio) {
-      size = { width, height, ratio };
+      size = [width, height, ratio];
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
-      for (const set of sets.values()) set.resize(width, height, ratio);
+      for (const set of sets.all()) set.resize(...size);
     },
-    forget() {
-      for (const set of sets.values()) set.dispose();
-      sets.clear();
-    },
-    held: () => ({ ...renderer.info.memory, programs: renderer.info.programs?.length ?? 0, sets: sets.size }),
+    forget: sets.forget,
+    held: () => ({ ...renderer.info.memory, programs: renderer.info.programs?.length ?? 0, sets: sets.all().length }),
     dispose() {
-      for (const set of sets.values()) set.dispose();
+      sets.forget();
       renderer.dispose();
       canvas.remove();
     },

@@ -1,0 +1,43 @@
+/** The names on the stage: of the hit, of what blocks a light, of camera and lamps. */
+import { triple } from "../state/vectors";
+import type { Vec3 } from "../trace/types";
+import { say, vector } from "../words";
+import type { Label } from "./labels";
+import type { Drawn, StageView } from "./renderer";
+
+const BLOCKERS = 3; // named at most
+
+/** Most important first. */
+export function namesOf({ view, projection }: Drawn): Label[] {
+  const { scene, switched, state } = view;
+  if (state.observer === "camera" && (view.tiles > 0 || state.look === "traced")) return []; // the tiles hide what they would name
+  const label = (key: string, text: string, at: Vec3, kind: Label["kind"], below = false): Label[] => {
+    const { x, y, depth } = projection.project(at);
+    const inside = depth > 0 && x > 0 && y > 0 && x < projection.width && y < projection.height;
+    return inside ? [{ key, text, x, y, kind, below }] : [];
+  };
+  const hit = hitOf(view);
+  return [
+    ...(hit ? label("hit", vector(hit), hit, "hit") : []),
+    ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
+    ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign", true)),
+    ...scene.lights.flatMap(({ name, position }, k) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), position, "sign")),
+  ];
+}
+
+/** Where the ray that is told ends, else the camera ray; null before it has arrived, and where it leaves the scene. */
+function hitOf({ trace, chosen, lit, state }: StageView): Vec3 | null {
+  const ray = lit ? lit.ray : chosen.find((line) => line.light < 0)?.ray;
+  const arrived = chosen.some((line) => line.ray === ray && line.light < 0 && !line.growing);
+  return trace && ray !== undefined && arrived && state.tiles !== "filling" && trace.object[ray] >= 0 ? triple(trace.point, ray) : null;
+}
+
+/** Where shadow rays end too early, and at what: of the ray that is told, else of the first few. */
+function blockersOf({ trace, chosen, lit }: StageView) {
+  const ended = trace ? chosen.filter((line) => line.kind === "blocked" && !line.growing) : [];
+  const told = ended.filter((line) => line.ray === lit?.ray);
+  return (told.length ? told : ended).slice(0, BLOCKERS).flatMap((line) => {
+    const by = trace!.blocker[line.ray * trace!.lights + line.light];
+    return by < 0 ? [] : [{ line, by }];
+  });
+}
