@@ -2,8 +2,8 @@
 import { LINES, STAGE } from "../palette";
 import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
-import { lastly } from "../state/lastly";
 import type { Line } from "../state/lines";
+import { memo } from "../state/memo";
 import { seenPart, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
 import { shapesOf, type Piece } from "./flat-shapes";
@@ -170,7 +170,7 @@ function drawSigns(brush: Brush, { thin, chosen, switched }: StageView, projecti
 export function createFlatRenderer(): StageRenderer {
   const canvas = document.createElement("canvas");
   const brush = canvas.getContext("2d")!;
-  const shapes = lastly<ReturnType<typeof shapesOf>>();
+  const shapes = memo<ReturnType<typeof shapesOf>>();
   let size = { width: 1, height: 1, ratio: 1 };
 
   return {

@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, Group, Mesh, NearestFilter, ShaderMaterial, Vector2 } from "three";
 import { STAGE } from "../palette";
 import { planeCorners, type PicturePlane } from "../state/frustum";
-import { lastly } from "../state/lastly";
+import { memo } from "../state/memo";
 
 const VERTEX = `
 varying vec2 at;
@@ -45,7 +45,7 @@ void main() {
 /** The tiles' colours as a texture: red, green, blue, and whether the tile is filled. */
 function createTexels() {
   const texture = { value: null as DataTexture | null };
-  const painted = lastly<void>();
+  const painted = memo<void>();
   function paint(colours: Uint8Array | null, n: number, count: number) {
     if (texture.value?.image.width !== n) {
       texture.value?.dispose();

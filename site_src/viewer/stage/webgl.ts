@@ -1,8 +1,8 @@
 /** The stage drawn with three. One frame for each call of draw: nothing runs by itself. */
 import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 import { LINES, STAGE } from "../palette";
-import { lastly } from "../state/lastly";
 import type { Line } from "../state/lines";
+import { memo } from "../state/memo";
 import { dot, length, sub } from "../state/vectors";
 import { createBoxSet } from "./box-set";
 import { createCameraSign } from "./camera-sign";
@@ -42,7 +42,7 @@ function createSet(view: StageView) {
   const [hits, thinHits, stops] = [9, 6, 19].map((size) => createDots(size));
   const boxes = createBoxSet();
   world.add(...[solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes].map((part) => part.object));
-  const [forChosen, forThin, forBoxes, forSwitches] = [1, 2, 3, 4].map(() => lastly<void>());
+  const [forChosen, forThin, forBoxes, forSwitches] = [1, 2, 3, 4].map(() => memo<void>());
   return {
     of: view.scene,
     world,
