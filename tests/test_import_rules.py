@@ -24,10 +24,10 @@ MAY_IMPORT = {
     "scene": {"errors"},
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
-    "trace_file": {"trace.tree", "optics.compiled", "scene", "errors"},
+    "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "telling": {"trace.tree", "trace_file", "scene", "words"},
-    "slides": {"scene", "trace_file", "telling", "words", "lesson_text", "errors"},
-    "site": {"scene", "trace_file", "words", "lesson_text", "errors"},
+    "slides": {"scene", "trace.kinds", "trace_file", "telling", "words", "lesson_text", "errors"},
+    "site": {"scene", "trace.kinds", "trace_file", "words", "lesson_text", "errors"},
 }
 VIEWER_MAY_IMPORT = {
     "trace": {"trace"},
@@ -36,7 +36,7 @@ VIEWER_MAY_IMPORT = {
     # event-words holds the sentences for the state's events, which only panels show.
     "panels": {"panels", "state", "trace", "event-words"},
     # Files beside the folders: what is listed knows nothing of who ties it together.
-    "palette.ts": {"state"},
+    "palette.ts": {"trace"},
     "event-words.ts": {"state", "trace"},
     "session.ts": {"state", "trace"},
     "actions.ts": {"session", "state", "trace"},
@@ -131,6 +131,8 @@ def viewer_imports(file: Path) -> Iterator[str]:
     )
     for named in re.findall(statement, file.read_text("utf-8"), flags=re.MULTILINE):
         name = "".join(named)
+        if name.endswith(".json"):
+            continue  # a table that the pipeline reads too
         if name.startswith("."):
             yield (file.parent / name).resolve().relative_to(VIEWER.resolve()).as_posix()
         else:

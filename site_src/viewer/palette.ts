@@ -1,16 +1,9 @@
 /** Colours that carry meaning. Page colours live in styles/. */
-import type { LineKind } from "./state/lines";
+import { byLine, LINE_KINDS, LINES as TABLE } from "./trace/kinds";
 
 /** How a kind of ray is drawn: never by hue alone, so each has its own dash.
  *  dash: [drawn, gap] in screen pixels; [1, 0] is a solid line. wide: times as thick as the others. */
-export const LINES: Readonly<Record<LineKind, { colour: string; readonly dash: readonly [number, number]; readonly wide: number }>> = {
-  camera: { colour: "#F0E442", dash: [1, 0], wide: 1 },
-  reflected: { colour: "#56B4E9", dash: [12, 6], wide: 1 },
-  refracted: { colour: "#CC79A7", dash: [20, 4], wide: 1 },
-  total: { colour: "#56B4E9", dash: [4, 4], wide: 1 },
-  reached: { colour: "#FFFFFF", dash: [2, 5], wide: 1 },
-  blocked: { colour: "#D55E00", dash: [9, 5], wide: 1.6 }, // why a point is dark: not to be overlooked,
-};
+export const LINES = byLine((kind) => ({ ...TABLE[kind], colour: TABLE[kind].dark }));
 
 export const STAGE = {
   lamp: "#FFE9A8",
@@ -28,20 +21,16 @@ export const STAGE = {
 };
 
 /** On a light page: as on paper, with a white casing so that dark lines show on dark things. */
-const LIGHT = {
-  lines: { camera: "#000000", reflected: "#0072B2", refracted: "#CC79A7", total: "#0072B2", reached: "#009E73", blocked: "#D55E00" },
-  stage: { lamp: "#E69F00", lampOff: "#5B6673", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", onPaper: true, wall: [1, 1, 1] },
-};
-const DARK_PAGE = { lines: Object.fromEntries(Object.entries(LINES).map(([kind, { colour }]) => [kind, colour])), stage: { ...STAGE } };
+const LIGHT = { lamp: "#E69F00", lampOff: "#5B6673", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", onPaper: true, wall: [1, 1, 1] };
+const DARK_PAGE = { ...STAGE };
 let isLight = false;
 
 /** Colours for a light or a dark page from now on. Returns whether they are others than before. */
 export function lightColours(light: boolean): boolean {
   if (light === isLight) return false;
   isLight = light;
-  const { lines, stage } = light ? LIGHT : DARK_PAGE;
-  for (const [kind, colour] of Object.entries(lines)) LINES[kind as LineKind].colour = colour;
-  Object.assign(STAGE, stage);
+  for (const kind of LINE_KINDS) LINES[kind].colour = TABLE[kind][light ? "light" : "dark"];
+  Object.assign(STAGE, light ? LIGHT : DARK_PAGE);
   return true;
 }
 

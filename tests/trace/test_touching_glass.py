@@ -14,6 +14,7 @@ from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Light, SceneObject
 from raywalk.scene.shapes import Box, Cylinder, Plane, Shape, Sphere
 from raywalk.trace.pixel_tree import pixel_tree
+from raywalk.trace.tree import Kind
 from raywalk.trace.wavefront import Tracer
 
 SIDE = 33  # odd: the middle row and column look along planes of symmetry
@@ -73,7 +74,7 @@ def test_two_slabs_that_share_a_face_are_one(order: tuple[int, int]) -> None:
         waves = Tracer(scene).waves(np.array([16 * SIDE + 16]), SIDE, SIDE)
         row, way = 0, []
         for wave in waves[1:]:  # refracted all the way
-            on = np.flatnonzero((wave.parent == row) & (wave.branch == 1))
+            on = np.flatnonzero((wave.parent == row) & (wave.kind == Kind.REFRACTED))
             if not len(on):
                 break
             row = int(on[0])
@@ -116,10 +117,10 @@ def test_behind_a_shared_face_light_is_in_the_inner_glass(inner_first: bool) -> 
     waves = Tracer(scene).follow(
         np.array([[0.0, 0.0, 5.0]]) - 4 * direction + [0, 0, -4], direction[None]
     )
-    within = waves[1].branch == 1
+    within = waves[1].kind == Kind.REFRACTED
     assert waves[1].media[within].tolist() == [[outer, inner]]
     assert waves[1].rays.direction[within, 0] == pytest.approx(direction[0] / 1.5168, abs=1e-15)
-    back = waves[2].branch == 1
+    back = waves[2].kind == Kind.REFRACTED
     assert waves[2].media[back].tolist() == [[outer, -1]]
     assert waves[2].rays.direction[back, 0] == pytest.approx(direction[0] / 1.333, abs=1e-15)
 
@@ -131,7 +132,7 @@ def test_of_equal_bodies_in_one_place_the_lower_counts() -> None:
     scene = scene_of(balls, [WATER, CLEAR], depth=2)
     direction = np.array([[0.0, 0.0, -1.0]])
     waves = Tracer(scene).follow(np.array([[0.6, 0.0, 5.0]]), direction)
-    into = waves[1].branch == 1
+    into = waves[1].kind == Kind.REFRACTED
     sine = np.linalg.norm(np.cross(waves[1].rays.direction[into], waves[1].rays.origin[into]))
     assert sine == pytest.approx(0.6 / 1.333, abs=1e-15)
     under = replace(scene, camera=replace(scene.camera, eye=(0.0, 0.0, 0.1)))

@@ -88,7 +88,7 @@ def sending(without: list[str]) -> Any:
         kept &= mirrors | (out.kind != Kind.REFLECTED)
         kept &= refracts | (out.kind != Kind.REFRACTED)
         return out._replace(
-            rays=out.rays.take(kept), parent=out.parent[kept], branch=out.branch[kept],
+            rays=out.rays.take(kept), parent=out.parent[kept],
             kind=out.kind[kept], weight=weight[kept],
             share=share[out.parent[kept]] * weight[kept], media=out.media[kept],
         )  # fmt: skip

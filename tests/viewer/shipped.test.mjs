@@ -48,7 +48,7 @@ test("imports keep their order: main -> stage, panels -> state -> trace", () => 
   for (const file of sources) {
     const layer = file.split("/")[0];
     if (!MAY[layer]) continue;
-    for (const [, target] of text(file).matchAll(/from "(\.[^"]+)"/g)) {
+    for (const [, target] of text(file).matchAll(/from "(\.[^"]+)(?<!\.json)"/g)) {
       const to = relative(VIEWER, resolve(VIEWER, dirname(file), target)).split("/")[0];
       assert.ok(to === layer || MAY[layer].includes(to), `${file} imports ${target}`);
     }

@@ -7,6 +7,7 @@ import json
 import subprocess
 from pathlib import Path
 
+from raywalk.site.ray_sheet import ray_sheet
 from raywalk.words import Words
 
 BUNDLED = ("viewer", "kiosk")
@@ -21,7 +22,7 @@ def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
     """Writes the bundled scripts of a folder, the pages' own and the joined styles into
     out/assets; returns their names in the site."""
     styles = sorted((site_src / "styles").glob("*.css"))
-    sheet = b"\n".join(style.read_bytes() for style in styles)
+    sheet = b"\n".join([*(style.read_bytes() for style in styles), ray_sheet().encode()])
     page = b"\n".join(path.read_bytes() for path in sorted((site_src / "page").glob("*.js")))
     scripts = {
         f"{name}_js": named(out, name, "js", (bundled / f"{name}.js").read_bytes())

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from raywalk.trace.kinds import LINES, SLIDES
+
 
 @dataclass(frozen=True)
 class Palette:
@@ -22,8 +24,7 @@ SCREEN = Palette(
         "ground": "#0d1116", "ink": "#e9edf2", "soft": "#a9b4c1", "rule": "#3a4552",
         "accent": "#f0e442", "lamp": "#ffe9a8", "lamp-edge": "#6b5c1e", "sign": "#e8ecf1",
         "frustum": "#8b95a3", "grid": "#6f7a87", "chosen": "#f0e442", "normal": "#e9edf2",
-        "camera": "#f0e442", "reflected": "#56b4e9", "refracted": "#cc79a7", "total": "#56b4e9",
-        "reached": "#ffffff", "blocked": "#f07a30",
+        **{kind: row["dark"].lower() for kind, row in LINES.items()},
     },
     wash=0.55,
 )  # fmt: skip
@@ -33,18 +34,14 @@ PRINT = Palette(
         "ground": "#ffffff", "ink": "#111111", "soft": "#4a4a4a", "rule": "#bdbdbd",
         "accent": "#0072b2", "lamp": "#ffcf33", "lamp-edge": "#5c4700", "sign": "#111111",
         "frustum": "#6a6a6a", "grid": "#7a7a7a", "chosen": "#111111", "normal": "#333333",
-        "camera": "#000000", "reflected": "#0072b2", "refracted": "#b3548a", "total": "#0072b2",
-        "reached": "#00734f", "blocked": "#c04f00",
+        **{kind: row["paper"].lower() for kind, row in SLIDES.items()},
     },
     wash=0.5,
 )  # fmt: skip
 PALETTES = {palette.name: palette for palette in (SCREEN, PRINT)}
 
 # A kind of ray by its dash (see figure.DASHES).
-KIND_DASH = {
-    "camera": "solid", "reflected": "dash", "refracted": "long", "total": "short",
-    "reached": "dots", "blocked": "dashdot",
-}  # fmt: skip
+KIND_DASH: dict[str, str] = {kind: row["dash"] for kind, row in SLIDES.items()}
 # Drawn and empty lengths in points of lines 2 points wide; hidden stretches are thinner.
 DASH_LENGTHS: dict[str, tuple[float, ...]] = {
     "solid": (), "dash": (8, 5), "long": (13, 4), "short": (4, 3), "dots": (2, 4),

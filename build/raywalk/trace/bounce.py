@@ -18,7 +18,6 @@ class Bounced(NamedTuple):
 
     rays: Rays
     parent: np.ndarray  # (n,) int32
-    branch: np.ndarray  # (n,) uint8
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,) product of weights from the camera on: share in the pixel
@@ -75,7 +74,6 @@ def bounce(
     return Bounced(
         rays=onward,
         parent=parent.astype(np.int32),
-        branch=np.repeat(np.array([0, 1], np.uint8), [len(back), len(on)]),
         kind=np.concatenate(
             [
                 np.where(total[back], Kind.TOTAL, Kind.REFLECTED),

@@ -157,7 +157,6 @@ def _as_camera_rays(tracer: Tracer, media: list[int], rays: Rays) -> Bounced:
     return Bounced(
         rays=rays,
         parent=np.full(count, -1, np.int32),
-        branch=np.zeros(count, np.uint8),
         kind=np.full(count, Kind.CAMERA, np.uint8),
         weight=np.ones(count),
         share=np.ones(count),

@@ -8,6 +8,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import Rays
 from raywalk.geometry.nearest import NOWHERE
+from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tally import Tally, tally_tests
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wave import Wave
@@ -78,7 +79,6 @@ def _columns(
     point[gone] = where_drawn_lines_end(tracer, rays.take(gone))
     return {
         "parent": parent.astype(np.int32),
-        "branch": wave.branch[chosen],
         "kind": wave.kind[chosen],
         "depth": np.full(len(chosen), min(depth, 255), np.uint8),
         "object": hits.object[chosen].astype(np.int16),
@@ -119,7 +119,7 @@ def assemble(tracer: Tracer, records: list[Recorded], size: int) -> RayTree:
         level, strip_starts = _join(records, depth)
         if depth:
             parent = level["parent"] + strip_starts
-            path = _dense(2 * path[parent] + level["branch"])
+            path = _dense(BRANCHES * path[parent] + BRANCH_OF[level["kind"]])
             order = np.lexsort([place[parent], path])
             level["parent"] = (place[parent] + offset - len(place)).astype(np.int32)
         else:

@@ -1,8 +1,8 @@
 """Ray trees as columns: one row a ray, for every pixel that some frustum resolution uses.
 
 Order is path-major: first all camera rays in raster order, then all their
-reflected (or totally reflected) children, then their refracted children, and so
-on depth by depth; within each group the order of the parents is kept. A pixel's
+reflected (or totally reflected) children, then their refracted children, branch by
+branch, and so on depth by depth; within each group the order of the parents is kept. A pixel's
 tree is thus spread over the rows and held together by `parent`.
 
 Invariant, tested: for every ray that hits,
@@ -18,14 +18,29 @@ from enum import IntEnum
 
 import numpy as np
 
+from raywalk.trace.kinds import BRANCH_OF, RAYS
+
 
 class Kind(IntEnum):
-    """What sent a ray on its way."""
+    """What sent a ray on its way: Python's names for the rows of ray_kinds.json."""
 
-    CAMERA = 0
-    REFLECTED = 1
-    REFRACTED = 2
-    TOTAL = 3  # totally reflected inside glass
+    CAMERA = RAYS["camera"]["code"]
+    REFLECTED = RAYS["reflected"]["code"]
+    REFRACTED = RAYS["refracted"]["code"]
+    TOTAL = RAYS["total"]["code"]  # totally reflected inside glass
+
+    @property
+    def branch(self) -> int:
+        """Rays of one branch stand in each other's place: a hit sends on at most one of them."""
+        return int(BRANCH_OF[self])
+
+    @property
+    def bit(self) -> int:
+        """In a trace file's `children`: that a hit sends such a ray on."""
+        return 1 << (self - 1)
+
+
+SENT_ON = tuple(kind for kind in Kind if kind != Kind.CAMERA)
 
 
 class Visibility(IntEnum):

@@ -26,11 +26,10 @@ class Lighting:
 
 @dataclass(eq=False)
 class Wave:
-    """All rays of one depth. Reflected rays come first, then refracted ones."""
+    """All rays of one depth, branch by branch: reflected rays come first, then refracted ones."""
 
     rays: Rays
     parent: np.ndarray  # (n,) int32: row in the wave before
-    branch: np.ndarray  # (n,) uint8: 0 camera or reflected, 1 refracted; orders the paths
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,)

@@ -105,7 +105,6 @@ class Tracer:
         return Bounced(
             rays=rays_from(origin, direction),
             parent=np.full(count, -1, np.int32),
-            branch=np.zeros(count, np.uint8),
             kind=np.full(count, Kind.CAMERA, np.uint8),
             weight=np.ones(count),
             share=np.ones(count),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from raywalk.scene.model import Scene
-from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild, tables
 from raywalk.trace_file.checksum import checksum
 from raywalk.trace_file.errors import TraceFileError
@@ -22,7 +22,7 @@ from raywalk.trace_file.precision import (
     finite_extent,
     normal_step,
 )
-from raywalk.trace_file.structure import REFLECTED, REFRACTED, TOTAL
+from raywalk.trace_file.structure import bits_of
 from raywalk.trace_file.truth import TrueNumbers
 from raywalk.trace_file.walk import images_along, keys_along, walk
 
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from raywalk.trace_file.patches import Patch
 
 FORMAT, VERSION = "raywalk-trace", 2
-CHILD_BIT = {Kind.REFLECTED: REFLECTED, Kind.REFRACTED: REFRACTED, Kind.TOTAL: TOTAL}
 
 
 def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
@@ -103,11 +102,11 @@ def begin_header(
 
 def children_bits(tree: RayTree) -> np.ndarray:
     bits = np.zeros(len(tree.pixel), np.int64)
-    for kind, bit in CHILD_BIT.items():
+    for kind in SENT_ON:
         parents = tree.parent[tree.kind == kind]
-        if len(np.unique(parents)) < len(parents) or (bits[parents] & ~REFRACTED & bit).any():
-            raise TraceFileError("unfit", "a ray has two children of one kind")
-        bits[parents] |= bit
+        if len(np.unique(parents)) < len(parents) or (bits[parents] & bits_of(kind.branch)).any():
+            raise TraceFileError("unfit", "a ray has two children of one branch")
+        bits[parents] |= kind.bit
     return bits
 
 

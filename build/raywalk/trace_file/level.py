@@ -6,7 +6,8 @@ from dataclasses import fields, replace
 
 import numpy as np
 
-from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace.kinds import BRANCH_OF, BRANCHES
+from raywalk.trace.tree import RayTree
 from raywalk.trace_file.errors import TraceFileError
 
 PER_HIT = ("hits_t", "hits_object")
@@ -40,8 +41,8 @@ def in_file_order(tree: RayTree) -> RayTree:
     rows = np.flatnonzero(tree.parent < 0)
     while len(rows):
         if ordered:
-            branch = tree.kind[rows] == Kind.REFRACTED
-            path[rows] = _dense(2 * path[tree.parent[rows]] + branch)
+            branch = BRANCH_OF[tree.kind[rows]]
+            path[rows] = _dense(BRANCHES * path[tree.parent[rows]] + branch)
         place = rank[tree.parent[rows]] if ordered else tree.pixel[rows]
         rows = rows[np.lexsort((place, path[rows]))]
         rank[rows] = np.arange(len(rows))

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tree import Visibility
 
 LIT = (int(Visibility.REACHED), int(Visibility.UNTESTED))
@@ -77,7 +78,7 @@ def recombine(header: dict[str, Any], ray: dict[str, np.ndarray]) -> np.ndarray:
 
     local = ambient + light by light V * (diffuse * kd + specular * ks) * light colour;
     then rows from the last to the first add weight * colour to their parent's
-    localWeight * local: the refracted child comes before the reflected one.
+    localWeight * local: the last branch's child first, so the refracted before the reflected.
     """
     colour = np.zeros((len(ray["parent"]), 3))
     materials, hit = header["materials"], ray["material"] >= 0
@@ -99,10 +100,10 @@ COLOURS = ("ambient", "diffuse", "specular")
 
 def _gather(colour: np.ndarray, ray: dict[str, np.ndarray]) -> None:
     """Depth by depth from the deepest; a parent has at most one child of each branch."""
-    refracted = ray["kind"] == 2
+    of = BRANCH_OF[ray["kind"]]
     for level in range(int(ray["level"].max(initial=0)), 0, -1):
-        for branch in (True, False):
-            rows = np.flatnonzero((ray["level"] == level) & (refracted == branch))
+        for branch in reversed(range(BRANCHES)):
+            rows = np.flatnonzero((ray["level"] == level) & (of == branch))
             share = ray["weight"][rows, None] * colour[rows]
             colour[ray["parent"][rows]] = colour[ray["parent"][rows]] + share
 

@@ -12,12 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.trace.tree import Kind
+from raywalk.trace.kinds import BRANCH_OF, BRANCHES
+from raywalk.trace.tree import SENT_ON, Kind
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.neighbours import NONE, follow, in_raster
-
-# What a hit sends on.
-REFLECTED, REFRACTED, TOTAL = 1, 2, 4  # TOTAL stands in place of REFLECTED
 
 # (column, first row, group, kind, sides within these rows) -> symbols of these rows
 Coder = Callable[[str, int, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
@@ -78,31 +76,45 @@ def _cameras(n: int, first_object: np.ndarray) -> Structure:
 
 def _next(wave: Structure, first: int) -> Structure:
     """The children of a wave whose first row is `first`: path by path, each in its order."""
-    picked, refracted, paths = [], [], [0]
+    picked, sent, paths = [], [], [0]
     for start, end in zip(wave.paths, wave.paths[1:], strict=False):
         children = wave.children[start:end]
-        for bits in (REFLECTED | TOTAL, REFRACTED):
-            rows = start + np.flatnonzero(children & bits)
+        for branch in range(BRANCHES):
+            rows = start + np.flatnonzero(children & bits_of(branch))
             if len(rows):
                 picked.append(rows)
-                refracted.append(np.full(len(rows), bits == REFRACTED))
+                sent.append(kinds_in(branch, wave.children[rows]))
                 paths.append(paths[-1] + len(rows))
-    parent = np.concatenate(picked) if picked else np.empty(0, np.int64)
-    down = np.concatenate(refracted) if picked else np.empty(0, bool)
-    total = (wave.children[parent] & TOTAL) > 0
-    kind = np.where(down, Kind.REFRACTED, np.where(total, Kind.TOTAL, Kind.REFLECTED))
     empty = np.empty(0, np.int64)
+    parent = np.concatenate([empty, *picked])
+    kind = np.concatenate([empty, *sent])
+    branch_of = BRANCH_OF[kind]
     return Structure(
-        wave.pixel[parent], first + parent, kind.astype(np.int64), wave.level[parent] + 1,
-        2 * wave.history[parent] + down, _sides(wave, parent, down), paths, empty, empty, empty,
+        wave.pixel[parent], first + parent, kind, wave.level[parent] + 1,
+        BRANCHES * wave.history[parent] + branch_of, _sides(wave, parent, branch_of), paths,
+        empty, empty, empty,
     )  # fmt: skip
 
 
-def _sides(wave: Structure, parent: np.ndarray, down: np.ndarray) -> np.ndarray:
+def bits_of(branch: int) -> int:
+    """The bits in `children` of all kinds of a branch."""
+    return sum(kind.bit for kind in SENT_ON if kind.branch == branch)
+
+
+def kinds_in(branch: int, children: np.ndarray) -> np.ndarray:
+    """(n,) which kind of a branch hits send on that send one; of two named, the later stands."""
+    kind = np.zeros(len(children), np.int64)
+    for each in SENT_ON:
+        if each.branch == branch:
+            kind[(children & each.bit) > 0] = each
+    return kind
+
+
+def _sides(wave: Structure, parent: np.ndarray, branch_of: np.ndarray) -> np.ndarray:
     """A child's neighbours are the like children of its parent's neighbours."""
     sides = np.empty((4, len(parent)), np.int64)
-    for branch in (False, True):
-        mine = np.flatnonzero(down == branch)
+    for branch in range(BRANCHES):
+        mine = np.flatnonzero(branch_of == branch)
         child = np.full(wave.count, NONE)
         child[parent[mine]] = mine
         sides[:, mine] = follow(child, wave.sides[:, parent[mine]])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from raywalk.scene.model import Scene
-from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
@@ -131,10 +131,7 @@ def material_rows(tree: RayTree, scene: Scene) -> list[dict[str, Any]]:
 def _shares(tree: RayTree, material: int, both: float, name: str) -> tuple[float, dict[str, float]]:
     """Weights of children by kind; a positive split says that it is divided ray by ray."""
     of = np.where(tree.parent >= 0, tree.material[tree.parent], -1) == material
-    weights = {
-        kind.name.lower(): tree.weight[of & (tree.kind == kind)]
-        for kind in (Kind.REFLECTED, Kind.REFRACTED, Kind.TOTAL)
-    }
+    weights = {kind.name.lower(): tree.weight[of & (tree.kind == kind)] for kind in SENT_ON}
     parted = any(np.ptp(w) > SAME_SHARE for key, w in weights.items() if len(w) and key != "total")
     shares = {
         key: 0.0 if parted and key != "total" else _constant(w, name, 0.0)

@@ -12,11 +12,11 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from raywalk.trace.tree import Visibility
+from raywalk.trace.tree import SENT_ON, Kind, Visibility
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.neighbours import in_raster
-from raywalk.trace_file.structure import REFLECTED, REFRACTED, TOTAL, Structure, grow
+from raywalk.trace_file.structure import Structure, grow
 
 Ray = dict[str, np.ndarray]
 ABSENT = -1  # kind and group of rays that store nothing in a column
@@ -189,18 +189,21 @@ def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     """Shares: constants of the material, or split between reflected and refracted."""
     materials = header["materials"]
     split = np.array([*(m["split"] for m in materials), 0.0])[ray["material"]]
-    parted = (split > 0) & ((tree.children & (REFLECTED | REFRACTED)) > 0)
-    parted &= (tree.children & TOTAL) == 0
+    parted = (split > 0) & ((tree.children & (Kind.REFLECTED.bit | Kind.REFRACTED.bit)) > 0)
+    parted &= (tree.children & Kind.TOTAL.bit) == 0
     kind = np.where(parted, ray["surface"], ABSENT)
     group = np.where(parted, ray["history"], ABSENT)
     share = coder.numbers("split", ray, group, kind, tree.sides, []) * header["steps"]["split"]
     weight = np.ones(tree.count)
-    for bit, key in ((1, "reflected"), (2, "refracted"), (3, "total")):
-        rows = np.flatnonzero(tree.kind == bit)
+    for sent in SENT_ON:
+        rows = np.flatnonzero(tree.kind == sent)
         parent = tree.parent[rows]
-        constant = np.array([*(m[key] for m in materials), 0.0])[ray["material"][parent]]
-        of_split = share[parent] if bit == 1 else split[parent] - share[parent]
-        weight[rows] = np.where(parted[parent], of_split, constant)
+        constants = [*(m[sent.name.lower()] for m in materials), 0.0]
+        weight[rows] = np.array(constants)[ray["material"][parent]]
+        if sent in (Kind.REFLECTED, Kind.REFRACTED):
+            mirrored = share[parent]
+            of_split = mirrored if sent == Kind.REFLECTED else split[parent] - mirrored
+            weight[rows] = np.where(parted[parent], of_split, weight[rows])
     ray["weight"] = weight
     ray["localWeight"] = np.array([*(m["local"] for m in materials), 0.0])[ray["material"]]
     whole = np.zeros(tree.count, np.int64)

@@ -79,6 +79,7 @@ def viewer_parts(site_source: Path) -> Parts:
         "what": "viewer",
         "of": "viewer",
         "code": digests((path for path in sources if is_source(path)), site_source),
+        "ray kinds": digest(SOURCE / "trace" / "ray_kinds.json"),
         "packages": {
             lock.relative_to(root).as_posix(): digest(lock) for lock in locks if lock.is_file()
         },

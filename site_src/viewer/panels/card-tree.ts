@@ -2,6 +2,7 @@
 import { LINES } from "../palette";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
+import { RAYS } from "../trace/kinds";
 import { hexOf, percent, plain, say } from "../words";
 import { lightWords, rayWords, type LineActs } from "./card-rays";
 import { button, element, setWord } from "./element";
@@ -50,10 +51,10 @@ const pill = (w: number, h: number, gap = 0) => {
   return `M${from} ${gap}H${to}A${r} ${r} 0 0 1 ${to} ${h - gap}H${from}A${r} ${r} 0 0 1 ${from} ${gap}Z`;
 };
 const OUTLINES: Readonly<Record<string, string>> = (({ width: w, height: h }) => ({
-  camera: `M0 0H${w}V${h}H0Z`,
-  reflected: pill(w, h),
-  refracted: `M9 0H${w - 9}L${w} ${h / 2}L${w - 9} ${h}H9L0 ${h / 2}Z`,
-  total: pill(w, h) + pill(w, h, 4),
+  box: `M0 0H${w}V${h}H0Z`,
+  pill: pill(w, h),
+  hexagon: `M9 0H${w - 9}L${w} ${h / 2}L${w - 9} ${h}H9L0 ${h / 2}Z`,
+  doublePill: pill(w, h) + pill(w, h, 4),
 }))(NODE);
 
 const left = (node: Placed) => node.x * SLOT + (SLOT - NODE.width) / 2;
@@ -104,8 +105,8 @@ export function createTree(acts: LineActs) {
     group.setAttribute("aria-label", words.join("; "));
     group.append(
       svg("title", {}, words.join("\n")),
-      svg("path", { class: "outline", d: OUTLINES[row.kind], "stroke-dasharray": row.object ? "none" : "3 4" }),
-      svg("text", { class: "node-kind", x: NODE.width / 2, y: 21, "text-anchor": "middle" }, `${row.number} ${say(`tree.kind.${row.kind as "camera"}`)}`),
+      svg("path", { class: "outline", d: OUTLINES[RAYS[row.kind].outline], "stroke-dasharray": row.object ? "none" : "3 4" }),
+      svg("text", { class: "node-kind", x: NODE.width / 2, y: 21, "text-anchor": "middle" }, `${row.number} ${say(`tree.kind.${row.kind}`)}`),
       svg("circle", { class: "node-colour", cx: NODE.width / 2, cy: 0, r: 6, fill: hexOf(row.colour) }),
       svg("text", { class: "node-name", x: NODE.width / 2, y: 36, "text-anchor": "middle" }, short(row.object || say("tree.leaves"))),
       ...(row.lights.length ? [marks(row.lights)] : []),
@@ -123,7 +124,7 @@ export function createTree(acts: LineActs) {
     const share = folded.filter((each) => !folded.some(({ number }) => number === each.of)).reduce((sum, each) => sum + each.share, 0);
     const words = say("tree.folded", { count: folded.length, share: percent(share) });
     group.setAttribute("aria-label", words);
-    group.append(svg("title", {}, words), svg("path", { class: "outline", d: OUTLINES.reflected }), svg("text", { class: "node-name", x: NODE.width / 2, y: 27, "text-anchor": "middle" }, say("tree.more", { count: folded.length })));
+    group.append(svg("title", {}, words), svg("path", { class: "outline", d: OUTLINES.pill }), svg("text", { class: "node-name", x: NODE.width / 2, y: 27, "text-anchor": "middle" }, say("tree.more", { count: folded.length })));
     listen(group, open);
     return group;
   }

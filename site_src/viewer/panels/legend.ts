@@ -1,7 +1,7 @@
 /** What the colours and dashes of the lines on the stage mean: only the kinds that are there. */
 import { LINES } from "../palette";
-import { LINE_KINDS, type LineKind } from "../state/lines";
 import { CROWD } from "../state/shown";
+import { LINE_KINDS, type LineKind } from "../trace/kinds";
 import { grouped, say } from "../words";
 import { element } from "./element";
 

@@ -1,7 +1,7 @@
 /** The page round the viewer: the header's title, the scene links, and the plain article that is there
  *  without JavaScript and is what gets printed. */
+import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
-import { KIND_NAMES, LINE_KINDS } from "../state/lines";
 import { grouped, list, say } from "../words";
 import { element } from "./element";
 import { savingsList } from "./savings";
@@ -21,8 +21,8 @@ function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
     [say("figures.shadows"), say(scene.shadows ? "figures.yes" : "figures.no")],
   ];
   if (!trace) return figures;
-  const of = (kind: string) => trace.kind.reduce((sum, k) => sum + (KIND_NAMES[k] === kind ? 1 : 0), 0);
-  const kinds = LINE_KINDS.slice(0, 4).map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
+  const of = (kind: RayKind) => trace.kind.reduce((sum, code) => sum + (code === KIND[kind] ? 1 : 0), 0);
+  const kinds = RAY_KINDS.map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
   return [...figures, [say("figures.rays", { n: trace.n }), list(kinds.map(([kind, rays]) => `${grouped(rays)} ${say(`line.${kind}`)}`))]];
 }
 

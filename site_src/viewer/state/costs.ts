@@ -1,5 +1,6 @@
 /** What a tile can show besides its colour: how much work its rays were, and what its camera ray met. */
-import { KIND, VISIBILITY, type Trace } from "../trace/types";
+import { KIND } from "../trace/kinds";
+import { VISIBILITY, type Trace } from "../trace/types";
 import { HIDDEN } from "./what-if";
 
 export type TileView = "picture" | "rays" | "depth" | "tests" | "distance" | "normal";

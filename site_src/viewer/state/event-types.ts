@@ -1,6 +1,6 @@
 /** What can happen on a pixel's ray tree, with the numbers that a sentence about it needs. */
 import type { Vec3 } from "../trace/types";
-import type { LineKind } from "./lines";
+import type { LineKind } from "../trace/kinds";
 
 export interface LightShare {
   name: string;

@@ -2,9 +2,10 @@
  * A pixel's ray tree as what happens one after the other, with the numbers each sentence needs. All of
  * them are the trace's: stored factors times stored colours, measured lengths and angles; nothing is traced.
  */
+import { RAY_KINDS, type LineKind } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
-import { KIND_NAMES, originOf, treeOf, type LineKind } from "./lines";
+import { originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, triple, unit } from "./vectors";
 import { whyOf } from "./why";
@@ -49,7 +50,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
 
   function departure(ray: number, media: Media, after: Media): Happening {
     const parent = trace.parent[ray];
-    const kind = KIND_NAMES[trace.kind[ray]];
+    const kind = RAY_KINDS[trace.kind[ray]];
     if (parent < 0) return { what: "camera", pixel: place, eye: scene.camera.eye };
     const material = scene.materials[trace.material[parent]];
     const normal = triple(trace.normal, parent);
@@ -87,7 +88,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   }
 
   function terms(ray: number): Term[] {
-    const sent = (children.get(ray) ?? []).map((child): Term => ({ of: KIND_NAMES[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
+    const sent = (children.get(ray) ?? []).map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
     if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
     if (trace.localWeight[ray] === 0) return sent;
     const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
@@ -96,7 +97,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
 
   /** media: what the ray travels in; before: what its parent came through. */
   function walk(ray: number, media: Media, before: Media) {
-    const line = KIND_NAMES[trace.kind[ray]];
+    const line = RAY_KINDS[trace.kind[ray]];
     put(ray, departure(ray, before, media), { line, long: length(way(ray)) });
     put(ray, arrival(ray), { line });
     const object = trace.object[ray];
@@ -107,7 +108,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
       if (!sent.length && (reflect > 0 || transmit > 0))
         put(ray, { what: "stops", name: nameOf(object), limit: scene.depth, atLimit: trace.depth[ray] >= scene.depth }, { line });
     }
-    for (const child of sent) walk(child, KIND_NAMES[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
+    for (const child of sent) walk(child, RAY_KINDS[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
     const colour = triple(trace.colour, ray);
     const bytes = triple(trace.tiles, pixel);
     if (trace.parent[ray] < 0) put(ray, { what: "pixel", pixel: place, terms: terms(ray), colour, bytes, why: whyOf(trace, tree, events, bytes) });

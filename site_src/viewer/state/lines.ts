@@ -1,18 +1,8 @@
 /** Rays as straight lines: which belong to which pixel, where each begins and ends. */
-import { KIND, VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import { RAY_KINDS, type LineKind } from "../trace/kinds";
+import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
 import { along, triple, type Vec3 } from "./vectors";
 import type { ViewState } from "./types";
-
-export type LineKind = "camera" | "reflected" | "refracted" | "total" | "reached" | "blocked";
-export type RayKind = Exclude<LineKind, "reached" | "blocked">;
-export const LINE_KINDS: readonly LineKind[] = ["camera", "reflected", "refracted", "total", "reached", "blocked"];
-
-export const KIND_NAMES: Readonly<Record<number, RayKind>> = {
-  [KIND.camera]: "camera",
-  [KIND.reflected]: "reflected",
-  [KIND.refracted]: "refracted",
-  [KIND.total]: "total",
-};
 
 export interface Line {
   kind: LineKind;
@@ -79,7 +69,7 @@ export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
   for (let at = start[pixel]; at < start[pixel + 1]; at++) {
     const ray = order[at];
     lines.push({
-      kind: KIND_NAMES[trace.kind[ray]],
+      kind: RAY_KINDS[trace.kind[ray]],
       from: originOf(trace, scene, ray),
       to: triple(trace.point, ray),
       ray,
@@ -99,7 +89,7 @@ export function kindsIn(trace: Trace): Set<LineKind> {
   const kinds = new Set<LineKind>();
   for (let ray = 0; ray < trace.count; ray++) {
     if (trace.pixel[ray] < 0) continue;
-    kinds.add(KIND_NAMES[trace.kind[ray]]);
+    kinds.add(RAY_KINDS[trace.kind[ray]]);
     for (let at = ray * trace.lights; at < (ray + 1) * trace.lights; at++) {
       if (trace.visibility[at] === VISIBILITY.reached) kinds.add("reached");
       else if (trace.visibility[at] === VISIBILITY.blocked) kinds.add("blocked");

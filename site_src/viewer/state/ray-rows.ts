@@ -1,9 +1,10 @@
 /** A pixel's rays as the rows of a table, numbered in the order in which they are walked. Stored numbers only,
  *  and products of them: a share times a colour. */
+import { RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace, Vec3 } from "../trace/types";
 import type { LightShare } from "./event-types";
 import { lightShares, localColour, times } from "./events";
-import { KIND_NAMES, treeOf, type LineKind } from "./lines";
+import { treeOf } from "./lines";
 import { add, scale, triple } from "./vectors";
 
 export interface LightRow extends LightShare {
@@ -17,7 +18,7 @@ export interface RayRow {
   number: number; // from 1
   ray: number; // index into the trace
   of: number; // the number of the ray that led to it; 0: the pixel
-  kind: LineKind;
+  kind: RayKind;
   depth: number;
   object: string; // "" if the ray leaves the scene
   material: string;
@@ -67,7 +68,7 @@ export function rayRows(trace: Trace, scene: SceneData, pixel: number): RayRow[]
       number: k + 1,
       ray,
       of: above?.number ?? 0,
-      kind: KIND_NAMES[trace.kind[ray]],
+      kind: RAY_KINDS[trace.kind[ray]],
       depth: trace.depth[ray],
       object: scene.objects[trace.object[ray]]?.name ?? "",
       material: material?.name ?? "",

@@ -1,4 +1,5 @@
 /** What a state shows of its trace: lines, tiles, kinds. Remembered until what it depends on changes. */
+import type { LineKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
 import { boxesOf, type BoxesData, type RayBoxes } from "../trace/boxes";
@@ -6,7 +7,7 @@ import { boxLines, NO_BOXES, type BoxLines } from "./box-lines";
 import { costsOf, type Costs } from "./costs";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
 import { memo } from "./memo";
-import { kindsIn, linesOf, thinPixels, type Line, type LineKind } from "./lines";
+import { kindsIn, linesOf, thinPixels, type Line } from "./lines";
 import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
 import { triple } from "./vectors";
 import { pixelIndex, tilesShown, type ViewState } from "./view-state";

@@ -12,7 +12,8 @@
  *   in both cases every other share stays as it was, the local colour's too, and so do shadows through glass
  */
 import { eightBit, recombine } from "../trace/rebuild";
-import { KIND, VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
+import { KIND, RAY_KINDS, RAYS } from "../trace/kinds";
+import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import { memo } from "./memo";
 import { brightness, isSwitched, lampsOf, type Switches } from "./switches";
 
@@ -55,7 +56,8 @@ function follow(trace: Trace, scene: SceneData, switches: Switches): Followed {
   const limit = switches.bounces ?? Infinity;
   const mirrors = !switches.without.includes("reflected");
   const refracts = !switches.without.includes("refracted");
-  if (limit === Infinity && mirrors && refracts) return trace;
+  const isOff = RAY_KINDS.map((kind) => switches.without.some((part) => part === RAYS[kind].part)); // by code
+  if (limit === Infinity && !isOff.includes(true)) return trace;
   const pixel = trace.pixel.slice();
   const weight = trace.weight.slice();
   for (let ray = 0; ray < trace.count; ray++) {
@@ -65,7 +67,7 @@ function follow(trace: Trace, scene: SceneData, switches: Switches): Followed {
     if (kind === KIND.total && !(mirrors && refracts)) {
       const { reflect, transmit } = scene.materials[trace.material[parent]];
       weight[ray] = (mirrors ? reflect : 0) + (refracts ? transmit : 0);
-    } else if ((kind === KIND.reflected && !mirrors) || (kind === KIND.refracted && !refracts)) weight[ray] = 0;
+    } else if (isOff[kind]) weight[ray] = 0;
     if (pixel[parent] === HIDDEN || weight[ray] === 0 || trace.depth[ray] > limit) {
       pixel[ray] = HIDDEN;
       weight[ray] = 0;

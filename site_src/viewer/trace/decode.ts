@@ -11,7 +11,8 @@ import { ABSENT, alike, fillRaster } from "./neighbours";
 import { normalsOn, pointsOn, recombine } from "./rebuild";
 import { giveBack, takeScratch, type Scratch } from "./scratch";
 import { grow, type Structure } from "./structure";
-import { KIND, type Trace } from "./types";
+import { bitOf, KIND, RAY_KINDS } from "./kinds";
+import type { Trace } from "./types";
 
 /** A level whose tiles can be shown and whose rays are known, but for what the lights give them. */
 export interface Level {
@@ -174,12 +175,13 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
   const { materials, steps } = header;
   const { count, kind, parent, children, surface } = tree;
   const split = Float64Array.from(materials, (of) => of.split);
-  const shares = Float64Array.from(materials.flatMap((of) => [1, of.reflected, of.refracted, of.total])); // by KIND
+  const shares = Float64Array.from(materials.flatMap((of) => RAY_KINDS.map((kind) => (kind === "camera" ? 1 : of[kind])))); // by KIND
+  const { reflected, refracted } = KIND, either = bitOf("reflected") | bitOf("refracted"), total = bitOf("total");
   const { rows, near, number: [number] } = scratch;
   const group = scratch.group.fill(ABSENT, 0, count);
   let k = 0;
   for (let row = 0; row < count; row++) {
-    if (material[row] < 0 || !(split[material[row]] > 0) || (children[row] & 3) === 0 || (children[row] & 4) !== 0) continue;
+    if (material[row] < 0 || !(split[material[row]] > 0) || (children[row] & either) === 0 || (children[row] & total) !== 0) continue;
     group[row] = tree.history[row];
     rows[k++] = row;
   }
@@ -190,10 +192,10 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
   for (let row = 0; row < count; row++) {
     const of = parent[row];
     if (of < 0) weight[row] = 1;
-    else if (group[of] === ABSENT) weight[row] = shares[4 * material[of] + kind[row]];
+    else if (group[of] === ABSENT || (kind[row] !== reflected && kind[row] !== refracted)) weight[row] = shares[RAY_KINDS.length * material[of] + kind[row]];
     else {
       const share = number[of] * steps.split;
-      weight[row] = kind[row] === KIND.reflected ? share : split[material[of]] - share;
+      weight[row] = kind[row] === reflected ? share : split[material[of]] - share;
     }
   }
   return weight;

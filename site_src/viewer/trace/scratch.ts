@@ -1,12 +1,12 @@
 /** Arrays that decoding needs for a while, kept from one level to the next: fresh memory costs a
  *  decoder more than its arithmetic. */
+import { BRANCHES } from "./kinds";
 import { noSides, type Sides } from "./neighbours";
 
 export interface Scratch {
   /** Of each ray while the tree grows; see structure.ts. */
   before: Int32Array;
-  reflected: Int32Array;
-  refracted: Int32Array;
+  born: readonly Int32Array[];
   surface: Int32Array;
   patch: Int32Array;
   children: Int32Array;
@@ -46,7 +46,7 @@ export function giveBack(scratch: Scratch) {
 function made(count: number): Scratch {
   const column = () => new Int32Array(count), numbers = () => new Float64Array(count);
   return {
-    before: column(), reflected: column(), refracted: column(), surface: column(), patch: column(), children: column(), history: column(), sides: noSides(count),
+    before: column(), born: Array.from({ length: BRANCHES }, column), surface: column(), patch: column(), children: column(), history: column(), sides: noSides(count),
     counting: column().map((_, k) => k), zeros: column(), near: noSides(count), nearLit: noSides(count),
     group: column(), kind: column(), kindLit: column(), kindHit: column(), rows: column(), moreRows: column(), evenMoreRows: column(), symbol: column(),
     number: [numbers(), numbers(), numbers()], off: numbers(),

@@ -4,10 +4,7 @@ import { damaged } from "./errors";
 import type { Header } from "./header";
 import { fillRaster, type Sides } from "./neighbours";
 import type { Scratch } from "./scratch";
-import { KIND } from "./types";
-
-const REFLECTED = 1, REFRACTED = 2, TOTAL = 4; // bits of what a hit sends on
-const CHILDREN = 8; // symbols they make
+import { BRANCHES, BRANCH_OF, CHILDREN, KIND, SENT } from "./kinds";
 
 export interface Structure {
   count: number;
@@ -26,8 +23,7 @@ export interface Structure {
 interface Growing extends Structure {
   before: Int32Array; // equal where two rays have the same history so far
   group: Int32Array;
-  reflected: Int32Array; // the child's row, -1 if there is none
-  refracted: Int32Array;
+  born: readonly Int32Array[]; // by branch, the child's row, -1 if there is none
 }
 
 /** firstObject: what each camera ray meets, -1 if nothing. What is no column of a Trace stands in the
@@ -46,7 +42,7 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
     const next = markHistories(tree, first, end, patchOf, histories);
     columns.symbols("children", first, end, tree.group, tree.surface, base, tree.sides, CHILDREN, tree.children);
     paths = branch(tree, paths, Math.min(depth + 1, 255), rays, histories);
-    befores = 2 * (next - histories);
+    befores = BRANCHES * (next - histories);
     histories = next;
     if (paths.length === 1 && end !== rays) throw damaged(`the tree has fewer than its ${rays} rays`);
   }
@@ -55,11 +51,11 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
 
 function seedling(n: number, rays: number, firstObject: Int32Array, scratch: Scratch): Growing {
   if (!(rays >= n * n)) throw damaged(`the tree has more than its ${rays} rays`);
-  const { surface, patch, children, history, sides, before, group, reflected, refracted } = scratch;
+  const { surface, patch, children, history, sides, before, group, born } = scratch;
   const tree: Growing = {
     count: rays,
     pixel: new Int32Array(rays), parent: new Int32Array(rays), kind: new Uint8Array(rays), depth: new Uint8Array(rays),
-    surface, patch, children, history, sides, before, group, reflected, refracted,
+    surface, patch, children, history, sides, before, group, born,
   };
   fillRaster(n, tree.sides);
   for (let k = 0; k < n * n; k++) {
@@ -92,18 +88,18 @@ function markHistories(tree: Growing, first: number, end: number, patchOf: Int32
   return histories + known.size;
 }
 
-/** Adds the children of the rays on these paths: path by path, reflected before refracted, in
- *  their parents' order. Returns the children's paths. */
+/** Adds the children of the rays on these paths: path by path, branch by branch, in their
+ *  parents' order. Returns the children's paths. */
 function branch(tree: Growing, paths: number[], depth: number, rays: number, histories: number): number[] {
-  const { children, pixel, parent, kind, history, before, reflected, refracted } = tree;
+  const { children, pixel, parent, kind, history, before } = tree;
   const end = paths[paths.length - 1];
-  const born = [end];
+  const starts = [end];
   let k = end;
   for (let path = 0; path + 1 < paths.length; path++) {
-    for (let down = 0; down < 2; down++) {
-      const bits = down ? REFRACTED : REFLECTED | TOTAL, child = down ? refracted : reflected;
+    for (let branch = 0; branch < BRANCHES; branch++) {
+      const sent = SENT[branch], child = tree.born[branch];
       for (let row = paths[path]; row < paths[path + 1]; row++) {
-        if ((children[row] & bits) === 0) {
+        if (sent[children[row]] === 0) {
           child[row] = -1;
           continue;
         }
@@ -111,24 +107,24 @@ function branch(tree: Growing, paths: number[], depth: number, rays: number, his
         child[row] = k;
         parent[k] = row;
         pixel[k] = pixel[row];
-        kind[k] = down ? KIND.refracted : children[row] & TOTAL ? KIND.total : KIND.reflected;
-        before[k] = 2 * (history[row] - histories) + down;
+        kind[k] = sent[children[row]];
+        before[k] = BRANCHES * (history[row] - histories) + branch;
         k++;
       }
-      if (k > born[born.length - 1]) born.push(k);
+      if (k > starts[starts.length - 1]) starts.push(k);
     }
   }
   tree.depth.fill(depth, end, k);
   besideParents(tree, end, k);
-  return born;
+  return starts;
 }
 
 /** A child's neighbours are the like children of its parent's neighbours. */
 function besideParents(tree: Growing, first: number, end: number) {
-  const { parent, kind, reflected, refracted } = tree;
+  const { parent, kind, born } = tree;
   const { left, up, upLeft, upRight } = tree.sides;
   for (let row = first; row < end; row++) {
-    const child = kind[row] === KIND.refracted ? refracted : reflected;
+    const child = born[BRANCH_OF[kind[row]]];
     const of = parent[row];
     const l = left[of], u = up[of], ul = upLeft[of], ur = upRight[of];
     left[row] = l < 0 ? -1 : child[l];

@@ -6,7 +6,6 @@
 
 export type Vec3 = readonly [number, number, number];
 
-export const KIND = { camera: 0, reflected: 1, refracted: 2, total: 3 } as const;
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const; // off: only by a switch, in no file
 
 /** One scene at one frustum resolution: n x n camera rays and everything they led to.
@@ -17,7 +16,7 @@ export interface Trace {
   lights: number; // columns per ray in the per-light arrays
   count: number; // rays in all
   /** (count) */
-  kind: Uint8Array; // KIND
+  kind: Uint8Array; // KIND of kinds.ts
   parent: Int32Array; // -1 for camera rays
   pixel: Int32Array; // row * n + column
   depth: Uint8Array; // bounces before this ray
