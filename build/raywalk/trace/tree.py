@@ -61,7 +61,7 @@ class RayTree:
     `passed` p, to be multiplied by kd * light colour and ks * light colour.
     """
 
-    size: int  # the pictures's width and height these pixels belong to
+    size: int  # width and height of the picture that these pixels belong to
     pixel: np.ndarray  # (m,) int32: row * size + column in the full picture
     parent: np.ndarray  # (m,) int32: row of the parent ray, -1 for camera rays
     kind: np.ndarray  # (m,) uint8: Kind

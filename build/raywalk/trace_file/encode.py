@@ -3,33 +3,18 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from raywalk.scene.model import Scene
-from raywalk.trace.tree import SENT_ON, RayTree
-from raywalk.trace_file import rebuild, tables
+from raywalk.trace.tree import RayTree
 from raywalk.trace_file.checksum import checksum
-from raywalk.trace_file.errors import TraceFileError
-from raywalk.trace_file.level import in_file_order, level_pixels
+from raywalk.trace_file.header import begin_header
+from raywalk.trace_file.level import in_file_order
 from raywalk.trace_file.measure import measured_errors
-from raywalk.trace_file.precision import (
-    MOST_POINT,
-    POINT_SHARE,
-    SPLIT,
-    depth_step,
-    finite_extent,
-    normal_step,
-)
-from raywalk.trace_file.structure import bits_of
+from raywalk.trace_file.precision import finite_extent
 from raywalk.trace_file.truth import TrueNumbers
-from raywalk.trace_file.walk import images_along, keys_along, walk
-
-if TYPE_CHECKING:
-    from raywalk.trace_file.patches import Patch
-
-FORMAT, VERSION = "raywalk-trace", 2
+from raywalk.trace_file.walk import walk
 
 
 def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
@@ -39,110 +24,13 @@ def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     from raywalk.trace_file.patches import split_into_patches
 
     tree = in_file_order(level)
-    n = checked_side(tree)
-    patches, patch_of = split_into_patches(
-        tree.object, tree.point, tree.normal, finite_extent(tree, scene)
-    )
-    header, symbols = begin_header(tree, scene, n, patches, patch_of)
     tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
+    extent = finite_extent(tree, scene)
+    patches, patch_of = split_into_patches(tree.object, tree.point, tree.normal, extent)
+    header, symbols = begin_header(tree, scene, extent, patches, patch_of)
     noting = Noting(symbols, TrueNumbers(tree, header, symbols, tile))
     ray = walk(header, noting)
     header["columns"], header["predictors"] = noting.columns(), noting.predictors
     header["errors"] = measured_errors(tree, header, ray, tile)
     header["crc32"] = checksum(header)
     return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
-
-
-def checked_side(tree: RayTree) -> int:
-    """n, after a look at what the format takes for granted."""
-    n = int(np.sqrt(tree.cameras) + 0.5)
-    if n * n != tree.cameras or (tree.pixel[: n * n] != level_pixels(tree.size, n)).any():
-        raise TraceFileError("unfit", "these are not the camera rays of one resolution")
-    return n
-
-
-def begin_header(
-    tree: RayTree, scene: Scene, n: int, patches: list[Patch], patch_of: np.ndarray
-) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """All of the header that the walk needs, and the symbols of every symbol column."""
-    extent = finite_extent(tree, scene)
-    signature, signature_of = tables.signatures(tree)
-    surface, surface_of = tables.surfaces(tree, patches, patch_of)
-    seen, seen_of = tables.seen(tree)
-    symbols = {
-        "signature": signature_of, "surface": surface_of, "children": children_bits(tree),
-        **{f"visibility{l}": seen_of[:, l] for l in range(len(scene.lights))},
-    }  # fmt: skip
-    ended = np.unique(patch_of[tree.cameras :])
-    frame = camera_frame(scene)
-    header: dict[str, Any] = {
-        "format": FORMAT, "version": VERSION, "scene": scene.id, "n": n, "size": tree.size,
-        "rays": len(tree.pixel), "hits": len(tree.hits_t), "camera": frame,
-        "background": list(scene.background),
-        "objects": [item.name for item in scene.objects],
-        "lights": [
-            {"name": light.name, "position": list(light.position), "colour": list(light.colour)}
-            for light in scene.lights
-        ],
-        "materials": tables.material_rows(tree, scene),
-        "patches": [tables.patch_row(p, extent, k in ended) for k, p in enumerate(patches)],
-        "images": depth_images(tree, frame, n, patches, extent, signature, signature_of),
-        "tables": {
-            "signature": [list(row) for row in signature],
-            "surface": [list(row) for row in surface],
-            "visibility": [list(row if row[2] != 1 else row[:2]) for row in seen],
-        },
-        "steps": {
-            "normal": normal_step(), "split": SPLIT,
-            "blocked": 2 * min(POINT_SHARE * extent, MOST_POINT),
-        },
-    }  # fmt: skip
-    return header, symbols
-
-
-def children_bits(tree: RayTree) -> np.ndarray:
-    bits = np.zeros(len(tree.pixel), np.int64)
-    for kind in SENT_ON:
-        parents = tree.parent[tree.kind == kind]
-        if len(np.unique(parents)) < len(parents) or (bits[parents] & bits_of(kind.branch)).any():
-            raise TraceFileError("unfit", "a ray has two children of one branch")
-        bits[parents] |= kind.bit
-    return bits
-
-
-def camera_frame(scene: Scene) -> dict[str, Any]:
-    """Eye and view as the scene gives them, and the vectors that span the picture."""
-    camera = scene.camera
-    eye, target, up = (np.array(v, float) for v in (camera.eye, camera.target, camera.up))
-    forward = (target - eye) / np.linalg.norm(target - eye)
-    right = np.cross(forward, up) / np.linalg.norm(np.cross(forward, up))
-    spread = np.tan(np.radians(camera.fov) / 2)
-    return {
-        "eye": list(camera.eye), "target": list(camera.target), "up": list(camera.up),
-        "fov": camera.fov, "forward": (forward + 0.0).tolist(),
-        "right": (right * spread + 0.0).tolist(),
-        "down": (np.cross(forward, right) * spread + 0.0).tolist(),
-    }  # fmt: skip
-
-
-def depth_images(
-    tree: RayTree, frame: dict[str, Any], n: int, patches: list[Patch], extent: float,
-    signature: list[tuple[int, ...]], signature_of: np.ndarray,
-) -> list[dict[str, Any]]:  # fmt: skip
-    """One a key (object, how often the ray met it before), with its step of 1 / z."""
-    slant = rebuild.length(rebuild.camera_steps(frame, n))
-    error: dict[int, float] = {}
-    for patch in patches:
-        allowed = tables.allowed_error(patch, extent)
-        error[patch.object] = min(allowed, error.get(patch.object, allowed))
-    keys = sorted({key for hits in signature for key in keys_along(list(hits))})
-    images: list[dict[str, Any]] = [{"object": thing, "turn": turn} for thing, turn in keys]
-    along = images_along([list(hits) for hits in signature], images)
-    ray, place, t = tables.drawn_hits(tree, frame["eye"])
-    image_of = along[signature_of[ray], place]
-    for k, image in enumerate(images):
-        here = np.flatnonzero(image_of == k)
-        allowed = error.get(image["object"], min(POINT_SHARE * extent, MOST_POINT))
-        slants = slant[ray[here]]
-        image["step"] = depth_step(t[here] / slants, slants, allowed)
-    return images

@@ -75,3 +75,11 @@ def _rows(tree: RayTree, rows: np.ndarray) -> RayTree:
     for name in PER_HIT:
         columns[name] = getattr(tree, name)[hits]
     return replace(tree, hits_start=start, **columns)
+
+
+def side_of(tree: RayTree) -> int:
+    """n of a level's n x n camera rays. Raises TraceFileError if they are not of one level."""
+    n = int(np.sqrt(tree.cameras) + 0.5)
+    if n * n != tree.cameras or (tree.pixel[: n * n] != level_pixels(tree.size, n)).any():
+        raise TraceFileError("unfit", "these are not the camera rays of one resolution")
+    return n

@@ -12,6 +12,7 @@ from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
+from raywalk.trace_file.structure import bits_of
 
 if TYPE_CHECKING:
     from raywalk.trace_file.patches import Patch
@@ -48,6 +49,17 @@ def signatures(tree: RayTree) -> tuple[list[tuple[int, ...]], np.ndarray]:
     along[ray, np.arange(len(ray)) - tree.hits_start[ray]] = tree.hits_object
     table, place = by_frequency(list(along.T))
     return [tuple(thing for thing in row if thing != ENDED) for row in table], place
+
+
+def children_bits(tree: RayTree) -> np.ndarray:
+    """Which kinds of child each ray has, a bit each."""
+    bits = np.zeros(len(tree.pixel), np.int64)
+    for kind in SENT_ON:
+        parents = tree.parent[tree.kind == kind]
+        if len(np.unique(parents)) < len(parents) or (bits[parents] & bits_of(kind.branch)).any():
+            raise TraceFileError("unfit", "a ray has two children of one branch")
+        bits[parents] |= kind.bit
+    return bits
 
 
 def drawn_hits(tree: RayTree, eye: list[float]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -87,8 +99,7 @@ def seen(tree: RayTree) -> tuple[list, np.ndarray]:
     )
     places = np.zeros(len(hit), np.int64)
     places[hit] = place
-    told = [(visibility, blocker, float(shares[k])) for visibility, blocker, k in table]
-    return told, places.reshape(shape)
+    return [(*seen, float(shares[k])) for *seen, k in table], places.reshape(shape)
 
 
 def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[str, Any]:
