@@ -30,7 +30,7 @@ from raywalk.site.reports import publish_reports
 from raywalk.site.savings import as_table, savings_lines, savings_of
 from raywalk.site.scene_data import Display, scene_data, scene_words
 from raywalk.site.sitemap import base_of, write_sitemap
-from raywalk.slide_pipeline import last_decks, make_decks, plan, publish_slides, slide_remarks
+from raywalk.slide_pipeline import Source, last_decks, make_decks, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -94,14 +94,14 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
             store, page_data_parts(scene, keys[scene.id]),
             partial(write_page_data, scene, entries[scene.id]), chosen,
         )  # fmt: skip
-    plans = [
-        plan(scene, entries[scene.id].folder, keys[scene.id], spoken=each.scene, language=code)
+    sources = [
+        Source(each.scene, code, entries[each.scene.id], data[each.scene.id])
         for code, told in spoken.items()
-        for scene, each in zip(scenes, told, strict=True)
+        for each in told
         if each.is_translated
     ]
     in_a_hurry = chosen.slides_later
-    decks = last_decks(store, plans) if in_a_hurry else (yield from make_decks(store, plans))
+    decks = last_decks(store, sources) if in_a_hurry else (yield from make_decks(store, sources))
     notes += slide_remarks(decks)
     yield from slide_remarks(decks)
     budgets = sizes.read_budgets(chosen.budgets)

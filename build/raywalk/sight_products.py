@@ -1,8 +1,11 @@
-"""What the slides' figures need of the tracer, as files: shaded views, hidden stretches."""
+"""What a lesson's figures need of the tracer, as files: shaded views, hidden stretches, and the
+rays of the pixels whose numbers are printed, in all digits."""
 
 from __future__ import annotations
 
+import copy
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,52 +13,99 @@ import numpy as np
 from PIL import Image
 
 from raywalk.scene.model import Scene
-from raywalk.slides.layout import Layout
-from raywalk.slides.placing import read_placed
-from raywalk.slides.sights import ANSWERS, requests, stops_seen
-from raywalk.slides.what_if import Switches, switched_scene
-from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
+from raywalk.slide_pipeline import SIGHTS
+from raywalk.trace.plan import LEAST_SHARE, plan_of
+from raywalk.trace.record import assemble, record
+from raywalk.trace.tables import compile_lights, compile_materials
+from raywalk.trace.tally import Tally
 from raywalk.trace.wavefront import Tracer
+from raywalk.trace_file.level import level_pixels
 
 # The view lies pale behind the lines: what adds less than 1/16 to a pixel is not seen there,
 # nor are mirrors within mirrors deeper than this.
-LEAST_SHARE = 1 / 16
+PALE_SHARE = 1 / 16
 DEEPEST = 2
+# Columns of ExactRays (viewer/stops/exact.ts), by the trace's names and by the viewer's.
+ROWS = ("parent", "kind", "object")
+COLUMNS = {
+    "t": "t", "point": "point", "normal": "normal", "weight": "weight",
+    "local_weight": "localWeight", "blocked_at": "blockedAt", "passed": "passed",
+    "diffuse": "diffuse", "specular": "specular",
+}  # fmt: skip
 
 
-def write_sights(scene: Scene, traced: Path, layout: Layout, folder: Path) -> None:
-    """view-<k>.png and sights.json for a scene's lesson. traced: what write_products wrote."""
-    asked = requests(stops_seen(read_placed(scene, traced / "display.npz"), traced, layout))
-    tracer = Tracer(scene, min(scene.render.depth, DEEPEST), LEAST_SHARE)
-    observers = [_observer(look) for look in asked["looks"]]
-    for k, (look, observer) in enumerate(zip(asked["looks"], observers, strict=True)):
-        lit = _lit(tracer, scene, look["switches"])
-        Image.fromarray(shaded_view(lit, observer)).save(folder / f"view-{k}.png")
-    steps = [_answer(tracer, observers[step["look"]].eye, step) for step in asked["steps"]]
-    (folder / ANSWERS).write_text(json.dumps({"steps": steps}, sort_keys=True), encoding="utf-8")
+def write_sights(scene: Scene, asked: dict[str, Any], folder: Path) -> None:
+    """view-<k>.png and SIGHTS for what a lesson asks: Asked in viewer/stops/lesson.ts."""
+    tracer = Tracer(scene, least_share=LEAST_SHARE)
+    for k, look in enumerate(asked["looks"]):
+        view = shaded_view(_pale(tracer, look["lit"]), _observer(look))
+        Image.fromarray(view).save(folder / f"view-{k}.png")
+    answers = {
+        "stops": [_hidden(tracer, asked["looks"][stop["look"]], stop) for stop in asked["stops"]],
+        "exact": [exact_rays(tracer, each["n"], each["pixels"]) for each in asked["exact"]],
+    }
+    (folder / SIGHTS).write_text(json.dumps(answers, sort_keys=True), encoding="utf-8")
 
 
-def _lit(tracer: Tracer, scene: Scene, switches: Switches) -> Tracer:
-    """The tracer of the scene as a step's switches light it; the same where nothing is switched."""
-    if not switches.is_set:
-        return tracer
-    altered = switched_scene(scene, switches)
-    return Tracer(altered, min(altered.render.depth, DEEPEST), LEAST_SHARE)
+def _pale(tracer: Tracer, lit: dict[str, Any]) -> Tracer:
+    """The tracer of the same bodies as a stop's switches light them, no deeper than a pale view
+    shows."""
+    scene, fresh = tracer.scene, copy.copy(tracer)
+    fresh.scene = replace(
+        scene,
+        render=replace(scene.render, shadows=lit["shadows"]),
+        lights=tuple(
+            replace(light, intensity=intensity)
+            for light, intensity in zip(scene.lights, lit["intensities"], strict=True)
+        ),
+        materials=tuple(
+            replace(material, ambient=ambient, diffuse=diffuse, specular=specular)
+            for material, (ambient, diffuse, specular) in zip(
+                scene.materials, lit["paints"], strict=True
+            )
+        ),
+    )
+    fresh.lights, fresh.materials = compile_lights(fresh.scene), compile_materials(fresh.scene)
+    fresh.plan = plan_of(fresh.scene, min(lit["depth"], DEEPEST))
+    fresh.least_share = PALE_SHARE
+    return fresh
 
 
-def _answer(tracer: Tracer, eye: np.ndarray, step: dict[str, Any]) -> dict[str, Any]:
-    lines = np.array(step["chosen"] + step["thin"], float).reshape(-1, 2, 3)
-    hidden = [
-        [[round(a, 6), round(b, 6)] for a, b in stretches]
-        for stretches in hidden_stretches(tracer, eye, lines)
-    ]
-    tiles = np.flatnonzero(hidden_points(tracer, eye, np.array(step["tiles"], float)))
-    first = len(step["chosen"])
+def _hidden(tracer: Tracer, look: dict[str, Any], stop: dict[str, Any]) -> dict[str, Any]:
+    """Stretches of the stop's lines and tiles of its grid that are not seen from there."""
+    eye, tiles = np.array(look["eye"], float), stop["tiles"]
+    lines = np.array(stop["lines"], float).reshape(-1, 2, 3)
+    row, column = np.divmod(np.arange(tiles["n"] ** 2)[:, None], tiles["n"])
+    across, down = np.array(tiles["across"]), np.array(tiles["down"])
+    centres = tiles["origin"] + ((column + 0.5) * across + (row + 0.5) * down) / tiles["n"]
     return {
-        "look": step["look"],
-        "chosen": hidden[:first],
-        "thin": hidden[first:],
-        "tiles": tiles.tolist(),
+        "hidden": [
+            [[round(a, 6), round(b, 6)] for a, b in stretches]
+            for stretches in hidden_stretches(tracer, eye, lines)
+        ],
+        "tiles": np.flatnonzero(hidden_points(tracer, eye, centres)).tolist(),
+    }
+
+
+def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
+    """ExactRays of some pixels (row * n + column) of the n x n grid, traced as the picture was."""
+    size = tracer.scene.render.size
+    places = level_pixels(size, n)[pixels]
+    waves = tracer.waves(places, size, size)
+    kept = np.isin(np.arange(size * size), places)
+    tree = assemble(tracer, [record(tracer, waves, places, kept, Tally())], size)
+    in_grid = dict(zip(places.tolist(), pixels, strict=True))
+    t = np.where(np.isfinite(tree.t), tree.t, 0.0)  # a leaving ray's, which nobody reads
+    return {
+        "n": n,
+        "pixel": [in_grid[place] for place in tree.pixel.tolist()],
+        **{name: getattr(tree, name).tolist() for name in ROWS},
+        "columns": {
+            told: (t if name == "t" else getattr(tree, name)).reshape(-1).tolist()
+            for name, told in COLUMNS.items()
+        },
+        "hitsStart": tree.hits_start.tolist(),
+        "hitsT": tree.hits_t.tolist(),
     }
 
 

@@ -2,56 +2,62 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import time
 from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from raywalk.scene.model import Scene
-from raywalk.slides.layout import LAYOUTS, WIDE, Layout
+from raywalk.site.scene_data import scene_words
+from raywalk.slides.layout import WIDE, Layout
+from raywalk.stops.process import SCRIPT, Stops
+from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
-from raywalk.work.digests import digest, key_of
-from raywalk.work.keys import Parts, makers, plain
+from raywalk.work.digests import digest, digests, key_of
+from raywalk.work.keys import Parts, is_source, makers, plain
 from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.progress import Report
 from raywalk.work.store import Entry, Store
 
+if TYPE_CHECKING:
+    from raywalk.slides.deck import Sources
+
 WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
 # Where the tracer is asked: a lesson's words are not in it, so a change of words traces nothing.
-SIGHT_STAGES = (
-    "trace/observer_view.py", "sight_products.py", "trace_file",
-    *(f"slides/{name}.py" for name in (
-        "costs", "frustum", "layout", "lines", "observer", "placing", "sights", "views", "what_if",
-    )),
-)  # fmt: skip
+SIGHT_STAGES = ("trace/observer_view.py", "sight_products.py")
 SIGHT_PACKAGES = ("numpy", "pillow")
-STAGES = (
-    "slides",
-    "slide_products.py",
-    "lesson_text.py",
-    "scene",
-    "words",
-    "telling",
-    "trace_file",
-)
+STAGES = ("slides", "slide_products.py", "lesson_text.py", "scene", "words")
 PACKAGES = ("numpy", "pillow", "markdown", "reportlab", "python-pptx", "python-bidi", "lxml")
 PUBLISHED = WIDE
 COURSE = "course"  # the id of the deck of all scenes
 KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course; not published
 REMARKS = "remarks.txt"  # what could not be written, and why; not published
+ASKED, SIGHTS, TOLD = "asked.json", "sights.json", "told.json"
+
+
+@dataclass(frozen=True)
+class Source:
+    """One scene in one language, and the entries that its slides are made from."""
+
+    scene: Scene  # in that language
+    language: str
+    traced: Entry
+    page_data: Entry  # scene.js, in the default language
 
 
 @dataclass(frozen=True)
 class Plan:
     """What one scene's slides in one language are made from, and under which keys they are kept."""
 
-    scene: Scene  # in that language
+    scene: Scene
     language: str
     traced: Path  # the folder of the scene's trace
-    sights: Parts  # the same in every language
+    sights: Entry  # the same in every language
+    told: Entry
     slides: Parts
 
     @property
@@ -68,27 +74,109 @@ class MadeDeck:
     entry: Entry
 
 
-def plan(
-    scene: Scene, traced: Path, trace_key: str, layout: Layout = PUBLISHED,
-    spoken: Scene | None = None, language: str = DEFAULT,
-) -> Plan:  # fmt: skip
-    """trace_key: under which the store has the scene's trace; spoken: the scene in the language."""
-    sights: Parts = {
-        "what": "sights", "of": scene.id, "trace": trace_key, "aspect": layout.name,
-        "views": [[view for _, view in step.stops()] for step in scene.lesson],
-        **makers(SIGHT_STAGES, SIGHT_PACKAGES),
+def plans_of(
+    store: Store, stops: Stops, sources: list[Source], layout: Layout = PUBLISHED
+) -> Generator[str, None, list[Plan]]:
+    """Has the viewer's modules tell every lesson, and the tracer what they ask of it, where that is
+    not in the store. Only what they say is in the slides' keys: other code that says the same makes
+    no slide anew."""
+    code = makers_of_stops()
+    asked = {each.scene.id: _asked(store, stops, each, layout, code) for each in sources}
+    sights = yield from _sights(store, sources, asked)
+    plans = []
+    for each in sources:
+        of = sights[each.scene.id]
+        told = _told(store, stops, each, layout, asked[each.scene.id], of, code)
+        plans.append(Plan(each.scene, each.language, each.traced.folder, of, told, {
+            "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
+            "trace": each.traced.folder.name, "sights": of.folder.name,
+            "told": digest(told.folder / TOLD), "scene": plain(each.scene),
+            "sentences": sentences(each.language), **makers(STAGES, PACKAGES),
+        }))  # fmt: skip
+    return plans
+
+
+def _asked(store: Store, stops: Stops, of: Source, layout: Layout, code: Parts) -> Entry:
+    """What the tracer is asked for."""
+    parts = {
+        "what": "asked", "of": of.scene.id, "layout": layout.name,
+        "page data": of.page_data.folder.name, **code,
     }  # fmt: skip
-    told = spoken or scene
-    slides: Parts = {
-        "what": "slides", "of": _of(scene.id, language), "sights": key_of(sights),
-        "scene": plain(told), "sentences": sentences(language), **makers(STAGES, PACKAGES),
+    return _kept(store, stops, parts, ASKED, {"do": "ask", **_where(of, layout)})
+
+
+def _sights(
+    store: Store, sources: list[Source], asked: dict[str, Entry]
+) -> Generator[str, None, dict[str, Entry]]:
+    """What it answers, by scene."""
+    tasks = {}
+    for each in sources:
+        tasks[each.scene.id] = (each.scene, asked[each.scene.id], {
+            "what": "sights", "of": each.scene.id, "trace": each.traced.folder.name,
+            "asked": digest(asked[each.scene.id].folder / ASKED),
+            **makers(SIGHT_STAGES, SIGHT_PACKAGES),
+        })  # fmt: skip
+    missing = [task for task in tasks.values() if not store.find(key_of(task[2]))]
+    if missing:
+        yield f"what is seen in the slides of {len(missing)} of {len(tasks)} scenes"
+    for _ in run_all(partial(_make_sights, store), missing, lambda task: task[0].id):
+        pass
+    return {id: store.get(key_of(parts)) for id, (_, _, parts) in tasks.items()}
+
+
+def _told(
+    store: Store, stops: Stops, of: Source, layout: Layout, asked: Entry, sights: Entry, code: Parts
+) -> Entry:
+    """The lesson as it is told in a language."""
+    spoken = None if of.language == DEFAULT else scene_words(of.scene)
+    parts = {
+        "what": "told", "of": _of(of.scene.id, of.language), "layout": layout.name,
+        "page data": of.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
+        "sentences": sentences(of.language), **code,
     }  # fmt: skip
-    return Plan(told, language, traced, sights, slides)
+    request = {
+        "do": "tell", **_where(of, layout), "asked": str(asked.folder / ASKED),
+        "sights": str(sights.folder / SIGHTS), "spoken": spoken,
+        "words": read_words(of.language).tree,
+    }  # fmt: skip
+    return _kept(store, stops, parts, TOLD, request)
+
+
+def _where(of: Source, layout: Layout) -> Parts:
+    return {
+        "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
+        "size": {"width": layout.figure.width, "height": layout.figure.height},
+    }  # fmt: skip
+
+
+def _kept(store: Store, stops: Stops, parts: Parts, name: str, request: Parts) -> Entry:
+    """The entry of an answer, asked for if it is not there."""
+
+    def write(folder: Path) -> None:
+        (folder / name).write_text(stops.ask(request), encoding="utf-8")
+
+    return store.entry(key_of(parts), write, parts)
+
+
+def _make_sights(
+    store: Store, task: tuple[Scene, Entry, Parts], threads: Threads, report: Report
+) -> None:
+    from raywalk.sight_products import write_sights
+
+    scene, asked, parts = task
+    wanted = json.loads((asked.folder / ASKED).read_text(encoding="utf-8"))
+    store.entry(key_of(parts), partial(write_sights, scene, wanted), parts)
 
 
 def _of(id: str, language: str) -> str:
     """What slides are of, by the site's address scheme."""
     return id if language == DEFAULT else f"{language}/{id}"
+
+
+def makers_of_stops() -> Parts:
+    """The viewer's modules that are asked, and what bundles them."""
+    files = [SCRIPT, *(SCRIPT.parent / "viewer").rglob("*.ts")]
+    return {"code": digests((path for path in files if is_source(path)), SCRIPT.parent)}
 
 
 def sentences(language: str) -> dict[str, str]:
@@ -102,9 +190,11 @@ def course_parts(plans: list[Plan]) -> Parts:
     return {"what": "slides", "of": of, "decks": [each.key for each in plans]}
 
 
-def make_decks(store: Store, plans: list[Plan]) -> Generator[str, None, list[MadeDeck]]:
+def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list[MadeDeck]]:
     """Every scene's slides and the course's in each language, on all cores; tells those that were
-    not there."""
+    not there. Raises SourceErrors where node is missing."""
+    with Stops() as stops:
+        plans = yield from plans_of(store, stops, sources)
     missing = _by_scene(each for each in plans if not store.find(each.key))
     if missing:
         scenes = len({each.scene.id for each in plans})
@@ -147,10 +237,10 @@ def _by_language(plans: list[Plan]) -> list[list[Plan]]:
     return list(courses.values())
 
 
-def last_decks(store: Store, plans: list[Plan]) -> list[MadeDeck]:
+def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
     """The decks as they were last made, for pages that shall not wait for new ones."""
-    wanted = [(each.scene.id, each.language) for each in plans]
-    wanted += [(COURSE, of[0].language) for of in _by_language(plans)]
+    wanted = [(each.scene.id, each.language) for each in sources]
+    wanted += [(COURSE, code) for code in dict.fromkeys(each.language for each in sources)]
     found = []
     for id, language in wanted:
         made_from = store.newest("slides", _of(id, language))
@@ -163,7 +253,7 @@ def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Repo
     from raywalk.slide_products import write_course_slides
 
     kept = [store.get(each.key).folder / KEPT for each in plans]
-    sources = [_sources(store, each) for each in plans]
+    sources = [sources_of(each) for each in plans]
     parts, language = course_parts(plans), plans[0].language
     store.entry(
         key_of(parts),
@@ -199,20 +289,6 @@ def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict
     return published
 
 
-def make_sights(store: Store, made: Plan) -> Entry:
-    """What the tracer tells of a lesson's views."""
-    if found := store.find(key_of(made.sights)):
-        return found  # a change of words alone never pays for what traces
-    from raywalk.sight_products import write_sights
-
-    layout = LAYOUTS[made.sights["aspect"]]
-    return store.entry(
-        key_of(made.sights),
-        lambda folder: write_sights(made.scene, made.traced, layout, folder),
-        made.sights,
-    )
-
-
 def _make(store: Store, task: tuple[Plan, ...], threads: Threads, report: Report) -> float:
     """One scene's slides in some languages; returns the seconds it took."""
     # Only here: a build with nothing to make never pays for numba, ReportLab and python-pptx.
@@ -220,18 +296,13 @@ def _make(store: Store, task: tuple[Plan, ...], threads: Threads, report: Report
 
     begun = time.monotonic()
     for made in task:
-        make_sights(store, made)
-        sources = _sources(store, made)
-        language = made.language
-        store.entry(
-            made.key,
-            partial(write_scene_slides, sources, PUBLISHED, language=language),
-            made.slides,
-        )
+        write = partial(write_scene_slides, sources_of(made), PUBLISHED, language=made.language)
+        store.entry(made.key, write, made.slides)
     return time.monotonic() - begun
 
 
-def _sources(store: Store, made: Plan) -> Any:
+def sources_of(made: Plan) -> Sources:
+    """Where its slides come from."""
     from raywalk.slides.deck import Sources
 
-    return Sources(made.scene, made.traced, store.get(key_of(made.sights)).folder)
+    return Sources(made.scene, made.traced, made.sights.folder, made.told.folder / TOLD)

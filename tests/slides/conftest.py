@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar, cast
 
 import pytest
 
-from raywalk.products import write_products
+from raywalk.commands.slides import traced
 from raywalk.scene import read_scene
 from raywalk.scene.model import Scene
-from raywalk.sight_products import write_sights
+from raywalk.slide_pipeline import plans_of, sources_of
 from raywalk.slides.deck import Sources, scene_deck
 from raywalk.slides.figure import Deck
 from raywalk.slides.layout import LAYOUTS
 from raywalk.slides.step_slide import Lesson
+from raywalk.stops.process import Stops
+from raywalk.work.store import Store
+
+Result = TypeVar("Result")
 
 BALLS = """
 version = 1
@@ -72,18 +78,17 @@ answer_view = { tiles = "filled" }
 
 @dataclass(frozen=True)
 class Made:
-    """A scene and the folders of what was made of it."""
+    """A scene, and a store of what is made of it."""
 
     scene: Scene
-    traced: Path
-    folder: Path
+    store: Store
 
     def sources(self, aspect: str = "16:9") -> Sources:
-        sights = self.folder / f"sights-{aspect.replace(':', 'x')}"
-        if not sights.exists():
-            sights.mkdir()
-            write_sights(self.scene, self.traced, LAYOUTS[aspect], sights)
-        return Sources(self.scene, self.traced, sights)
+        """As `raywalk slides` has them."""
+        with Stops() as stops:
+            source = last(traced(self.store, self.scene))
+            [plan] = last(plans_of(self.store, stops, [source], LAYOUTS[aspect]))
+        return sources_of(plan)
 
     def lesson(self, aspect: str = "16:9") -> Lesson:
         return self.sources(aspect).lesson(LAYOUTS[aspect])
@@ -92,16 +97,21 @@ class Made:
         return scene_deck(self.sources(aspect), LAYOUTS[aspect])
 
 
+def last(told: Generator[str, None, Result]) -> Result:
+    """What work that tells how it goes returns at its end."""
+    while True:
+        try:
+            next(told)
+        except StopIteration as end:
+            return cast(Result, end.value)
+
+
 def make(folder: Path, text: str) -> Made:
-    """Traces a scene file's text."""
+    """A scene file's text as a scene; it is traced when it is needed."""
     place = folder / "scenes" / "04-balls"
     place.mkdir(parents=True)
     (place / "scene.toml").write_text(text, encoding="utf-8")
-    scene = read_scene(place)
-    traced = folder / "traced"
-    traced.mkdir()
-    write_products(scene, traced, threads=1)
-    return Made(scene, traced, folder)
+    return Made(read_scene(place), Store(folder / "work"))
 
 
 @pytest.fixture(scope="session")

@@ -13,7 +13,6 @@ from raywalk.slides.html import deck_html
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import deck_pdf
 from raywalk.slides.pptx import deck_pptx
-from raywalk.slides.step_figure import ray_order
 
 PLACE = re.compile(r"step (\d+) of (\d+)(?: · rays? (\d+)(?: to (\d+))? of (\d+))?")
 
@@ -26,7 +25,7 @@ def place(slide: Slide) -> str:
 def test_steps_and_rays_are_numbered(deck: Deck, balls):
     """The steps in order; of a step's rays those that its figure shows, of the whole tree."""
     told = [place(s) for s in deck.slides if s.kind in ("step", "ray", "question", "answer")]
-    count = [len(ray_order(seen)) for seen in balls.lesson().seen]
+    count = [len(stop.rows) for stop in balls.lesson().stops]
     assert count[0] == 0 and count[1] == 2
     assert told[:5] == [
         "step 1 of 4",

@@ -28,16 +28,20 @@ def expected(request, balls):
     and the slide's place in it."""
     layout = LAYOUTS[request.param]
     lesson = balls.lesson(request.param)
-    seen = lesson.seen[STEP]
-    eye = seen.observer.eye
-    forward = seen.observer.target - eye
+    stop = lesson.stops[STEP]
+    eye = np.array(stop.observer["eye"])
+    forward = np.array(stop.observer["target"]) - eye
     forward = forward / np.linalg.norm(forward)
     right = np.cross(forward, [0, 1, 0])
     right = right / np.linalg.norm(right)
     up = np.cross(right, forward)
     box = layout.figure
-    focal = min(box.width, box.height) / 2 / np.tan(np.radians(seen.observer.fov / 2))
-    ends = np.array([line.ends for line in seen.chosen]) - eye
+    focal = min(box.width, box.height) / 2 / np.tan(np.radians(stop.observer["fov"] / 2))
+    start = {1: balls.scene.camera.eye, 2: stop.rows[0].point}  # the camera ray, its reflection
+    ends = np.array([
+        [start[line.ray] if line.light < 0 else stop.rows[line.ray - 1].point, line.to]
+        for line in stop.chosen
+    ]) - eye  # fmt: skip
     depth = ends @ forward
     x = box.left + box.width / 2 + focal * (ends @ right) / depth
     y = box.top + box.height / 2 - focal * (ends @ up) / depth

@@ -7,9 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raywalk.scene import read_scene
 from raywalk.slides.figure import Dot, Slide, Text, flat
-from raywalk.slides.what_if import switched_trace, switches_of
+from raywalk.slides.layout import WIDE
 from raywalk.trace_file import read_trace
 
 from .conftest import BALLS, make
@@ -49,18 +48,16 @@ def altered(name: str) -> str:
 
 @pytest.mark.parametrize("name", CASES)
 def test_switched_tiles_are_those_of_a_fresh_trace(name, tmp_path: Path):
-    """Every tile of 7 x 7 and 21 x 21, and every ray's colour of the selected pixel."""
-    switched = make(tmp_path / "switched", BALLS + with_step(CASES[name][0]))
-    fresh = make(tmp_path / "fresh", altered(name) + with_step("")).traced
-    given = switched.scene.lesson[0].view["switches"]
-    switches = switches_of(given, switched.scene)
-    assert switches.is_set
-    for n in (7, 21):
-        trace = read_trace(switched.traced / f"{n}.json.gz")
-        got = switched_trace(trace, switched.scene, switches)
+    """Every tile of 7 x 7 in the figure and of 21 x 21 beside it, and the selected pixel's rays."""
+    [stop] = make(tmp_path / "switched", BALLS + with_step(CASES[name][0])).lesson().stops
+    fresh = make(tmp_path / "fresh", altered(name) + with_step("")).sources().traced
+    assert stop.is_switched and stop.picture and stop.tiles is not None
+    for n, tiles in ((7, stop.tiles.reshape(-1)), (21, stop.picture.tiles)):
         want = read_trace(fresh / f"{n}.json.gz")
-        assert np.abs(got.tiles.astype(int) - want.tiles.astype(int)).max() <= APART
-        assert (got.pixel >= 0).sum() == want.count
+        assert np.abs(tiles.astype(int) - want.tiles.astype(int)).max() <= APART
+        if n == stop.n:
+            pixel = stop.pixel[1] * n + stop.pixel[0]
+            assert len(stop.rows) == (want.pixel == pixel).sum()
 
 
 def only_step(made) -> Slide:
@@ -76,9 +73,8 @@ def test_its_slide_says_what_is_switched_and_puts_the_lamp_out(made):
     assert {"at most 1 bounce", "light 1 is off", "without shadows"} <= set(words)
     lamps = {i.name: i.fill for i in flat(slide.items) if isinstance(i, Dot) and "light" in i.name}
     assert lamps == {"light 1": "ground", "light 2": "lamp"}
-    seen = scene.lesson().seen[0]
-    colour = ", ".join(map(str, seen.trace.tiles[3 * seen.view.index :][:3].tolist()))
-    assert colour in words
+    [stop] = scene.lesson().stops
+    assert ", ".join(map(str, stop.bytes)) in words
     assert any("light 1 is switched off" in note for note in slide.notes)
 
 
@@ -102,21 +98,12 @@ def test_tiles_may_show_costs(made):
     """The number of rays by cividis; the lightest tiles are those that took most."""
     text = '[[lesson]]\ntext = "Work."\nview = { resolution = 7, tiles = "filled", \
 colours = "rays", rays = [] }'
-    seen = made(text).lesson().seen[0]
-    shot = np.isin(seen.trace.visibility, (0, 1)).sum(axis=1) + 1.0
+    sources = made(text).sources()
+    [stop] = sources.lesson(WIDE).stops
+    trace = read_trace(sources.traced / "7.json.gz")
+    shot = np.isin(trace.visibility, (0, 1)).sum(axis=1) + 1.0
     rays = np.zeros(49)
-    np.add.at(rays, seen.trace.pixel, shot)
-    assert (seen.tiles[rays == rays.max()] == [0xFE, 0xE8, 0x38]).all()
-    assert (seen.tiles[rays == rays.min()] == [0x00, 0x22, 0x4E]).all()
-
-
-def test_a_translation_keeps_the_lights_that_are_switched(made, tmp_path: Path):
-    """Names of lights in a view follow the names that the language gives them."""
-    from raywalk.scene.translation import TranslationFile, in_words_of
-
-    scene = read_scene(made(with_step('lights = { "light 1" = 0 }')).scene.path.parent)
-    names = {"light 1": "Licht 1", "light 2": "Licht 2"}
-    told = {"title": "Zwei", "teaches": "Etwas.", "names": names, "lesson": [{"text": "Text."}]}
-    spoken = in_words_of(TranslationFile.model_validate(told), scene)
-    switches = switches_of(spoken.lesson[0].view["switches"], spoken)
-    assert [switches.brightness(light.name) for light in spoken.lights] == [0, 1]
+    np.add.at(rays, trace.pixel, shot)
+    assert stop.tiles is not None
+    assert (stop.tiles[rays == rays.max()] == [0xFE, 0xE8, 0x38]).all()
+    assert (stop.tiles[rays == rays.min()] == [0x00, 0x22, 0x4E]).all()

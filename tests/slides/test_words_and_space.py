@@ -28,14 +28,12 @@ from raywalk.slides.html import deck_html
 from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
-from raywalk.slides.lines import KINDS
 from raywalk.slides.palette import DASH_LENGTHS, KIND_DASH, PRINT, SCREEN
 from raywalk.slides.pdf import MissingGlyphs, deck_pdf
 from raywalk.slides.pptx import deck_pptx
 from raywalk.slides.step_figure import CHOSEN_WIDTH
 from raywalk.slides.step_slide import SAMPLE
 from raywalk.slides.typeface import wrapped
-from raywalk.slides.views import stops_of
 
 from .conftest import BALLS
 
@@ -61,12 +59,12 @@ def test_the_slides_of_a_step_say_what_the_lesson_says(balls, aspect):
     """Every word once, in order; a step whose first sentence is too long for a title has the
     scene's."""
     slides = [s for s in balls.deck(aspect).slides if s.kind in ("step", "question", "answer")]
-    stops = stops_of(balls.scene)
+    stops = balls.lesson(aspect).stops
     assert len(slides) == len(stops)
     for slide, stop in zip(slides, stops, strict=True):
-        assert told([slide]) == plain_text(stop.text)
+        assert told([slide]) == plain_text(stop.text(balls.scene))
         assert slide.kind == stop.kind
-        assert slide.notes[1] == plain_text(stop.text)
+        assert slide.notes[1] == plain_text(stop.text(balls.scene))
 
 
 @pytest.mark.parametrize("aspect", ["16:9", "4:3"])
@@ -251,7 +249,7 @@ def test_the_legend_names_the_lines_that_are_drawn(deck: Deck):
             i for i in slide.figure.items if isinstance(i, Group) and i.name == "Kinds of rays"
         ]
         rest = tuple(i for i in slide.figure.items if i not in legends)
-        drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KINDS)
+        drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KIND_DASH)
         named = {i.colour for i in flat(tuple(legends)) if isinstance(i, Line)} - {"soft"}
         assert named == drawn, slide.title
 
@@ -313,7 +311,7 @@ def test_letters_of_titles_and_names_are_found_too(made, tmp_path, old, new, key
 def test_a_legends_samples_tell_the_kinds_apart_without_colour():
     """No two kinds share a dash, and each sample holds a dash whole, its gap and the next one's
     beginning, in PDF and SVG by our lengths, in PowerPoint by its own, in shares of the width."""
-    dashes = [KIND_DASH[kind] for kind in KINDS]
+    dashes = list(KIND_DASH.values())
     assert len(set(dashes)) == len(dashes)
     powerpoint = {
         "dash": 7,

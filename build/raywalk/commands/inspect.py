@@ -37,7 +37,7 @@ def run(chosen: Namespace) -> Iterator[str]:
         trace = read_trace(chosen.trace)
         tree = as_json(trace, chosen.pixel)  # refuses a pixel outside
         if chosen.events:
-            yield from _events(chosen, trace)
+            yield from _events(chosen)
         elif chosen.json:
             yield json.dumps(tree, allow_nan=False)
         else:
@@ -50,21 +50,20 @@ def run(chosen: Namespace) -> Iterator[str]:
         raise SourceErrors([SourceError(chosen.trace, "", str(problem))]) from None
 
 
-def _events(chosen: Namespace, trace: Any) -> Iterator[str]:
-    from dataclasses import asdict
-
-    from raywalk.telling import events_of, scene_beside, tell
+def _events(chosen: Namespace) -> Iterator[str]:
+    from raywalk.stops.process import Stops
     from raywalk.words import read_words
 
-    words = read_words(chosen.language)
-    events = events_of(trace, scene_beside(chosen.trace), chosen.pixel)
-    told = [(event, tell(event, words)) for event in events]
+    scene = chosen.trace.with_name("scene.js")
+    scene.stat()  # what is missing is said as of any file
+    with Stops() as stops:
+        told = stops.ask({
+            "do": "events", "scene": str(scene), "trace": str(chosen.trace),
+            "pixel": chosen.pixel, "words": read_words(chosen.language).tree,
+        })  # fmt: skip
     if chosen.json:
-        listed = [
-            asdict(event) | {"says": each.sentence, "phrases": each.says, "numbers": each.numbers}
-            for event, each in told
-        ]
-        yield json.dumps(listed, allow_nan=False, ensure_ascii=False)
+        yield told
         return
-    for number, (_, each) in enumerate(told, start=1):
-        yield f"{number:>3}  {each.sentence}" + (f"\n     {each.numbers}" if each.numbers else "")
+    for number, event in enumerate(json.loads(told), start=1):
+        numbers = f"\n     {event['numbers']}" if event["numbers"] else ""
+        yield f"{number:>3}  {event['says']}{numbers}"

@@ -5,15 +5,22 @@ from __future__ import annotations
 import argparse
 import re
 from argparse import Namespace
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from raywalk.commands.check import scene_file
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Scene
 from raywalk.scene.wording import did_you_mean, joined
+
+if TYPE_CHECKING:
+    from raywalk.slide_pipeline import Source
+    from raywalk.slides.deck import Sources
+    from raywalk.slides.layout import Layout
+    from raywalk.work.store import Store
 
 FORMATS = (
     "html", "pdf", "pptx", "svg", "handout-2", "handout-3", "handout-6", "worksheet", "answers",
@@ -48,15 +55,13 @@ def run(chosen: Namespace) -> Iterator[str]:
     _refuse_steps(chosen, scenes)
     # Only now: what is wrong is told before anything heavy is imported.
     from raywalk.slide_products import missing_letters, write_files
-    from raywalk.slides.deck import COURSE, Sources, course_of, lesson_slides, scene_deck
+    from raywalk.slides.deck import COURSE, course_of, lesson_slides, scene_deck
     from raywalk.slides.layout import LAYOUTS
     from raywalk.slides.palette import PALETTES
     from raywalk.slides.pdf import MissingGlyphs
 
     layout, palette = LAYOUTS[chosen.aspect], PALETTES.get(chosen.palette)
-    sources = []
-    for scene in scenes:
-        sources.append(Sources(scene, *(yield from _prepared(chosen, scene, layout))))
+    sources = yield from _prepared(chosen, scenes, layout)
     lessons = [each.lesson(layout) for each in sources]
     if chosen.scene == COURSE:
         deck = course_of(sources, [lesson_slides(each) for each in lessons], layout)
@@ -135,22 +140,38 @@ def _refuse_steps(chosen: Namespace, scenes: list[Scene]) -> None:
         raise SourceErrors([SourceError(scene.path, "lesson", message, allowed=allowed)])
 
 
-def _prepared(chosen: Namespace, scene: Scene, layout: Any) -> Any:
-    """Folders of the scene's trace and sights, made if the store has them not."""
-    from raywalk.slide_pipeline import make_sights, plan
-    from raywalk.work.digests import key_of
-    from raywalk.work.keys import trace_parts
-    from raywalk.work.pool import cores
+def _prepared(
+    chosen: Namespace, scenes: list[Scene], layout: Layout
+) -> Generator[str, None, list[Sources]]:
+    """What the scenes' slides are made from, by way of the store; tells what has to be traced."""
+    from raywalk.slide_pipeline import plans_of, sources_of
+    from raywalk.stops.process import Stops
     from raywalk.work.store import Store
 
-    store, parts = Store(chosen.work), trace_parts(scene)
-    found = store.find(key_of(parts))
-    if not found:
+    store, sources = Store(chosen.work), []
+    for scene in scenes:
+        sources.append((yield from traced(store, scene)))
+    with Stops() as stops:
+        plans = yield from plans_of(store, stops, sources, layout)
+    return [sources_of(each) for each in plans]
+
+
+def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
+    """A scene's trace and page data, made if they are not kept."""
+    from raywalk.pipeline import write_page_data
+    from raywalk.slide_pipeline import Source
+    from raywalk.words.catalogue import DEFAULT
+    from raywalk.work.digests import key_of
+    from raywalk.work.keys import page_data_parts, trace_parts
+    from raywalk.work.pool import cores
+
+    parts = trace_parts(scene)
+    trace = store.find(key_of(parts))
+    if not trace:
         yield f"tracing {scene.id}"
         from raywalk.products import write_products
 
-        found = store.entry(
-            key_of(parts), lambda folder: write_products(scene, folder, cores()), parts
-        )
-    made = plan(scene, found.folder, key_of(parts), layout)
-    return found.folder, make_sights(store, made).folder
+        trace = store.entry(key_of(parts), partial(write_products, scene, threads=cores()), parts)
+    parts = page_data_parts(scene, key_of(parts))
+    data = store.entry(key_of(parts), partial(write_page_data, scene, trace), parts)
+    return Source(scene, DEFAULT, trace, data)

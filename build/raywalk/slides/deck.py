@@ -9,10 +9,9 @@ from raywalk.scene.model import Scene
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.front import course_slides, credits_slides, goals_slides, title_slide
 from raywalk.slides.layout import Layout
-from raywalk.slides.placing import read_placed
 from raywalk.slides.ray_slides import ray_slides
-from raywalk.slides.sights import read_sights, stops_seen
 from raywalk.slides.step_slide import Lesson, step_slides
+from raywalk.slides.stops import read_stops
 from raywalk.slides.sum_slide import sum_slides
 from raywalk.slides.words import say, words
 
@@ -24,13 +23,13 @@ class Sources:
     """Where a scene's slides come from."""
 
     scene: Scene
-    traced: Path  # picture.png, display.npz, <n>.json.gz
-    sights: Path  # view-<k>.png, sights.json, of the layout's aspect
+    traced: Path  # the folder of picture.png
+    sights: Path  # that of view-<k>.png, of the layout's aspect
+    stops: Path  # ToldLesson as JSON, of the layout's aspect
 
     def lesson(self, layout: Layout) -> Lesson:
-        placed = read_placed(self.scene, self.traced / "display.npz")
-        seen = stops_seen(placed, self.traced, layout)
-        return Lesson(placed, seen, read_sights(self.sights), self.traced / "picture.png", layout)
+        told = read_stops(self.stops)
+        return Lesson(self.scene, *told, self.sights, self.traced / "picture.png", layout)
 
 
 def scene_deck(
@@ -53,14 +52,14 @@ def scene_deck(
 def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[Slide]:
     """The steps; one pixel's rays and the sum of its colour come before the last question."""
     slides: list[Slide] = []
-    questions = [k for k, seen in enumerate(lesson.seen) if seen.stop.kind == "question"]
-    before = questions[-1] if questions else len(lesson.seen)
-    for k, seen in enumerate(lesson.seen):
+    questions = [k for k, stop in enumerate(lesson.stops) if stop.kind == "question"]
+    before = questions[-1] if questions else len(lesson.stops)
+    for k, stop in enumerate(lesson.stops):
         if k == before and steps is None:
             slides += [*ray_slides(lesson), *sum_slides(lesson)]
-        if steps is None or seen.stop.step in steps:
+        if steps is None or stop.step in steps:
             slides += step_slides(lesson, k)
-    if before == len(lesson.seen) and steps is None:
+    if before == len(lesson.stops) and steps is None:
         slides += [*ray_slides(lesson), *sum_slides(lesson)]
     return slides
 

@@ -6,7 +6,7 @@ One list, three writers (svg.py, pdf.py, pptx.py). A colour is a role that a pal
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from raywalk.slides.layout import Box
@@ -14,6 +14,11 @@ from raywalk.slides.layout import Box
 Point = tuple[float, float]
 # How a line is broken; each writer has its own words for these.
 DASHES = ("solid", "dash", "long", "short", "dots", "dashdot", "hidden")
+
+
+def hex_of(bytes_: Sequence[int]) -> str:
+    """Three 8-bit numbers as #rrggbb."""
+    return "#{:02x}{:02x}{:02x}".format(*bytes_)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from PIL import Image
 from raywalk.slides.figure import Picture
 from raywalk.slides.layout import Box
 from raywalk.slides.palette import PRINT, SCREEN, Palette
-from raywalk.slides.sights import Seen
+from raywalk.slides.stops import Figure
 from raywalk.slides.words import say
 
 PALE = 56  # JPEG's quality of the views: they are pale, nothing of it shows
@@ -98,19 +98,16 @@ def png(image: Image.Image) -> bytes:
     return out.getvalue()
 
 
-def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | None:
-    """A fine grid's coloured tiles as one picture in perspective; None if none is seen."""
-    n, view = seen.view.n, seen.projection
-    away = np.stack([seen.plane.across, seen.plane.down, seen.plane.origin - seen.observer.eye])
-    depth = away @ view.forward
-    to_figure = np.stack([
-        (view.width / 2 * depth + view.focal * (away @ view.right)),
-        (view.height / 2 * depth - view.focal * (away @ view.up)),
-        depth,
-    ])  # fmt: skip
-    if not np.isfinite(to_figure).all() or abs(np.linalg.det(to_figure)) < 1e-12:
+def tiles_picture(
+    figure: Figure, colours: np.ndarray, hidden: frozenset[int], box: Box
+) -> Picture | None:
+    """A fine grid's coloured tiles as one picture in perspective; None if none is seen.
+
+    colours: (n * n, 3) 8-bit."""
+    n = round(len(colours) ** 0.5)
+    if not np.isfinite(figure.grid).all() or abs(np.linalg.det(figure.grid)) < 1e-12:
         return None
-    corners = view.project(seen.plane.corners())
+    corners = figure.on_plane(np.array([0, n, n, 0]), np.array([0, 0, n, n]))
     if (corners[:, 2] <= 0).any():
         return None
     low = np.clip(np.floor(corners[:, :2].min(axis=0)), 0, [box.width, box.height])
@@ -119,10 +116,10 @@ def tiles_picture(seen: Seen, hidden: frozenset[int], box: Box) -> Picture | Non
         return None
     # Pixel (x, y) of the picture -> point of the figure -> tile (column, row).
     place = np.array([[1 / SHARP, 0, low[0]], [0, 1 / SHARP, low[1]], [0, 0, 1.0]])
-    back = np.diag([n, n, 1.0]) @ np.linalg.inv(to_figure) @ place
+    back = np.linalg.inv(figure.grid) @ place
     back = back / back[2, 2]
     tiles = np.full((n, n, 4), 255, np.uint8)
-    tiles[..., :3] = seen.tiles.reshape(n, n, 3)
+    tiles[..., :3] = colours.reshape(n, n, 3)
     tiles.reshape(-1, 4)[sorted(hidden), 3] = 0
     across, down = (int(k) for k in np.rint((high - low) * SHARP))
     image = Image.fromarray(tiles).transform(

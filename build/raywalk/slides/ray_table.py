@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from raywalk.scene.model import Scene
 from raywalk.slides.figure import Cell, Table
 from raywalk.slides.layout import SMALLEST, Box
-from raywalk.slides.sights import Seen
-from raywalk.slides.step_figure import ray_order
+from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
 from raywalk.slides.words import columns, fixed, place, say
-from raywalk.trace_file import Kind
 
 ROW = 20.0  # points
 SAMPLE = 26.0  # of a ray's line before its number
@@ -20,19 +17,19 @@ MOST_DECIMALS = 3
 ROUNDING = 0.01  # points: a column is as wide as its longest name, and a gap added and taken off
 
 
-def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | None:
+def ray_table(stop: Stop, box: Box, most_rows: int) -> Table | None:
     """At most so many rows with the heading; the last may say how many rays are left out.
 
     None if no pixel is selected or not even one ray fits.
     """
-    rays = ray_order(seen)
+    rays = stop.rows
     if not rays or most_rows < 2:
         return None
     shown = rays if len(rays) < most_rows else rays[: most_rows - 2]
     if not shown:
         return None
     for decimals in (MOST_DECIMALS, 2):  # a name that is whole comes before a third decimal
-        body = [_row(scene, seen, k, ray, decimals) for k, ray in enumerate(shown, start=1)]
+        body = [_row(ray, decimals) for ray in shown]
         widths = _widths(body, box.width)
         room = widths[1] - GAP + ROUNDING
         if all(width(row[1].text, SMALLEST) <= room for row in body):
@@ -42,58 +39,42 @@ def ray_table(scene: Scene, seen: Seen, box: Box, most_rows: int) -> Table | Non
     if len(shown) < len(rays):
         left = Cell(say("slides.moreRays", shown=len(shown), of=len(rays)))
         body.append((left, *[Cell()] * (len(heading) - 1)))
-    return _table(seen, (heading, *body), widths, box)
+    return _table(stop, (heading, *body), widths, box)
 
 
-def is_whole(table: Table, scene: Scene, seen: Seen) -> bool:
+def is_whole(table: Table, stop: Stop) -> bool:
     """Does a table hold every ray, with its object's name unshortened?"""
-    rays = ray_order(seen)
-    names = [_met(scene, seen, ray) for ray in rays]
+    names = [_met(ray) for ray in stop.rows]
     return [row[1].text for row in table.rows[1:]] == names
 
 
-def ray_tables(scene: Scene, seen: Seen, box: Box) -> list[Table]:
+def ray_tables(stop: Stop, box: Box) -> list[Table]:
     """All rays with whole names and all decimals, one table for each slide they take."""
-    body = [
-        _row(scene, seen, k, ray, MOST_DECIMALS) for k, ray in enumerate(ray_order(seen), start=1)
-    ]
+    body = [_row(ray, MOST_DECIMALS) for ray in stop.rows]
     heading = tuple(Cell(word, bold=True) for word in columns())
     widths = _widths(body, box.width)
     fits = int(box.height / ROW) - 1
     parts = [body[k : k + fits] for k in range(0, len(body), fits)]
-    return [_table(seen, (heading, *part), widths, box) for part in parts]
+    return [_table(stop, (heading, *part), widths, box) for part in parts]
 
 
-def _table(seen: Seen, rows: tuple[tuple[Cell, ...], ...], widths: list[float], box: Box) -> Table:
+def _table(stop: Stop, rows: tuple[tuple[Cell, ...], ...], widths: list[float], box: Box) -> Table:
     frame = Box(box.left, box.top, sum(widths), ROW * len(rows))
-    alt = say("slides.tableAlt", **place(seen))
+    alt = say("slides.tableAlt", **place(stop))
     align = ("left", "left", "right", "right", "right", "right", "right")
     return Table(frame, tuple(widths), align, rows, ROW, SMALLEST, say("slides.table"), alt)
 
 
-def _met(scene: Scene, seen: Seen, ray: int) -> str:
-    met = int(seen.trace.object[ray])
-    return scene.objects[met].name if met >= 0 else say("slides.nothing")
+def _met(ray: Row) -> str:
+    return ray.object or say("slides.nothing")
 
 
-def _row(scene: Scene, seen: Seen, number_: int, ray: int, decimals: int) -> tuple[Cell, ...]:
-    trace = seen.trace
-    kind = Kind(int(trace.kind[ray])).name.lower()
-    met = int(trace.object[ray])
-    swatch = "#{:02x}{:02x}{:02x}".format(*eight_bit(trace.colour[ray].tolist()))
-    first = Cell(str(number_), sample=kind)
-    if met < 0:
-        return (
-            first,
-            Cell(_met(scene, seen, ray)),
-            Cell(),
-            Cell(),
-            Cell(),
-            Cell(),
-            Cell(swatch=swatch),
-        )
-    at = [Cell(_fitting(v, decimals)) for v in [*trace.point[ray].tolist(), float(trace.t[ray])]]
-    return (first, Cell(_met(scene, seen, ray)), *at, Cell(swatch=swatch))
+def _row(ray: Row, decimals: int) -> tuple[Cell, ...]:
+    first, swatch = Cell(str(ray.number), sample=ray.kind), Cell(swatch=ray.shows)
+    if ray.t is None:
+        return (first, Cell(_met(ray)), Cell(), Cell(), Cell(), Cell(), swatch)
+    at = [Cell(_fitting(value, decimals)) for value in (*ray.point, ray.t)]
+    return (first, Cell(_met(ray)), *at, swatch)
 
 
 def _fitting(value: float, decimals: int) -> str:
@@ -120,8 +101,3 @@ def _widths(body: list[tuple[Cell, ...]], whole: float) -> list[float]:
     rest = whole - sum(wide[:1] + wide[2:])
     wide[1] = min(wide[1], max(rest, 40.0))
     return wide
-
-
-def eight_bit(colour: list[float]) -> list[int]:
-    """0..255, halves up, as the picture has it."""
-    return [int(255 * min(1.0, max(0.0, c)) + 0.5) for c in colour]

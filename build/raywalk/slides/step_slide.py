@@ -5,20 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from raywalk.scene.model import Scene
 from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
-from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat
+from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat, hex_of
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
-from raywalk.slides.lines import KINDS
 from raywalk.slides.notes import step_notes
 from raywalk.slides.palette import KIND_DASH
 from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
-from raywalk.slides.placing import Placed
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
-from raywalk.slides.sights import Seen, Sight, trace_of
-from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, ray_order, step_figure
+from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
+from raywalk.slides.stops import Question, Stop
 from raywalk.slides.typeface import width
-from raywalk.slides.what_if import switched_trace
 from raywalk.slides.words import chosen_tile, kind_word, place, say
 
 GAP = 12.0
@@ -35,37 +33,40 @@ LEGEND_ROW = 18.0
 class Lesson:
     """What all slides of one scene's lesson need."""
 
-    placed: Placed
-    seen: list[Seen]
-    sights: list[Sight]
+    scene: Scene
+    stops: list[Stop]
+    questions: list[Question]  # of the worksheet, which the trace answers
+    views: Path  # the folder of view-<k>.png, shaded views
     picture: Path  # the traced picture
     layout: Layout
+
+    def drawing(self, stop: Stop, now: int | None = None) -> Drawing:
+        """now: the ray that a walk has come to."""
+        view = self.views / f"view-{stop.look}.png"
+        return Drawing(self.scene, stop, view, self.layout.figure, now)
 
     @property
     def place(self) -> str:
         """The scene in a footer."""
-        scene = self.placed.scene
-        return " ".join(part for part in (scene.key, scene.title) if part)
+        return " ".join(part for part in (self.scene.key, self.scene.title) if part)
 
 
 def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     """One slide, and further ones for words and rays that do not fit."""
-    layout, seen = lesson.layout, lesson.seen[index]
-    scene, stop = lesson.placed.scene, seen.stop
-    head, body = title_and_body(paragraphs_of(stop.text))
+    layout, scene, stop = lesson.layout, lesson.scene, lesson.stops[index]
+    head, body = title_and_body(paragraphs_of(stop.text(scene)))
     head = head or scene.title
-    figure = step_figure(Drawing(lesson.placed, seen, lesson.sights[index], layout.figure))
+    figure = step_figure(lesson.drawing(stop))
     marks = legend(figure, layout)
     figure = replace(figure, items=(*figure.items, *marks))
     words = flow(body, BODY_SIZE, layout.words.width)
     first, rest = words.split(layout.words.height)
     is_last = not _same_pixel_follows(lesson, index)
-    numbers = [] if stop.kind == "question" else _numbers(lesson, seen, first, is_last)
-    rays = len(ray_order(seen))
-    here = step_place(lesson, seen, 1, rays)
-    under = footer(where(lesson, seen), here, layout)
+    numbers = [] if stop.kind == "question" else _numbers(lesson, stop, first, is_last)
+    here = step_place(lesson, stop, 1, len(stop.rows))
+    under = footer(where(lesson, stop), here, layout)
     items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
-    notes = (here, *step_notes(lesson.placed, seen))
+    notes = (here, *step_notes(scene, stop))
     slides = [Slide(head, (*items, *under), notes, stop.kind, figure=figure)]
     while rest.lines:
         part, rest = rest.split(_wide(layout).height)
@@ -75,22 +76,22 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
         slides.append(
             Slide(again, (title(again, layout.title), *texts, *under), (), stop.kind, True)
         )
-    is_cut = any(isinstance(item, Table) and not is_whole(item, scene, seen) for item in numbers)
+    is_cut = any(isinstance(item, Table) and not is_whole(item, stop) for item in numbers)
     if is_cut and is_last:
         again = say("slides.continued", title=head)
-        for table in ray_tables(scene, seen, _below_title(layout)):
+        for table in ray_tables(stop, _below_title(layout)):
             from_to = (int(table.rows[k][0].text) for k in (1, -1))
-            under = footer(where(lesson, seen), step_place(lesson, seen, *from_to), layout)
-            items = [title(again, layout.title), table, *_beside(lesson, seen, table), *under]
+            under = footer(where(lesson, stop), step_place(lesson, stop, *from_to), layout)
+            items = [title(again, layout.title), table, *_beside(lesson, stop, table), *under]
             slides.append(Slide(again, tuple(items), (), stop.kind, True))
     return slides
 
 
-def step_place(lesson: Lesson, seen: Seen, first: int, last: int) -> str:
+def step_place(lesson: Lesson, stop: Stop, first: int, last: int) -> str:
     """ "step 4 of 9 · ray 3 of 9": which rays of the selected pixel's tree a slide shows, by the
     numbers that they have in figure and table."""
-    steps = say("slides.stepOf", step=seen.stop.step + 1, of=len(lesson.placed.scene.lesson))
-    rays = len(ray_order(seen))
+    steps = say("slides.stepOf", step=stop.step + 1, of=len(lesson.scene.lesson))
+    rays = len(stop.rows)
     if not rays:
         return steps
     shown = (
@@ -103,13 +104,13 @@ def step_place(lesson: Lesson, seen: Seen, first: int, last: int) -> str:
 
 def _same_pixel_follows(lesson: Lesson, index: int) -> bool:
     """Steps that stay on a pixel have one whole table between them, after the last of them."""
-    here, *following = lesson.seen[index : index + 2]
+    here, *following = lesson.stops[index : index + 2]
     return any(
-        next_one.stop.kind != "question"
-        and (next_one.view.n, next_one.view.pixel) == (here.view.n, here.view.pixel)
-        and next_one.view.switches == here.view.switches
-        and bool(next_one.chosen)
-        for next_one in following
+        after.kind != "question"
+        and (after.n, after.pixel) == (here.n, here.pixel)
+        and after.switches == here.switches
+        and bool(after.rows)
+        for after in following
     )
 
 
@@ -125,29 +126,28 @@ def _wide(layout: Layout) -> Box:
     return Box(layout.words.left, top, layout.words.width, layout.footer.top - 12 - top)
 
 
-def where(lesson: Lesson, seen: Seen) -> str:
-    view = seen.view
+def where(lesson: Lesson, stop: Stop) -> str:
     parts = [say("slides.brand"), lesson.place]
-    if seen.chosen:
-        parts.append(say("slides.pixelOf", **place(seen)))
+    if stop.rows:
+        parts.append(say("slides.pixelOf", **place(stop)))
     else:
-        parts.append(f"{view.n} × {view.n}")
-    if seen.one_in > 1:
-        parts.append(say("slides.oneIn", count=seen.one_in))
+        parts.append(f"{stop.n} × {stop.n}")
+    if stop.one_in > 1:
+        parts.append(say("slides.oneIn", count=stop.one_in))
     return " · ".join(parts)
 
 
-def _beside(lesson: Lesson, seen: Seen, table: Table) -> list[Item]:
+def _beside(lesson: Lesson, stop: Stop, table: Table) -> list[Item]:
     """The picture in the room that a table on a slide of its own leaves."""
     whole = lesson.layout.title
     left = table.box.right + 3 * GAP
     side = min(WIDEST_PICTURE, whole.right - left - BESIDE)
     if side < LEAST_PICTURE:
         return []
-    return _picture(lesson, seen, Box(left, table.box.top, whole.right - left, side))
+    return _picture(lesson, stop, Box(left, table.box.top, whole.right - left, side))
 
 
-def _numbers(lesson: Lesson, seen: Seen, words: Flow, is_last: bool) -> list[Item]:
+def _numbers(lesson: Lesson, stop: Stop, words: Flow, is_last: bool) -> list[Item]:
     """The traced picture, the pixel's colour and its table, in what room the words leave.
 
     is_last: no later step has the table; a whole one then comes before the picture.
@@ -161,21 +161,20 @@ def _numbers(lesson: Lesson, seen: Seen, words: Flow, is_last: bool) -> list[Ite
     )
     items: list[Item] = []
     room = box.height
-    scene = lesson.placed.scene
-    table = ray_table(scene, seen, box, _most_rows(room))
-    if is_last and table and not is_whole(table, scene, seen):
+    table = ray_table(stop, box, _most_rows(room))
+    if is_last and table and not is_whole(table, stop):
         high = int((room - LINE - GAP) / ROW)
-        whole = ray_table(scene, seen, box, high)
-        table = whole if whole and is_whole(whole, scene, seen) else table
+        whole = ray_table(stop, box, high)
+        table = whole if whole and is_whole(whole, stop) else table
     if table:
         room -= table.box.height + GAP
     used = 0.0
     if room >= LEAST_PICTURE:
         used = min(room, MOST_PICTURE)
-        items += _picture(lesson, seen, Box(box.left, box.top, box.width, used))
-    elif room >= LINE and seen.chosen:
+        items += _picture(lesson, stop, Box(box.left, box.top, box.width, used))
+    elif room >= LINE and stop.rows:
         used = LINE
-        items += _pixel_colour(seen, Box(box.left, box.top, box.width, used))
+        items += _pixel_colour(stop, Box(box.left, box.top, box.width, used))
     if table:
         top = box.top + (used + GAP if used else 0)
         items.append(replace(table, box=Box(box.left, top, *table.box[2:])))
@@ -189,42 +188,34 @@ def _most_rows(room: float) -> int:
     return min(int((room - (picture if room > picture + 4 * ROW else 0)) / ROW), MOST_ROWS)
 
 
-def _picture(lesson: Lesson, seen: Seen, box: Box) -> list[Item]:
+def _picture(lesson: Lesson, stop: Stop, box: Box) -> list[Item]:
     """The traced picture with the selected tile marked, and the pixel's colour beside it."""
     side = box.height
     frame = Box(box.left, box.top, side, side)
-    data = switched_picture(lesson, seen) or traced_picture(lesson.picture, PICTURE_SIDE)
-    alt = say("picture.alt", title=lesson.placed.scene.title)
+    if stop.picture:  # with the step's switches set, as the finest grid has it
+        data = grid_picture(stop.picture.tiles, stop.picture.n)
+    else:
+        data = traced_picture(lesson.picture, PICTURE_SIDE)
+    alt = say("picture.alt", title=lesson.scene.title)
     items: list[Item] = [picture_of(data, frame, alt)]
-    if not seen.chosen:
+    if not stop.rows:
         return items
-    n, (column, row) = seen.view.n, seen.view.pixel
+    n, (column, row) = stop.n, stop.pixel
     tile = max(side / n, 5.0)
     x = frame.left + (column + 0.5) / n * side - tile / 2
     y = frame.top + (row + 0.5) / n * side - tile / 2
     square = ((x, y), (x + tile, y), (x + tile, y + tile), (x, y + tile))
-    items.append(Polygon(square, None, "#000000", 3.0, name=chosen_tile(seen.view.pixel)))
-    items.append(Polygon(square, None, "#ffffff", 1.4, name=chosen_tile(seen.view.pixel)))
+    items.append(Polygon(square, None, "#000000", 3.0, name=chosen_tile(stop.pixel)))
+    items.append(Polygon(square, None, "#ffffff", 1.4, name=chosen_tile(stop.pixel)))
     beside = Box(frame.right + GAP, frame.top, box.right - frame.right - GAP, side)
-    return items + _pixel_colour(seen, beside)
+    return items + _pixel_colour(stop, beside)
 
 
-def switched_picture(lesson: Lesson, seen: Seen) -> tuple[bytes, bytes] | None:
-    """The picture as the finest grid has it with the step's switches; None if none is set."""
-    if not seen.view.switches.is_set:
-        return None
-    scene = lesson.placed.scene
-    finest = max(scene.render.resolutions)
-    trace = trace_of(lesson.picture.with_name(f"{finest}.json.gz"))
-    return grid_picture(switched_trace(trace, scene, seen.view.switches).tiles, finest)
-
-
-def _pixel_colour(seen: Seen, box: Box) -> list[Item]:
+def _pixel_colour(stop: Stop, box: Box) -> list[Item]:
     """ "Pixel 7, 9" and its colour as a swatch and three numbers; one line if there is no room."""
-    tile = seen.trace.tiles[3 * seen.view.index : 3 * seen.view.index + 3].tolist()
-    colour = "#{:02x}{:02x}{:02x}".format(*tile)
-    name = say("card.pixel", column=seen.view.pixel[0], row=seen.view.pixel[1])
-    told = ", ".join(map(str, tile))
+    colour = hex_of(stop.bytes)
+    name = say("card.pixel", column=stop.pixel[0], row=stop.pixel[1])
+    told = ", ".join(map(str, stop.bytes))
     if box.height < 60:
         text_box = Box(box.left + 20, box.top, box.width - 20, LINE)
         return [_swatch(box.left, box.top + 3, 14, colour), one_line(f"{name}: {told}", text_box)]
@@ -245,7 +236,7 @@ def legend(figure: Group, layout: Layout) -> list[Item]:
     outside its frame."""
     lines = [item for item in flat(figure.items) if isinstance(item, Line)]
     drawn = {line.colour for line in lines}
-    entries = [(kind_word(k), k, KIND_DASH[k], CHOSEN_WIDTH) for k in KINDS if k in drawn]
+    entries = [(kind_word(k), k, KIND_DASH[k], CHOSEN_WIDTH) for k in KIND_DASH if k in drawn]
     if any(line.dash == "hidden" for line in lines):
         entries.append((say("slides.hidden"), "soft", "hidden", CHOSEN_WIDTH * HIDDEN_SHARE * 1.2))
     items: list[Item] = []

@@ -14,7 +14,7 @@ from raywalk.words import Words, read_words
 
 if TYPE_CHECKING:
     from raywalk.scene.model import Scene
-    from raywalk.slides.sights import Seen
+    from raywalk.slides.stops import Stop, Switches
 
 _SPOKEN: ContextVar[Words | None] = ContextVar("spoken", default=None)
 
@@ -70,14 +70,13 @@ def chosen_tile(pixel: tuple[int, int]) -> str:
     return say("slides.chosen", x=pixel[0], y=pixel[1])
 
 
-def place(seen: Seen) -> dict[str, int]:
+def place(stop: Stop) -> dict[str, int]:
     """The slots of a sentence that names the selected pixel."""
-    return {"x": seen.view.pixel[0], "y": seen.view.pixel[1], "n": seen.view.n}
+    return {"x": stop.pixel[0], "y": stop.pixel[1], "n": stop.n}
 
 
-def switched(seen: Seen) -> list[str]:
+def switched(switches: Switches) -> list[str]:
     """What a step's switches alter, a piece each; [] where all is as traced."""
-    switches = seen.view.switches
     told = []
     if switches.bounces is not None:
         told.append(say("slides.mostBounces", count=switches.bounces))
@@ -107,20 +106,20 @@ def sum_columns() -> list[str]:
 MOST_TOLD = 12  # rays in a description: more nobody listens to
 
 
-def figure_alt(scene: Scene, seen: Seen) -> str:
+def figure_alt(scene: Scene, stop: Stop) -> str:
     """A figure in a few sentences, for those who do not see it."""
-    told = [say("slides.figureAlt", title=scene.title, n=seen.view.n)]
-    for line in seen.chosen[:MOST_TOLD]:
+    told = [say("slides.figureAlt", title=scene.title, n=stop.n)]
+    for line in stop.chosen[:MOST_TOLD]:
         kind = kind_word(line.kind)
         if line.light >= 0:
             told.append(say("slides.shadowAlt", light=scene.lights[line.light].name, kind=kind))
         elif line.leaves:
             told.append(say("slides.leavesAlt", kind=kind))
         else:
-            name = scene.objects[int(seen.trace.object[line.ray])].name
-            told.append(say("slides.hitsAlt", kind=kind, name=name, point=vector(line.ends[1])))
-    if len(seen.chosen) > MOST_TOLD:
-        told.append(say("slides.moreAlt", count=len(seen.chosen) - MOST_TOLD))
-    if seen.thin:
-        told.append(say("slides.thinAlt", count=len(seen.thin)))
+            name = stop.rows[line.ray - 1].object
+            told.append(say("slides.hitsAlt", kind=kind, name=name, point=vector(line.to)))
+    if len(stop.chosen) > MOST_TOLD:
+        told.append(say("slides.moreAlt", count=len(stop.chosen) - MOST_TOLD))
+    if stop.thin:
+        told.append(say("slides.thinAlt", count=len(stop.thin)))
     return " ".join(told)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,10 +14,9 @@ from raywalk.slides.figure import Deck, Item, Line, Run, Slide, Text
 from raywalk.slides.handout import A4
 from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
-from raywalk.slides.sights import Seen
 from raywalk.slides.step_slide import Lesson
+from raywalk.slides.stops import Question
 from raywalk.slides.words import number, say, vector, words
-from raywalk.trace_file import DecodedTrace, Kind, Visibility
 from raywalk.words.catalogue import find, slots_of
 
 SIZE = 12.0
@@ -31,15 +30,9 @@ FOOT = 11.0
 COUNT = 60.0  # kept for the sheet's number at the foot
 
 
-@dataclass(frozen=True)
-class Question:
-    asks: str
-    answer: str
-
-
 def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
     """A4 pages: what stands where, the questions, lines to write on or the answers."""
-    scene = lesson.placed.scene
+    scene = lesson.scene
     key = "slides.answersTitle" if with_answers else "slides.worksheetTitle"
     title = say(key, title=scene.title)
     blocks = [_given(scene)]
@@ -50,114 +43,11 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
 
 def questions(lesson: Lesson) -> list[Question]:
     """From the trace of the lesson's first grid, and the lesson's own."""
-    scene = lesson.placed.scene
-    asked: list[Question] = []
-    as_traced = [seen for seen in lesson.seen if not seen.view.switches.is_set]
-    if as_traced:
-        trace = as_traced[0].trace
-        pixels = _pixels(as_traced, trace)
-        for ask in (_nearest, _order, _shadow, _sent_on, _eight_bit):
-            asked += ask(scene, trace, pixels)
-    return asked + [
+    return lesson.questions + [
         Question(plain_text(step.text), plain_text(step.answer))
-        for step in scene.lesson
+        for step in lesson.scene.lesson
         if step.answer
     ]
-
-
-def _pixels(seen: list[Seen], trace: DecodedTrace) -> list[int]:
-    """All pixels, those that the lesson walks first, then spread over the picture."""
-    n = trace.n
-    walked = [each.view.index for each in seen if each.view.n == n and each.chosen]
-    # A step that has no common factor with n * n visits every pixel, far from the last one.
-    step = next(k for k in range(int(n * n * 0.381966), n * n + 1) if np.gcd(k, n * n) == 1)
-    return list(dict.fromkeys([*walked, *(k * step % (n * n) for k in range(n * n))]))
-
-
-def _name(scene: Scene, trace: DecodedTrace, ray: int) -> str:
-    return scene.objects[int(trace.object[ray])].name
-
-
-def _at(pixel: int, n: int) -> dict[str, int]:
-    return {"x": pixel % n, "y": pixel // n, "n": n}
-
-
-def _nearest(scene: Scene, trace: DecodedTrace, pixels: list[int]) -> Iterator[Question]:
-    """Three rays that meet different things, one of which may be nothing."""
-    met: list[int] = []
-    for pixel in pixels:
-        thing = int(trace.object[pixel])
-        if thing in met or len(met) == 3:
-            continue
-        met.append(thing)
-        asks = say("slides.askNearest", **_at(pixel, trace.n))
-        if thing < 0:
-            yield Question(asks, say("slides.answerLeaves"))
-            continue
-        t, point = number(float(trace.t[pixel])), vector(trace.point[pixel].tolist())
-        answer = say("slides.answerNearest", name=scene.objects[thing].name, t=t, point=point)
-        yield Question(asks, answer)
-
-
-def _order(scene: Scene, trace: DecodedTrace, pixels: list[int]) -> Iterator[Question]:
-    for pixel in pixels:
-        hits = range(int(trace.hitsStart[pixel]), int(trace.hitsStart[pixel + 1]))
-        if len({int(trace.hitsObject[k]) for k in hits}) > 1:
-            told = [
-                say(
-                    "event.meetsFirst.hit",
-                    name=scene.objects[int(trace.hitsObject[k])].name,
-                    t=number(float(trace.hitsT[k])),
-                )
-                for k in hits
-            ]
-            yield Question(say("slides.askOrder", **_at(pixel, trace.n)), "; ".join(told))
-            return
-
-
-def _shadow(scene: Scene, trace: DecodedTrace, pixels: list[int]) -> Iterator[Question]:
-    """A light that is blocked, and one that arrives."""
-    for wanted in (Visibility.BLOCKED, Visibility.REACHED):
-        for pixel in pixels:
-            lights = np.flatnonzero(trace.visibility[pixel] == wanted)
-            if trace.object[pixel] < 0 or not len(lights):
-                continue
-            k = int(lights[0])
-            light, name = scene.lights[k].name, _name(scene, trace, pixel)
-            asks = say("slides.askShadow", light=light, name=name, **_at(pixel, trace.n))
-            if wanted == Visibility.REACHED:
-                yield Question(asks, say("slides.answerArrives"))
-            else:
-                by = scene.objects[int(trace.blocker[pixel, k])].name
-                yield Question(asks, say("slides.answerBlocked", name=by))
-            break
-
-
-def _sent_on(scene: Scene, trace: DecodedTrace, pixels: list[int]) -> Iterator[Question]:
-    """The first reflected and the first refracted ray that meets something."""
-    for kind in (Kind.REFLECTED, Kind.REFRACTED):
-        for pixel in pixels:
-            sent = np.flatnonzero((trace.parent == pixel) & (trace.kind == kind))
-            if not len(sent) or trace.object[sent[0]] < 0:
-                continue
-            ray = int(sent[0])
-            word = kind.name.title()
-            name = _name(scene, trace, pixel)
-            asks = say(f"slides.ask{word}", name=name, **_at(pixel, trace.n))
-            t, point = number(float(trace.t[ray])), vector(trace.point[ray].tolist())
-            name = _name(scene, trace, ray)
-            yield Question(asks, say("slides.answerNearest", name=name, t=t, point=point))
-            break
-
-
-def _eight_bit(scene: Scene, trace: DecodedTrace, pixels: list[int]) -> Iterator[Question]:
-    for pixel in pixels:
-        colour = trace.colour[pixel].tolist()
-        if len({round(c, 2) for c in colour}) > 1:
-            asks = say("slides.askBytes", colour=vector(colour), **_at(pixel, trace.n))
-            tile = trace.tiles[3 * pixel : 3 * pixel + 3].tolist()
-            yield Question(asks, say("slides.answerBytes", bytes=", ".join(map(str, tile))))
-            return
 
 
 def _given(scene: Scene) -> tuple[list[Item], float]:

@@ -18,6 +18,8 @@ export interface Projection {
   up: Vec3;
   forward: Vec3;
   project: (point: Vec3) => ScreenPoint;
+  /** Homogeneous stage coordinates (x w, y w, w) of a direction from the eye: linear, so also of a plane's axes. */
+  homogeneous: (direction: Vec3) => Vec3;
   /** Share across and down the picture plane (0..1 when on it) under a stage pixel; null if not seen there. */
   onPicturePlane: (plane: PicturePlane, x: number, y: number) => readonly [number, number] | null;
 }
@@ -27,7 +29,6 @@ export function createProjection(observer: Observer, width: number, height: numb
   const right = unit(cross(forward, observer.up));
   const up = cross(right, forward);
   const focal = Math.min(width, height) / 2 / Math.tan((observer.fov * Math.PI) / 360);
-  // Homogeneous stage coordinates (x w, y w, w) of a direction from the eye: linear, so also of a plane's axes.
   const homogeneous = (d: Vec3): Vec3 => {
     const w = dot(d, forward);
     return [(width / 2) * w + focal * dot(d, right), (height / 2) * w - focal * dot(d, up), w];
@@ -39,6 +40,7 @@ export function createProjection(observer: Observer, width: number, height: numb
     right,
     up,
     forward,
+    homogeneous,
     project(point) {
       const [x, y, w] = homogeneous(sub(point, observer.eye));
       return { x: x / w, y: y / w, depth: w };

@@ -1,0 +1,216 @@
+"""A lesson's stops as the viewer's modules tell them (ToldLesson in viewer/stops/lesson.ts), read
+from JSON. World units where it says so; else points from the figure's top left, y down."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from raywalk.scene.model import Scene
+
+Made = TypeVar("Made")
+Point = tuple[float, float]
+Vector = tuple[float, float, float]  # world units, or a linear colour
+Ends = tuple[Point, Point]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A stretch of a line before the observer, as far as it is all seen or all hidden."""
+
+    ends: Ends
+    hidden: bool
+    arrives: bool  # at the line's end
+
+
+@dataclass(frozen=True)
+class ThinLine:
+    """A ray or shadow ray of a pixel that is not the selected one."""
+
+    kind: str
+    pieces: tuple[Piece, ...]
+
+
+@dataclass(frozen=True)
+class ChosenLine(ThinLine):
+    """A ray, or a shadow ray, of the selected pixel."""
+
+    ray: int  # its number; of a shadow ray: that of the ray whose hit it leaves
+    light: int  # of a shadow ray, else -1
+    leaves: bool  # it leaves the scene and ends nowhere
+    to: Vector  # world units
+    whole: Ends | None  # None behind the observer, as with all points
+    end: Point | None
+    tip: Point | None  # of the surface's normal there
+
+
+@dataclass(frozen=True)
+class Lamp:
+    name: str
+    at: Point | None
+    off: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """The picture plane, the ray-tracing camera and the lights from where the observer stands."""
+
+    grid: np.ndarray  # (3, 3): (column, row, 1) -> (x w, y w, w), w the depth
+    near: float  # nearer than this nothing is drawn; world units
+    eye: Point | None
+    edges: tuple[Ends | None, ...]  # from the eye to the picture plane's corners
+    lamps: tuple[Lamp, ...]
+
+    def on_plane(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """(..., 3) x, y and depth of the grid's corners."""
+        at = np.stack([columns, rows, np.ones_like(columns)], axis=-1) @ self.grid.T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            at[..., :2] /= at[..., 2:]
+        return at
+
+
+@dataclass(frozen=True)
+class Row:
+    """One of the selected pixel's rays, as the card has it."""
+
+    number: int
+    kind: str
+    object: str  # "" if it leaves the scene
+    point: Vector
+    t: float | None  # None if it leaves the scene
+    share: float  # in the pixel's colour
+    keeps: float  # share of the surface's own colour in the ray's
+    colour: Vector  # what it brings back
+    own: Vector  # what it adds by itself, before its share
+    gives: Vector  # what it adds to the pixel
+    shows: str  # its colour, #rrggbb
+    shows_given: str
+
+
+@dataclass(frozen=True)
+class Event:
+    """One thing that happens to a ray, told."""
+
+    what: str
+    ray: int
+    says: str
+    phrases: tuple[tuple[str, str | None], ...]  # None: plain, "": bold, else a kind of ray
+    numbers: str
+
+    @property
+    def told(self) -> str:
+        return " ".join(part for part in (self.says, self.numbers) if part)
+
+
+@dataclass(frozen=True)
+class Switches:
+    """What is not as traced."""
+
+    bounces: int | None
+    lamps: tuple[tuple[str, float], ...]  # factor of each dimmed light
+    shadows: bool
+    without: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A grid's tiles, (3 n n,) 8-bit."""
+
+    n: int
+    tiles: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Stop:
+    """A step of the lesson, or the answer to its question: what a slide of it shows."""
+
+    step: int  # of the lesson, from 0
+    kind: str  # step, question, answer
+    look: int  # which shaded view lies behind it
+    n: int  # tiles across and down
+    pixel: tuple[int, int]  # column, row from the top left
+    filled: bool  # whether the tiles show their colours
+    observer: dict[str, Any]  # eye, target, up (world units), fov (degrees)
+    is_camera: bool  # the observer looks through the ray-tracing camera
+    colours: str  # what filled tiles show: the picture, or what it cost
+    switches: Switches
+    is_switched: bool
+    one_in: int  # of how many pixels the thin lines show one
+    figure: Figure
+    chosen: tuple[ChosenLine, ...]
+    thin: tuple[ThinLine, ...]
+    tiles: np.ndarray | None  # (n * n, 3) 8-bit; None where they are empty
+    hidden_tiles: frozenset[int]
+    picture: Picture | None  # the finest grid with the switches set
+    bytes: tuple[int, int, int]  # the selected tile's colour
+    rows: tuple[Row, ...]  # of the selected pixel's rays; none where they are not walked
+    events: tuple[Event, ...]
+
+    def text(self, scene: Scene) -> str:
+        """Its words in the lesson, Markdown."""
+        step = scene.lesson[self.step]
+        return step.answer if self.kind == "answer" else step.text
+
+
+@dataclass(frozen=True)
+class Question:
+    """Of a worksheet: one whose answer the trace knows."""
+
+    asks: str
+    answer: str
+
+
+def read_stops(file: Path) -> tuple[list[Stop], list[Question]]:
+    """The lesson's stops, and what its worksheet asks of the trace."""
+    told = json.loads(file.read_text(encoding="utf-8"))
+    return [_stop(each) for each in told["stops"]], [Question(**each) for each in told["questions"]]
+
+
+def _made(make: type[Made], raw: dict[str, Any], **instead: Any) -> Made:
+    """TypeScript's names are Python's but for their capitals; every one must be known."""
+    fields = {re.sub("[A-Z]", lambda m: f"_{m[0].lower()}", key): v for key, v in raw.items()}
+    return make(**{key: _frozen(value) for key, value in fields.items()} | instead)
+
+
+def _frozen(value: Any) -> Any:
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
+
+
+def _stop(raw: dict[str, Any]) -> Stop:
+    figure, picture = raw["figure"], raw["picture"]
+    return _made(
+        Stop, raw,
+        switches=_made(Switches, raw["switches"]),
+        figure=_made(
+            Figure, figure, grid=np.array(figure["grid"]), edges=tuple(map(_ends, figure["edges"])),
+            lamps=tuple(_made(Lamp, each) for each in figure["lamps"]),
+        ),
+        chosen=tuple(
+            _made(ChosenLine, each, pieces=_pieces(each), whole=_ends(each["whole"]))
+            for each in raw["chosen"]
+        ),
+        thin=tuple(_made(ThinLine, each, pieces=_pieces(each)) for each in raw["thin"]),
+        tiles=_bytes(raw["tiles"]).reshape(-1, 3) if raw["tiles"] else None,
+        hidden_tiles=frozenset(raw["hiddenTiles"]),
+        picture=Picture(picture["n"], _bytes(picture["tiles"])) if picture else None,
+        rows=tuple(_made(Row, each) for each in raw["rows"]),
+        events=tuple(_made(Event, each) for each in raw["events"]),
+    )  # fmt: skip
+
+
+def _ends(four: list[float] | None) -> Ends | None:
+    return ((four[0], four[1]), (four[2], four[3])) if four else None
+
+
+def _pieces(line: dict[str, Any]) -> tuple[Piece, ...]:
+    return tuple(_made(Piece, each, ends=_ends(each["ends"])) for each in line["pieces"])
+
+
+def _bytes(text: str) -> np.ndarray:
+    return np.frombuffer(base64.b64decode(text), np.uint8)

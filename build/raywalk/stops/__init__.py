@@ -1,0 +1,1 @@
+"""What the viewer's own modules know of a lesson, asked of them in node."""

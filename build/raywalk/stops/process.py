@@ -1,0 +1,64 @@
+"""The node process that runs the viewer's modules over built scenes: site_src/stops.mjs."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from types import TracebackType
+from typing import Any
+
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.words.catalogue import FOLDER
+
+SCRIPT = FOLDER.parent / "stops.mjs"
+ANSWER, FAULT = '{"answer":', '{"fault":'
+
+
+class Stops:
+    """Answers requests as long as it is open; node starts with the first of them."""
+
+    def __init__(self) -> None:
+        self._node: subprocess.Popen[str] | None = None
+
+    def __enter__(self) -> Stops:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:  # fmt: skip
+        if self._node:
+            self._node.communicate()  # closes its input, at whose end it ends
+
+    def ask(self, request: dict[str, Any]) -> str:
+        """The answer as JSON text; requests are those that stops.mjs names.
+
+        Raises SourceErrors if node or a package is missing, or the request cannot be followed.
+        """
+        node = self._node = self._node or self._started()
+        assert node.stdin and node.stdout and node.stderr
+        try:
+            node.stdin.write(json.dumps(request) + "\n")
+            node.stdin.flush()
+        except BrokenPipeError:
+            pass  # it ended: there is no answer either
+        line = node.stdout.readline().rstrip("\n")
+        if line.startswith(ANSWER):
+            return line[len(ANSWER) : -1]
+        if line.startswith(FAULT):
+            raise _problem(json.loads(line)["fault"])
+        said = node.stderr.read().strip().splitlines()
+        raise _problem(f"node ended: {next((line for line in said if 'Error' in line), said)}")
+
+    def _started(self) -> subprocess.Popen[str]:
+        try:
+            return subprocess.Popen(
+                ["node", str(SCRIPT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE, text=True, encoding="utf-8",
+            )  # fmt: skip
+        except FileNotFoundError:
+            raise _problem("node is not installed (see README: what is needed)") from None
+
+
+def _problem(message: str) -> SourceErrors:
+    return SourceErrors([SourceError(SCRIPT, "", message)])

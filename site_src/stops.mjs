@@ -1,0 +1,56 @@
+/**
+ * node site_src/stops.mjs: answers requests, a line of JSON each, until its input ends. What a pixel says, which lines
+ * show, what a switch does, how an observer projects is known by the viewer's modules; the pipeline asks them here.
+ *
+ *   {do: "ask", scene, traces, size}                                   what the tracer is asked for: Asked
+ *   {do: "tell", scene, traces, size, asked, sights, words, spoken}    what slides and sheets show: ToldLesson
+ *   {do: "events", scene, trace, pixel, words}                         one pixel's events in words
+ *
+ * (types in viewer/stops/lesson.ts). scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
+ * language's sentences, spoken the scene's words in it or null. An answer is {answer}, or {fault: sentence}.
+ */
+import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
+import { gunzipSync } from "node:zlib";
+import { build } from "esbuild";
+
+const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
+const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
+const { ask, decode, inWords, tellEvents, tellLesson } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+
+const json = (file) => JSON.parse(readFileSync(file, "utf8"));
+
+/** Of <name>.json.gz, or of <name>.js as pages load it. */
+function unpacked(file) {
+  const bytes = readFileSync(file);
+  return JSON.parse(gunzipSync(file.endsWith(".js") ? Buffer.from(bytes.toString("latin1").split('"')[3] ?? "", "base64") : bytes));
+}
+
+let read = { folder: "", grids: new Map() }; // of the scene that was asked for last
+
+/** A scene's grids, each decoded once. */
+function tracesIn(folder, scene) {
+  if (read.folder !== folder) read = { folder, grids: new Map() };
+  const { grids } = read;
+  return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.id, n })).get(n);
+}
+
+function answer({ do: what, size, pixel, words, spoken, ...files }) {
+  const scene = unpacked(files.scene);
+  globalThis.raywalkWords = words;
+  if (what === "events") return tellEvents(scene, decode(unpacked(files.trace), { scene: scene.id }), pixel);
+  const traces = tracesIn(files.traces, scene);
+  if (what === "ask") return ask(scene, traces, size);
+  return tellLesson(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights));
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  let told;
+  try {
+    told = { answer: answer(JSON.parse(line)) };
+  } catch (error) {
+    told = { fault: error.message };
+  }
+  process.stdout.write(`${JSON.stringify(told)}\n`);
+}

@@ -1,0 +1,4 @@
+/** What site_src/stops.mjs answers with. */
+export { decode } from "../trace/decode";
+export { inWords } from "../trace/spoken";
+export { ask, tellEvents, tellLesson } from "./lesson";
