@@ -2,11 +2,11 @@
  * node site_src/stops.mjs: answers requests, a line of JSON each, until its input ends. What a pixel says, which lines
  * show, what a switch does, how an observer projects is known by the viewer's modules; the pipeline asks them here.
  *
- *   {do: "ask", scene, traces, size}                                   what the tracer is asked for: Asked
- *   {do: "tell", scene, traces, size, asked, sights, words, spoken}    what slides and sheets show: ToldLesson
- *   {do: "events", scene, trace, pixel, words}                         one pixel's events in words
+ *   {do: "ask", scene, traces, size}                                     what the tracer is asked: Asked (viewer/stops/asked.ts)
+ *   {do: "lesson", scene, traces, size, asked, sights, words, spoken}    what slides and sheets show: Lesson (lesson.ts)
+ *   {do: "events", scene, trace, pixel, words}                           one pixel's events in words (worded.ts)
  *
- * (types in viewer/stops/lesson.ts). scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
+ * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
  * language's sentences, spoken the scene's words in it or null. An answer is {answer}, or {fault: sentence}.
  */
 import { readFileSync } from "node:fs";
@@ -17,7 +17,7 @@ import { build } from "esbuild";
 
 const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
 const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { ask, decode, inWords, tellEvents, tellLesson } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { ask, decode, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 
@@ -39,10 +39,10 @@ function tracesIn(folder, scene) {
 function answer({ do: what, size, pixel, words, spoken, ...files }) {
   const scene = unpacked(files.scene);
   globalThis.raywalkWords = words;
-  if (what === "events") return tellEvents(scene, decode(unpacked(files.trace), { scene: scene.id }), pixel);
+  if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.id }), pixel);
   const traces = tracesIn(files.traces, scene);
   if (what === "ask") return ask(scene, traces, size);
-  return tellLesson(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights));
+  return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights));
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

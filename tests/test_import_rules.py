@@ -25,8 +25,8 @@ MAY_IMPORT = {
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
-    "telling": {"trace.tree", "trace_file", "scene", "words"},
-    "slides": {"scene", "trace.kinds", "trace_file", "telling", "words", "lesson_text", "errors"},
+    "stops": {"words", "errors"},
+    "slides": {"scene", "trace.kinds", "words", "lesson_text", "errors"},
     "site": {"scene", "trace.kinds", "trace_file", "words", "lesson_text", "errors"},
 }
 VIEWER_MAY_IMPORT = {
@@ -40,6 +40,7 @@ VIEWER_MAY_IMPORT = {
     "event-words.ts": {"state", "trace"},
     "session.ts": {"state", "trace"},
     "actions.ts": {"session", "state", "trace"},
+    "stops": {"stops", "state", "trace", "event-words"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
 FOR_ANYONE = {"words", "word-keys", "palette", "tile-picture"}
@@ -105,7 +106,7 @@ def test_a_build_knows_nothing_of_the_bench() -> None:
 def test_start_up_needs_no_engine() -> None:
     """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
     no module that reads scenes imports them at its top."""
-    for folder in ("scene", "trace_file", "telling", "words", "site", "slides", "work"):
+    for folder in ("scene", "trace_file", "stops", "words", "site", "slides", "work"):
         for file in python_files(folder):
             found = {name.split(".")[0] for name in imported(file)}
             assert not found & {"numba", "trimesh", "embreex"}, file.name
@@ -164,7 +165,7 @@ def test_no_modules_of_the_viewer_import_one_another_in_a_circle() -> None:
     TopologicalSorter(graph).prepare()  # raises CycleError, which names the circle
 
 
-@pytest.mark.parametrize("folder", ["trace", "state"])
+@pytest.mark.parametrize("folder", ["trace", "state", "stops"])
 def test_trace_and_state_know_no_browser(folder: str) -> None:
     """They run in node as they are: no document, no window."""
     for file in typescript_files(folder):

@@ -14,6 +14,7 @@ from PIL import Image
 
 from raywalk.scene.model import Scene
 from raywalk.slide_pipeline import SIGHTS
+from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record
 from raywalk.trace.tables import compile_lights, compile_materials
@@ -35,13 +36,14 @@ COLUMNS = {
 
 
 def write_sights(scene: Scene, asked: dict[str, Any], folder: Path) -> None:
-    """view-<k>.png and SIGHTS for what a lesson asks: Asked in viewer/stops/lesson.ts."""
-    tracer = Tracer(scene, least_share=LEAST_SHARE)
-    for k, look in enumerate(asked["looks"]):
-        view = shaded_view(_pale(tracer, look["lit"]), _observer(look))
+    """view-<k>.png and SIGHTS for what a lesson asks: Asked in viewer/stops/asked.ts."""
+    tracer, viewpoints = Tracer(scene, least_share=LEAST_SHARE), asked["viewpoints"]
+    for k, viewpoint in enumerate(viewpoints):
+        view = shaded_view(_pale(tracer, viewpoint["lit"]), _observer(viewpoint))
         Image.fromarray(view).save(folder / f"view-{k}.png")
+    eyes = [np.array(viewpoint["eye"], float) for viewpoint in viewpoints]
     answers = {
-        "stops": [_hidden(tracer, asked["looks"][stop["look"]], stop) for stop in asked["stops"]],
+        "stops": [_hidden(tracer, eyes[stop["viewpoint"]], stop) for stop in asked["stops"]],
         "exact": [exact_rays(tracer, each["n"], each["pixels"]) for each in asked["exact"]],
     }
     (folder / SIGHTS).write_text(json.dumps(answers, sort_keys=True), encoding="utf-8")
@@ -71,9 +73,9 @@ def _pale(tracer: Tracer, lit: dict[str, Any]) -> Tracer:
     return fresh
 
 
-def _hidden(tracer: Tracer, look: dict[str, Any], stop: dict[str, Any]) -> dict[str, Any]:
-    """Stretches of the stop's lines and tiles of its grid that are not seen from there."""
-    eye, tiles = np.array(look["eye"], float), stop["tiles"]
+def _hidden(tracer: Tracer, eye: np.ndarray, stop: dict[str, Any]) -> dict[str, Any]:
+    """Stretches of the stop's lines and tiles of its grid that are not seen from the eye."""
+    tiles = stop["tiles"]
     lines = np.array(stop["lines"], float).reshape(-1, 2, 3)
     row, column = np.divmod(np.arange(tiles["n"] ** 2)[:, None], tiles["n"])
     across, down = np.array(tiles["across"]), np.array(tiles["down"])
@@ -109,6 +111,9 @@ def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
     }
 
 
-def _observer(look: dict[str, Any]) -> Observer:
-    vectors = {key: np.array(look[key], float) for key in ("eye", "right", "up", "forward")}
-    return Observer(**vectors, focal=look["focal"], width=look["width"], height=look["height"])
+def _observer(viewpoint: dict[str, Any]) -> Observer:
+    vectors: dict[str, Any] = {
+        key: np.array(viewpoint[key]) for key in ("eye", "right", "up", "forward")
+    }
+    seen: dict[str, Any] = {key: viewpoint[key] for key in ("focal", "width", "height")}
+    return Observer(**seen, **vectors)

@@ -36,7 +36,7 @@ PUBLISHED = WIDE
 COURSE = "course"  # the id of the deck of all scenes
 KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course; not published
 REMARKS = "remarks.txt"  # what could not be written, and why; not published
-ASKED, SIGHTS, TOLD = "asked.json", "sights.json", "told.json"
+ASKED, SIGHTS, LESSON = "asked.json", "sights.json", "lesson.json"
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Plan:
     language: str
     traced: Path  # the folder of the scene's trace
     sights: Entry  # the same in every language
-    told: Entry
+    lesson: Entry
     slides: Parts
 
     @property
@@ -86,11 +86,11 @@ def plans_of(
     plans = []
     for each in sources:
         of = sights[each.scene.id]
-        told = _told(store, stops, each, layout, asked[each.scene.id], of, code)
-        plans.append(Plan(each.scene, each.language, each.traced.folder, of, told, {
+        lesson = _lesson(store, stops, each, layout, asked[each.scene.id], of, code)
+        plans.append(Plan(each.scene, each.language, each.traced.folder, of, lesson, {
             "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
             "trace": each.traced.folder.name, "sights": of.folder.name,
-            "told": digest(told.folder / TOLD), "scene": plain(each.scene),
+            "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene),
             "sentences": sentences(each.language), **makers(STAGES, PACKAGES),
         }))  # fmt: skip
     return plans
@@ -124,22 +124,22 @@ def _sights(
     return {id: store.get(key_of(parts)) for id, (_, _, parts) in tasks.items()}
 
 
-def _told(
+def _lesson(
     store: Store, stops: Stops, of: Source, layout: Layout, asked: Entry, sights: Entry, code: Parts
 ) -> Entry:
-    """The lesson as it is told in a language."""
+    """The lesson in a language."""
     spoken = None if of.language == DEFAULT else scene_words(of.scene)
     parts = {
-        "what": "told", "of": _of(of.scene.id, of.language), "layout": layout.name,
+        "what": "lesson", "of": _of(of.scene.id, of.language), "layout": layout.name,
         "page data": of.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
         "sentences": sentences(of.language), **code,
     }  # fmt: skip
     request = {
-        "do": "tell", **_where(of, layout), "asked": str(asked.folder / ASKED),
+        "do": "lesson", **_where(of, layout), "asked": str(asked.folder / ASKED),
         "sights": str(sights.folder / SIGHTS), "spoken": spoken,
         "words": read_words(of.language).tree,
     }  # fmt: skip
-    return _kept(store, stops, parts, TOLD, request)
+    return _kept(store, stops, parts, LESSON, request)
 
 
 def _where(of: Source, layout: Layout) -> Parts:
@@ -305,4 +305,4 @@ def sources_of(made: Plan) -> Sources:
     """Where its slides come from."""
     from raywalk.slides.deck import Sources
 
-    return Sources(made.scene, made.traced, made.sights.folder, made.told.folder / TOLD)
+    return Sources(made.scene, made.traced, made.sights.folder, made.lesson.folder / LESSON)

@@ -25,7 +25,7 @@ class Sources:
     scene: Scene
     traced: Path  # the folder of picture.png
     sights: Path  # that of view-<k>.png, of the layout's aspect
-    stops: Path  # ToldLesson as JSON, of the layout's aspect
+    stops: Path  # Lesson as JSON, of the layout's aspect
 
     def lesson(self, layout: Layout) -> Lesson:
         told = read_stops(self.stops)

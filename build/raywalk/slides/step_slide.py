@@ -42,7 +42,7 @@ class Lesson:
 
     def drawing(self, stop: Stop, now: int | None = None) -> Drawing:
         """now: the ray that a walk has come to."""
-        view = self.views / f"view-{stop.look}.png"
+        view = self.views / f"view-{stop.viewpoint}.png"
         return Drawing(self.scene, stop, view, self.layout.figure, now)
 
     @property

@@ -1,4 +1,4 @@
-"""A lesson's stops as the viewer's modules tell them (ToldLesson in viewer/stops/lesson.ts), read
+"""A lesson's stops as the viewer's modules have them (Lesson in viewer/stops/lesson.ts), read
 from JSON. World units where it says so; else points from the figure's top left, y down."""
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ class Stop:
 
     step: int  # of the lesson, from 0
     kind: str  # step, question, answer
-    look: int  # which shaded view lies behind it
+    viewpoint: int  # which shaded view lies behind it
     n: int  # tiles across and down
     pixel: tuple[int, int]  # column, row from the top left
     filled: bool  # whether the tiles show their colours

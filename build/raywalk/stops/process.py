@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from types import TracebackType
 from typing import Any
@@ -47,8 +48,11 @@ class Stops:
             return line[len(ANSWER) : -1]
         if line.startswith(FAULT):
             raise _problem(json.loads(line)["fault"])
-        said = node.stderr.read().strip().splitlines()
-        raise _problem(f"node ended: {next((line for line in said if 'Error' in line), said)}")
+        said = node.stderr.read()
+        cause = re.search(r"^\w*Error.*$", said, re.MULTILINE)
+        raise _problem(
+            f"node ended: {cause[0] if cause else said}\n  are its packages there? npm ci"
+        )
 
     def _started(self) -> subprocess.Popen[str]:
         try:

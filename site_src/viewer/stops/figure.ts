@@ -3,7 +3,7 @@
 import type { PicturePlane } from "../state/frustum";
 import { planeCorners } from "../state/frustum";
 import type { Line, LineKind } from "../state/lines";
-import { clipToFront, type Projection } from "../state/projection";
+import { seenPart, type Projection } from "../state/projection";
 import { brightness, lampsOf, type Switches } from "../state/switches";
 import { add, along, scale, sub, triple, type Vec3 } from "../state/vectors";
 import type { SceneData, Trace } from "../trace/types";
@@ -65,10 +65,8 @@ export class Sheet {
 
   /** What of a segment is before the observer. */
   ends(from: Vec3, to: Vec3): Ends | null {
-    const kept = clipToFront(this.view.project(from), this.view.project(to), from, to, this.near);
-    if (!kept) return null;
-    const [a, b] = kept.map(this.view.project);
-    return [a.x, a.y, b.x, b.y];
+    const seen = seenPart(this.view, from, to, this.near);
+    return seen && [seen[0].x, seen[0].y, seen[1].x, seen[1].y];
   }
 
   drawn({ kind, from, to }: Line, hidden: Stretches): DrawnLine {

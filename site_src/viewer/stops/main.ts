@@ -1,4 +1,6 @@
 /** What site_src/stops.mjs answers with. */
 export { decode } from "../trace/decode";
 export { inWords } from "../trace/spoken";
-export { ask, tellEvents, tellLesson } from "./lesson";
+export { ask } from "./asked";
+export { lessonOf } from "./lesson";
+export { listEvents } from "./worded";

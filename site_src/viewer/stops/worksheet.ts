@@ -1,8 +1,11 @@
 /** Questions whose answers the trace knows: which pixels they are about is chosen by what happens there. */
 import { KIND_NAMES } from "../state/lines";
+import { isSwitched } from "../state/switches";
 import { triple } from "../state/vectors";
+import { pixelIndex } from "../state/view-state";
 import { KIND, VISIBILITY, type SceneData, type Trace } from "../trace/types";
 import { number, say, vector } from "../words";
+import { walksPixel, type Stop, type Traces } from "./seen";
 
 export interface Question {
   asks: string;
@@ -31,8 +34,15 @@ function spread({ n }: Trace, walked: readonly number[]): number[] {
 
 const hitsAlong = (trace: Trace, pixel: number): number[] => Array.from({ length: trace.hitsStart[pixel + 1] - trace.hitsStart[pixel] }, (_, k) => trace.hitsStart[pixel] + k);
 
-/** walked: pixels that the lesson walks, which are asked for first. */
-export function picksOf(trace: Trace, walked: readonly number[]): Pick[] {
+/** The first grid that the lesson shows as it was traced, and what of it is asked; walked pixels come first. */
+export function worksheetOf(stops: readonly Stop[], traces: Traces): { n: number; picks: readonly Pick[] } {
+  const states = stops.map(({ state }) => state).filter(({ switches }) => !isSwitched(switches));
+  if (!states.length) return { n: 0, picks: [] };
+  const [{ n }] = states;
+  return { n, picks: picksOf(traces(n), states.filter((state) => state.n === n && walksPixel(state)).map(pixelIndex)) };
+}
+
+function picksOf(trace: Trace, walked: readonly number[]): Pick[] {
   const pixels = spread(trace, walked);
   const met = new Set<number>();
   const nearest = pixels.filter((pixel) => met.size < NEAREST && !met.has(trace.object[pixel]) && met.add(trace.object[pixel]));

@@ -1,0 +1,25 @@
+/** Events as they are told, as plain data. */
+import { tell } from "../event-words";
+import type { RayEvent } from "../state/event-types";
+import { eventsOf } from "../state/events";
+import type { SceneData, Trace } from "../trace/types";
+import { plain } from "../words";
+
+export interface Worded {
+  says: string;
+  phrases: readonly (readonly [string, string | null])[]; // null: plain, "": bold, else a kind of ray
+  numbers: string;
+}
+
+export function worded(event: RayEvent): Worded {
+  const { says, numbers } = tell(event);
+  return { says: plain(says), phrases: says.map((phrase) => (typeof phrase === "string" ? [phrase, null] : phrase)), numbers };
+}
+
+/** A pixel's events, as `raywalk inspect --events --json` lists them. */
+export function listEvents(scene: SceneData, trace: Trace, [column, row]: readonly [number, number]) {
+  return eventsOf(trace, scene, row * trace.n + column).map((event) => {
+    const { what, ray, light, line, long, ...facts } = event;
+    return { what, ray, light, line, long, facts, ...worded(event) };
+  });
+}

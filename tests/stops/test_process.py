@@ -1,0 +1,43 @@
+"""The node process that the pipeline asks: answers in turn, and a sentence for what goes wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from raywalk.errors import SourceErrors
+from raywalk.stops import process
+from raywalk.stops.process import Stops
+
+
+def test_one_process_answers_request_after_request(tmp_path: Path):
+    """Also after one that could not be followed, which is named."""
+    missing = {"do": "events", "scene": str(tmp_path / "scene.js"), "trace": "", "words": {}}
+    with Stops() as stops:
+        for _ in range(2):
+            with pytest.raises(SourceErrors, match=r"no such file.*scene\.js"):
+                stops.ask(missing)
+
+
+def test_without_node_it_says_what_is_missing(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("PATH", "")
+    with Stops() as stops, pytest.raises(SourceErrors, match="node is not installed"):
+        stops.ask({})
+
+
+def test_without_its_packages_it_says_so_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The script where no node_modules are: one sentence, not node's trace."""
+    lost = tmp_path / "stops.mjs"
+    lost.write_bytes(process.SCRIPT.read_bytes())
+    monkeypatch.setattr(process, "SCRIPT", lost)
+    with Stops() as stops, pytest.raises(SourceErrors) as raised:
+        stops.ask({})
+    told = str(raised.value)
+    assert "Cannot find package 'esbuild'" in told and "npm ci" in told
+    assert len(told.splitlines()) <= 3
+
+
+def test_a_process_that_is_not_asked_is_not_started():
+    with Stops() as stops:
+        assert stops._node is None
