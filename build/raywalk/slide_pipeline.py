@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from raywalk.scene.model import Scene
 from raywalk.site.scene_data import scene_words
+from raywalk.slides.formats import COURSE
 from raywalk.slides.layout import WIDE, Layout
 from raywalk.stops.process import SCRIPT, Stops
 from raywalk.words import read_words
@@ -33,7 +34,6 @@ SIGHT_PACKAGES = ("numpy", "pillow")
 STAGES = ("slides", "slide_products.py", "lesson_text.py", "scene", "words")
 PACKAGES = ("numpy", "pillow", "markdown", "reportlab", "python-pptx", "python-bidi", "lxml")
 PUBLISHED = WIDE
-COURSE = "course"  # the id of the deck of all scenes
 KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course; not published
 REMARKS = "remarks.txt"  # what could not be written, and why; not published
 ASKED, SIGHTS, LESSON = "asked.json", "sights.json", "lesson.json"

@@ -12,7 +12,8 @@ from raywalk.scene.translation import translation_file
 from raywalk.slide_pipeline import KEPT, REMARKS
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
-from raywalk.slides.handout import PER_SHEET, handout_pdf
+from raywalk.slides.formats import COURSE_FORMATS, FORMATS, SHEET_FORMATS, TRANSLATED
+from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.layout import Layout
 from raywalk.slides.palette import PRINT, SCREEN, Palette
@@ -24,16 +25,7 @@ from raywalk.slides.words import speaking, words
 from raywalk.slides.worksheet import worksheet
 from raywalk.words.catalogue import DEFAULT
 
-# What is published: paper's colours in PDF, the screen's in PPTX, both in HTML.
-DECK_FORMATS = ("html", "pdf", "pptx")
-SHEET_FORMATS = tuple(f"handout-{count}" for count in PER_SHEET)
 LEGEND_HIGH = 42.0  # points under a figure, for its legend
-LESSON_FORMATS = ("svg", "worksheet", "answers")
-FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
-PUBLISHED = FORMATS
-# Of a translation: figures have few words, and any printer sets several slides on a sheet.
-TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
-COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
 
 
 def write_scene_slides(
@@ -44,7 +36,7 @@ def write_scene_slides(
         lesson = sources.lesson(layout)
         slides = lesson_slides(lesson)
         deck = scene_deck(sources, layout, lesson=lesson, slides=slides)
-        formats = PUBLISHED if language == DEFAULT else TRANSLATED
+        formats = FORMATS if language == DEFAULT else TRANSLATED
         write_files(folder, deck, formats, lesson, [sources.scene])
     (folder / KEPT).write_bytes(pickle.dumps(slides, protocol=5))
 
@@ -116,7 +108,8 @@ def _no_letters(file: Path, key: str, step: str, named: str) -> SourceError:
 def deck_files(
     deck: Deck, formats: tuple[str, ...], palette: Palette | None, lesson: Lesson | None
 ) -> Iterator[tuple[str, bytes]]:
-    """Name and content; without a palette each format has the one it is published in.
+    """Name and content; without a palette each format has the one it is published in: paper's
+    colours in PDF, the screen's in PPTX, both in HTML.
 
     Raises MissingGlyphs for PDF.
     """

@@ -11,9 +11,10 @@ import pytest
 from pptx import Presentation
 from pypdf import PdfReader
 
-from raywalk.slide_products import FORMATS, deck_files
+from raywalk.slide_products import deck_files
 from raywalk.slides.figure import Deck, Text
-from raywalk.slides.handout import PER_SHEET, handout_pdf
+from raywalk.slides.formats import FORMATS, PER_SHEET
+from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import deck_pdf

@@ -9,25 +9,21 @@ import sys
 import time
 from pathlib import Path
 
+from conftest import Made
+
 from raywalk.scene import read_scene
-from raywalk.slide_pipeline import plan
-from raywalk.slide_products import FORMATS, deck_files
-from raywalk.slides.deck import Sources, scene_deck
+from raywalk.slide_products import deck_files
+from raywalk.slides.deck import scene_deck
+from raywalk.slides.formats import FORMATS
 from raywalk.slides.layout import WIDE
-from raywalk.work.digests import key_of
-from raywalk.work.keys import trace_parts
 from raywalk.work.store import Store
 
 
 def main(id: str) -> None:
     """All is done twice; the second time is told: fonts and modules are there by then."""
-    scene, store = read_scene(Path("scenes") / id), Store(Path(".work"))
-    key = key_of(trace_parts(scene))
-    traced = store.get(key).folder
-    sights = store.get(key_of(plan(scene, traced, key).sights)).folder
+    sources = Made(read_scene(Path("scenes") / id), Store(Path(".work"))).sources()
     for _ in range(2):
         begun = time.process_time()
-        sources = Sources(scene, traced, sights)
         lesson = sources.lesson(WIDE)
         deck = scene_deck(sources, WIDE, lesson=lesson)
         laid_out = time.process_time() - begun

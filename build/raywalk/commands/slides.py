@@ -15,19 +15,15 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Scene
 from raywalk.scene.wording import did_you_mean, joined
+from raywalk.slides.formats import COURSE, DECK_FORMATS, FORMATS
+from raywalk.slides.layout import LAYOUTS, WIDE
+from raywalk.slides.palette import PALETTES
 
 if TYPE_CHECKING:
     from raywalk.slide_pipeline import Source
     from raywalk.slides.deck import Sources
     from raywalk.slides.layout import Layout
     from raywalk.work.store import Store
-
-FORMATS = (
-    "html", "pdf", "pptx", "svg", "handout-2", "handout-3", "handout-6", "worksheet", "answers",
-)  # fmt: skip
-ASPECTS = ("16:9", "4:3")
-PALETTES = ("screen", "print")
-COURSE = "course"
 
 
 def add_to(commands: Any) -> None:
@@ -36,12 +32,12 @@ def add_to(commands: Any) -> None:
     parser.add_argument("scene", help='a scene file, folder or id; "course" for all of them')
     parser.add_argument("--steps", type=steps, help="of the lesson, as 1,3-5; all if left out")
     parser.add_argument(
-        "--format", type=formats, default=("html", "pdf", "pptx"),
+        "--format", type=formats, default=DECK_FORMATS,
         help=f"one or more of {joined(FORMATS)}, with commas between",
     )  # fmt: skip
-    parser.add_argument("--aspect", choices=ASPECTS, default=ASPECTS[0])
+    parser.add_argument("--aspect", choices=[*LAYOUTS], default=WIDE.name)
     parser.add_argument(
-        "--palette", choices=PALETTES,
+        "--palette", choices=[*PALETTES],
         help="colours for a projector or for paper; left out: pdf for paper, pptx for a projector",
     )  # fmt: skip
     parser.add_argument("--out", type=Path, default=Path("slides"), help="folder for the files")
@@ -55,9 +51,7 @@ def run(chosen: Namespace) -> Iterator[str]:
     _refuse_steps(chosen, scenes)
     # Only now: what is wrong is told before anything heavy is imported.
     from raywalk.slide_products import missing_letters, write_files
-    from raywalk.slides.deck import COURSE, course_of, lesson_slides, scene_deck
-    from raywalk.slides.layout import LAYOUTS
-    from raywalk.slides.palette import PALETTES
+    from raywalk.slides.deck import course_of, lesson_slides, scene_deck
     from raywalk.slides.pdf import MissingGlyphs
 
     layout, palette = LAYOUTS[chosen.aspect], PALETTES.get(chosen.palette)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from raywalk.scene.model import Scene
 from raywalk.slides.figure import Deck, Slide
+from raywalk.slides.formats import COURSE
 from raywalk.slides.front import course_slides, credits_slides, goals_slides, title_slide
 from raywalk.slides.layout import Layout
 from raywalk.slides.ray_slides import ray_slides
@@ -14,8 +15,6 @@ from raywalk.slides.step_slide import Lesson, step_slides
 from raywalk.slides.stops import read_stops
 from raywalk.slides.sum_slide import sum_slides
 from raywalk.slides.words import say, words
-
-COURSE = "course"  # the id of the deck of all scenes
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,6 @@ MARGIN, TOP, BOTTOM = 42.0, 60.0, 46.0
 GAP = 18.0
 LINE = 22.0  # from one line for notes to the next
 SHARP = 120 / 72  # pixels a point of paper: lines and words are sharper than their pale views
-PER_SHEET = (2, 3, 6)
 
 
 def handout_pdf(deck: Deck, per_sheet: int) -> bytes:

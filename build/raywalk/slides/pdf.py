@@ -14,7 +14,6 @@ from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.pdfgen.pathobject import PDFPathObject
 
-from raywalk.slides.deck import COURSE
 from raywalk.slides.figure import (
     Deck,
     Dot,
@@ -29,6 +28,7 @@ from raywalk.slides.figure import (
     Text,
     flat,
 )
+from raywalk.slides.formats import COURSE
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import DASH_LENGTHS, SCREEN, Palette
 from raywalk.slides.pictures import smaller

@@ -1,0 +1,13 @@
+"""What slides are written as, and of what: names that every writer and the command line share."""
+
+from __future__ import annotations
+
+COURSE = "course"  # the id of the deck of all scenes
+PER_SHEET = (2, 3, 6)  # slides on a sheet of a handout
+DECK_FORMATS = ("html", "pdf", "pptx")
+SHEET_FORMATS = tuple(f"handout-{count}" for count in PER_SHEET)
+LESSON_FORMATS = ("svg", "worksheet", "answers")
+FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
+# Of a translation: figures have few words, and any printer sets several slides on a sheet.
+TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
+COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
