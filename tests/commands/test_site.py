@@ -166,8 +166,8 @@ def test_explain_says_why_each_thing_is_made_again(build, scenes, tmp_path):
     said = build("--explain")[1]
     assert "is traced" not in said and "02-ball: page data is made: lesson[0].text" in said
     assert "nothing is made again" in build("--explain")[1]
-    [kept, *_] = sorted((tmp_path / "work").glob("*/thumb.png"))
-    kept.write_bytes(b"")
+    for kept in (tmp_path / "work").glob("*/thumb.png"):  # also what no build uses any longer
+        kept.write_bytes(b"")
     shutil.rmtree(tmp_path / "dist")
     assert "its kept thumb.png is damaged" in build("--explain")[1]
 
