@@ -2,10 +2,11 @@
  *  the figure's edge is left to who draws. */
 import type { PicturePlane } from "../state/frustum";
 import { planeCorners } from "../state/frustum";
-import type { Line, LineKind } from "../state/lines";
+import type { Line } from "../state/lines";
 import { seenPart, type Projection } from "../state/projection";
 import { brightness, lampsOf, type Switches } from "../state/switches";
 import { add, along, scale, sub, triple, type Vec3 } from "../state/vectors";
+import type { LineKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 
 const NEAR = 1 / 300; // of the scene's radius: what is nearer to the observer is cut

@@ -1,9 +1,9 @@
 /** Questions whose answers the trace knows: which pixels they are about is chosen by what happens there. */
-import { KIND_NAMES } from "../state/lines";
 import { isSwitched } from "../state/switches";
 import { triple } from "../state/vectors";
 import { pixelIndex } from "../state/view-state";
-import { KIND, VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import { KIND, RAY_KINDS } from "../trace/kinds";
+import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
 import { number, say, vector } from "../words";
 import { walksPixel, type Stop, type Traces } from "./seen";
 
@@ -84,7 +84,7 @@ export function questionOf(pick: Pick, trace: Trace, scene: SceneData): Question
       return { asks: say("slides.askShadow", { ...at, name, light: scene.lights[pick.light].name }), answer };
     }
     case "sent": {
-      const key = KIND_NAMES[trace.kind[pick.ray]] === "reflected" ? "slides.askReflected" : "slides.askRefracted";
+      const key = RAY_KINDS[trace.kind[pick.ray]] === "reflected" ? "slides.askReflected" : "slides.askRefracted";
       return { asks: say(key, { ...at, name }), answer: meets(pick.ray) };
     }
     case "bytes": {
