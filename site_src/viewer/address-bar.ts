@@ -1,33 +1,56 @@
 /** Writes the view into the address bar: from a server each scene has its page's address, from a disk the page stays. */
+import type { Session } from "./session";
 import { writeAddress } from "./state/address";
-import type { ViewState } from "./state/view-state";
-import type { SceneData } from "./trace/types";
 
-export function createAddressBar(page: { home: string; onDisk: boolean; links: readonly HTMLAnchorElement[] }) {
+const AFTER = 200; // ms of quiet: browsers refuse an address that changes too often
+
+/** home: the scene the page is for. links: data-scene names each one's scene. */
+export function createAddressBar(session: Session, page: { home: string; onDisk: boolean; links: readonly HTMLAnchorElement[] }) {
   const { home, onDisk, links } = page;
+  const isKiosk = !!window.raywalkKiosk;
+  let timer = 0;
 
   /** What a kiosk's addresses carry on, first: it is what the next page asks for first. */
   const withKiosk = (hash: string) => [window.raywalkKiosk?.part, hash].filter(Boolean).join("&");
 
-  function addressOf(now: ViewState, of: SceneData): string {
-    const hash = withKiosk(writeAddress(now, of, onDisk && now.scene !== home));
-    const to = new URL(onDisk ? location.href : links.find((link) => link.dataset.scene === now.scene)!.href);
+  /** Of what is shown; as it is before there is anything. */
+  function address(): string {
+    const { state, scene } = session;
+    if (!state || !scene) return location.href;
+    const hash = withKiosk(writeAddress(state, scene, onDisk && state.scene !== home));
+    const to = new URL(onDisk ? location.href : links.find((link) => link.dataset.scene === state.scene)!.href);
     to.hash = hash;
     if (!onDisk) to.search = location.search;
     return hash ? to.href : to.href.replace(/#$/, "");
   }
 
-  const isKiosk = !!window.raywalkKiosk;
+  function write(how: "replace" | "push") {
+    clearTimeout(timer);
+    const to = address();
+    if (to === location.href) return;
+    try {
+      history[how === "push" && !isKiosk ? "pushState" : "replaceState"](null, "", to);
+    } catch {
+      // Refused: too many in a short time, or a page in a frame. The next one may be written.
+    }
+  }
+
+  window.addEventListener("pagehide", () => write("replace"));
   return {
-    write(how: "replace" | "push", now: ViewState, of: SceneData) {
-      const address = addressOf(now, of);
-      if (address === location.href) return;
-      try {
-        history[how === "push" && !isKiosk ? "pushState" : "replaceState"](null, "", address);
-      } catch {
-        // Refused: too many in a short time, or a page in a frame. The next one may be written.
-      }
+    write,
+    /** When the state rests. */
+    writeSoon() {
+      clearTimeout(timer);
+      timer = window.setTimeout(() => write("replace"), AFTER);
     },
-    addressOf,
+    /** The view's whole address; embedded, that of the page it belongs to. */
+    link() {
+      write("replace");
+      const whole = new URL(address());
+      whole.searchParams.delete("embed");
+      return whole.href;
+    },
   };
 }
+
+export type AddressBar = ReturnType<typeof createAddressBar>;

@@ -102,6 +102,8 @@ export function createLoader(root: string) {
   };
 }
 
+export type Loader = ReturnType<typeof createLoader>;
+
 function traceFrom(json: unknown, name: string): Promise<Trace> {
   const [scene, n] = name.split("/");
   return decodeWithRests(json, { scene, n: Number(n) }, nextTask);

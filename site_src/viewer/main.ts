@@ -1,9 +1,11 @@
 /** The viewer's table of contents: one session, what can be done with it, what shows it, what moves it. */
 import { createActions } from "./actions";
+import { createAddressBar } from "./address-bar";
 import { createBeat } from "./beat";
 import { exposeSession } from "./for-tests";
 import { listenToKeys } from "./keys";
 import { giveKeysBack, listenToLinks } from "./links";
+import { createLoader } from "./load";
 import { createNavigation } from "./navigation";
 import { createNotice } from "./panels/notice";
 import { whenRefused } from "./panels/remember";
@@ -11,6 +13,7 @@ import { createParts } from "./parts";
 import { createSession } from "./session";
 import { createModes } from "./modes";
 import { readAddress } from "./state/address";
+import { createSupplies } from "./supplies";
 import { passTime } from "./time";
 import { listenToErrors } from "./trouble";
 import { say } from "./words";
@@ -31,7 +34,11 @@ function start(own: string) {
   const notice = createNotice(find("#notice"));
   listenToErrors(own, notice);
   whenRefused(() => notice.say(say("trouble.storage")));
-  const navigation = createNavigation(session, { root, home: body.dataset.scene ?? "", links, withGl }, notice, () => beat.draw());
+  const loader = createLoader(root);
+  const supplies = createSupplies(session, loader, notice, () => beat.draw());
+  const place = { home: body.dataset.scene ?? "", onDisk: location.protocol === "file:", links, withGl };
+  const bar = createAddressBar(session, place);
+  const navigation = createNavigation(session, place, { loader, bar, notice, loadTrace: supplies.trace });
   const acts = createActions(session, { draw: () => beat.draw(), turnScene: navigation.turn, sceneOfKey: navigation.ofKey });
   const parts = createParts(session, acts, {
     home: find("#viewer"),
@@ -40,7 +47,7 @@ function start(own: string) {
     pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
-  const modes = createModes(session, acts, { link: navigation.link, snapshot: parts.snapshot, slide: parts.slide, recolour: parts.recolour, notify: notice.say });
+  const modes = createModes(session, acts, { link: bar.link, snapshot: parts.snapshot, slide: parts.slide, recolour: parts.recolour, notify: notice.say });
   const beat = createBeat({
     draw() {
       modes.show();
@@ -53,13 +60,11 @@ function start(own: string) {
 
   session.listen({
     changed() {
-      void navigation.loadSections();
       beat.draw();
-      navigation.writeSoon();
-      void navigation.wantBoxes();
-      void navigation.wantFinest();
+      bar.writeSoon();
+      supplies.more();
     },
-    otherLevel: () => void navigation.loadTrace(),
+    otherLevel: () => void supplies.trace(),
   });
   listenToKeys({ ...acts, ...modes });
   giveKeysBack(body);

@@ -47,6 +47,12 @@ export function createSession() {
       else session.changed();
     },
 
+    /** Another scene; its rays are still to come. */
+    enter(scene: SceneData, state: ViewState) {
+      Object.assign(session, { scene, state, lit: null });
+      session.receive(null);
+    },
+
     receive(trace: Trace | null) {
       loaded = trace;
       session.missing = false;

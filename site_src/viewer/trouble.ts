@@ -1,51 +1,45 @@
-/** What went wrong, as the sentence a person reads and the way on. */
-import { LoadError, type Loss } from "./load";
+/** What went wrong or takes long, as the sentence a person reads and the way on. */
+import { LoadError } from "./load";
 import type { More, Notice } from "./panels/notice";
 import { say } from "./words";
 
-const whyOf = (error: unknown): Loss => (error instanceof LoadError ? error.why : "damaged");
+const SLOW = 8000; // ms after which it is said that something is still on its way
+
+/** Says so if it takes long. */
+export async function awaited<T>(what: Promise<T>, about: "scene" | "trace", notice: Notice): Promise<T> {
+  const wait = window.setTimeout(() => notice.say(say("trouble.slow"), { about }), SLOW);
+  try {
+    return await what;
+  } finally {
+    clearTimeout(wait);
+  }
+}
 
 const reload = () => ({ word: say("trouble.reload"), go: () => location.reload() });
 
-export interface Trouble {
-  sentence: string;
-  more: More;
+/** What Notice.say says. */
+type Trouble = readonly [sentence: string, more: More];
+
+/** lost: the sentence when it is missing, and when it is damaged. */
+function troubleOf(error: unknown, about: "scene" | "trace", lost: Readonly<Record<"missing" | "damaged", string>>, again: () => void): Trouble {
+  const why = error instanceof LoadError ? error.why : "damaged";
+  if (why === "old browser") return [say("trouble.noUnpacking"), { about }];
+  if (why === "other version") return [say("trouble.otherVersion"), { about, ways: [reload()] }];
+  return [lost[why], { about, again }];
 }
 
-export function troubleOfTrace(error: unknown, n: number, again: () => void): Trouble {
-  const about = "trace";
-  switch (whyOf(error)) {
-    case "old browser":
-      return { sentence: say("trouble.noUnpacking"), more: { about } };
-    case "other version":
-      return { sentence: say("trouble.otherVersion"), more: { about, ways: [reload()] } };
-    case "missing":
-      return { sentence: say("trouble.traceMissing", { n }), more: { about, again } };
-    case "damaged":
-      return { sentence: say("trouble.traceDamaged", { n }), more: { about, again } };
-  }
-}
+export const troubleOfTrace = (error: unknown, n: number, again: () => void): Trouble =>
+  troubleOf(error, "trace", { missing: say("trouble.traceMissing", { n }), damaged: say("trouble.traceDamaged", { n }) }, again);
 
 /** Of the scene that the page is for: nothing else is shown. */
-export function troubleOfScene(error: unknown, again: () => void): Trouble {
-  const about = "scene";
-  switch (whyOf(error)) {
-    case "old browser":
-      return { sentence: say("trouble.noUnpacking"), more: { about } };
-    case "other version":
-      return { sentence: say("trouble.otherVersion"), more: { about, ways: [reload()] } };
-    case "missing":
-      return { sentence: say("trouble.sceneMissing"), more: { about, again } };
-    case "damaged":
-      return { sentence: say("trouble.sceneDamaged"), more: { about, again } };
-  }
-}
+export const troubleOfScene = (error: unknown, again: () => void): Trouble =>
+  troubleOf(error, "scene", { missing: say("trouble.sceneMissing"), damaged: say("trouble.sceneDamaged") }, again);
 
 /** Of the scene that was to come: the one that is shown goes on. page: its own, which says what it can without its data. */
-export const troubleOfNextScene = (title: string, page: string, again: () => void): Trouble => ({
-  sentence: say("trouble.nextScene", { title }),
-  more: { about: "scene", again, ways: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
-});
+export const troubleOfNextScene = (title: string, page: string, again: () => void): Trouble => [
+  say("trouble.nextScene", { title }),
+  { about: "scene", again, ways: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
+];
 
 /** What nobody foresaw: it is said, and the page goes on as far as it can. own: the address of the viewer's script;
  *  other scripts (a damaged trace is one) are told where they were asked for. */
