@@ -89,5 +89,4 @@ export function listenToKeys(acts: KeyActs) {
   }
 
   window.addEventListener("keydown", press);
-  return { dispose: () => window.removeEventListener("keydown", press) };
 }

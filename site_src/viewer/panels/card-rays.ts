@@ -1,4 +1,5 @@
 /** The selected pixel's rays as an indented list: every number of every ray. */
+import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import type { Vec3 } from "../trace/types";
@@ -21,7 +22,6 @@ const figures = (className: string, ...parts: (Node | string)[]) => element("spa
 export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind as "camera"}`, { object: row.object }) : phrases(`card.leaves.${row.kind as "camera"}`));
 export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
   seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
-export const isGiving = ({ seen }: LightRow) => seen === "reached" || seen === "unasked";
 
 export function createRays(acts: LineActs) {
   const list = element("ul", "rays");

@@ -1,5 +1,6 @@
 /** The ray tree as a drawing: a node a ray, below it what it led to. Kinds differ in outline and dash, not in hue alone. */
 import { LINES } from "../palette";
+import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import { RAYS } from "../trace/kinds";
@@ -70,7 +71,7 @@ function mark({ seen }: LightRow, x: number) {
 
 function marks(lights: readonly LightRow[]) {
   const group = svg("g", { transform: `translate(${NODE.width / 2} ${NODE.height + 11})` });
-  const arrived = lights.filter(({ seen }) => seen === "reached" || seen === "unasked").length;
+  const arrived = lights.filter(isGiving).length;
   if (lights.length > MARKS) group.append(svg("text", { class: "node-kind", y: 4, "text-anchor": "middle" }, say("tree.lights", { arrived, of: lights.length })));
   else group.append(...lights.map((light, k) => mark(light, (k - (lights.length - 1) / 2) * 14)));
   return group;

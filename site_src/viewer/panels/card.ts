@@ -109,6 +109,5 @@ export function createCard(acts: CardActs, code: HTMLElement) {
       const items = [...rays.element.querySelectorAll<HTMLElement>("li.ray")];
       mark(rays.element, items, items.find(({ dataset }) => dataset.ray === String(lit?.ray) && dataset.light === String(lit?.light)) ?? null, follow);
     },
-    dispose: () => root.remove(),
   };
 }

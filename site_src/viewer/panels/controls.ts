@@ -48,6 +48,5 @@ export function createControls(acts: ControlActs) {
       coarser.setAttribute("aria-disabled", String(state.n === scene.levels[0]));
       finer.setAttribute("aria-disabled", String(state.n === scene.levels[scene.levels.length - 1]));
     },
-    dispose: () => root.remove(),
   };
 }

@@ -1,8 +1,9 @@
 /** The ray tree as text and as a table for spreadsheets, into the clipboard or, where that is refused, to be copied by hand. */
+import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { Vec3 } from "../trace/types";
 import { list, number, percent, plain, say, tone, vector } from "../words";
-import { isGiving, lightWords, rayWords } from "./card-rays";
+import { lightWords, rayWords } from "./card-rays";
 import { createDialog } from "./dialog";
 import { element } from "./element";
 

@@ -42,6 +42,5 @@ export function createLegend() {
       if (left) note.textContent = say("legend.leftOut", { left: grouped(left), most: grouped(CROWD) });
       for (const { kind, item } of items) item.hidden = !kinds.has(kind);
     },
-    dispose: () => root.remove(),
   };
 }

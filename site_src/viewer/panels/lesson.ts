@@ -57,6 +57,5 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
       text.scrollTop = 0;
       lookAgain();
     },
-    dispose: () => root.remove(),
   };
 }

@@ -80,8 +80,7 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
     const missing = image.src.replace(/\?.*/, "");
     acts.failed(() => void (image.src = `${missing}?again=${++times}`));
   });
-  const watcher = new ResizeObserver(draw);
-  watcher.observe(frame);
+  new ResizeObserver(draw).observe(frame);
 
   return {
     element: whole,
@@ -98,10 +97,6 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
         image.alt = say("picture.alt", { title: scene.title }); // with switches the badge beside it says that tiles stand before it
       }
       draw();
-    },
-    dispose() {
-      watcher.disconnect();
-      whole.remove();
     },
   };
 }

@@ -90,6 +90,5 @@ export function createPlayer(acts: PlayerActs) {
       on.setAttribute("aria-disabled", String(!timeline || event === of - 1));
       setWord(speed, say("controls.speed", { speed: fraction(state.speed) }));
     },
-    dispose: () => root.remove(),
   };
 }

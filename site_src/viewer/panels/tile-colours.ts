@@ -69,6 +69,5 @@ export function createTileColours(acts: { colours: (view: TileView) => void }) {
       lines.push(pointed ? say("tileView.pointed", tell(pointed)) : ""); // last: it comes and goes
       values.replaceChildren(...lines.map((line) => element("span", "", line)));
     },
-    dispose: () => (label.remove(), legend.remove()),
   };
 }

@@ -64,5 +64,5 @@ export function createViewPad(acts: ViewActs) {
     }
   }
   name();
-  return { element: root, dispose: () => root.remove() };
+  return { element: root };
 }

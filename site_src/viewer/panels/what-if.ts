@@ -115,6 +115,5 @@ export function createWhatIf(acts: WhatIfActs) {
       undo.hidden = !isSwitched(switches);
       if (isSwitched(switches) && !opened && step === null) open((opened = true)); // a lesson says what it switches, and its stage keeps still
     },
-    dispose: () => root.remove(),
   };
 }

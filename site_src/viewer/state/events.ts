@@ -2,8 +2,8 @@
  * A pixel's ray tree as what happens one after the other, with the numbers each sentence needs. All of
  * them are the trace's: stored factors times stored colours, measured lengths and angles; nothing is traced.
  */
-import { RAY_KINDS, type LineKind } from "../trace/kinds";
-import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
+import { RAY_KINDS } from "../trace/kinds";
+import { VISIBILITY, type MaterialData, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
 import { originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
@@ -22,15 +22,95 @@ export function lightShares(trace: Trace, scene: SceneData, ray: number): LightS
   });
 }
 
-export const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+type Colours = Pick<MaterialData, "ambient" | "diffuse" | "specular">;
 
-/** The stored terms put together as the file format says, before the share the surface keeps. */
-export function localColour(material: { ambient: Vec3; diffuse: Vec3; specular: Vec3 }, lights: readonly LightShare[]): Vec3 {
-  const lit = lights.filter(({ seen }) => seen === "reached" || seen === "unasked");
-  return lit.reduce(
-    (sum, light) => add(sum, times(add(scale(material.diffuse, light.diffuse), scale(material.specular, light.specular)), light.colour)),
-    material.ambient,
-  );
+const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+
+export const isGiving = ({ seen }: Pick<LightShare, "seen">): boolean => seen === "reached" || seen === "unasked";
+
+/** What a light adds to a surface's own colour, before the share the surface keeps. */
+export function given(material: Colours, light: LightShare): Vec3 {
+  return isGiving(light) ? times(add(scale(material.diffuse, light.diffuse), scale(material.specular, light.specular)), light.colour) : [0, 0, 0];
+}
+
+/** The stored terms put together as the file format says. */
+export const localColour = (material: Colours, lights: readonly LightShare[]): Vec3 =>
+  lights.reduce((sum, light) => add(sum, given(material, light)), material.ambient);
+
+/** All hits along a camera ray, the nearest first; of other rays they are not kept. */
+export function hitsOf(trace: Trace, scene: SceneData, ray: number): { name: string; t: number }[] {
+  if (trace.parent[ray] >= 0) return [];
+  const [from, to] = [trace.hitsStart[ray], trace.hitsStart[ray + 1]];
+  return Array.from({ length: to - from }, (_, k) => ({ name: nameOf(scene, trace.hitsObject[from + k]), t: trace.hitsT[from + k] }));
+}
+
+const nameOf = (scene: SceneData, object: number) => scene.objects[object]?.name ?? "?";
+const placeOf = (trace: Trace, pixel: number) => [pixel % trace.n, Math.floor(pixel / trace.n)] as const;
+
+/** From a ray's start to its end. */
+const runOf = (trace: Trace, scene: SceneData, ray: number): Vec3 => sub(triple(trace.point, ray), originOf(trace, scene, ray));
+
+/** Between a ray and the line along a normal. */
+function angleOf(trace: Trace, scene: SceneData, ray: number, normal: Vec3): Degrees {
+  const run = runOf(trace, scene, ray);
+  return length(run) < MEASURABLE * scene.bounds.radius ? null : TURN * Math.acos(Math.min(1, Math.abs(dot(unit(run), normal))));
+}
+
+/** How a ray starts. media: what its parent came through; after: what it travels in itself. */
+function departure(trace: Trace, scene: SceneData, ray: number, media: Media, after: Media): Happening {
+  const parent = trace.parent[ray];
+  const kind = RAY_KINDS[trace.kind[ray]];
+  if (parent < 0) return { what: "camera", pixel: placeOf(trace, trace.pixel[ray]), eye: scene.camera.eye };
+  const material = scene.materials[trace.material[parent]];
+  const normal = triple(trace.normal, parent);
+  const base = { name: nameOf(scene, trace.object[parent]), share: trace.weight[ray], angle: angleOf(trace, scene, parent, normal) };
+  const leaves = trace.inside[parent] === 1;
+  const from = leaves && !media.length ? material.ior : indexIn(media, scene);
+  if (kind === "refracted") return { what: kind, ...base, enters: !leaves, from, to: indexIn(after, scene), bent: angleOf(trace, scene, ray, normal) };
+  if (kind === "total") return { what: kind, ...base, from, to: indexIn(crossed(media, trace.object[parent], !leaves), scene) };
+  return { what: "reflected", ...base, keeps: trace.localWeight[parent], clear: material.transmit > 0 };
+}
+
+function arrival(trace: Trace, scene: SceneData, ray: number): Happening {
+  const object = trace.object[ray];
+  if (object < 0) return { what: "background", colour: scene.background };
+  return { what: "meets", name: nameOf(scene, object), t: trace.t[ray], point: triple(trace.point, ray), hits: hitsOf(trace, scene, ray) };
+}
+
+const event = (ray: number, happening: Happening, more: Partial<Pick<RayEvent, "light" | "line" | "long">> = {}): RayEvent => ({ ...happening, ray, light: -1, line: null, long: 0, ...more });
+
+/** What each light says where a ray ends, and the colour they give together. */
+function lighting(trace: Trace, scene: SceneData, ray: number): RayEvent[] {
+  const lights = lightShares(trace, scene, ray);
+  const asked = lights.map(({ name, seen }, light) => {
+    const at = ray * trace.lights + light;
+    const far = length(sub(scene.lights[light].position, triple(trace.point, ray)));
+    const stopped = far * trace.blockedAt[at];
+    if (seen === "blocked") return event(ray, { what: seen, name, by: nameOf(scene, trace.blocker[at]), at: stopped }, { light, line: seen, long: stopped });
+    return event(ray, { what: seen, name }, seen === "reached" ? { light, line: seen, long: far } : { light });
+  });
+  const { ambient, diffuse, specular } = scene.materials[trace.material[ray]];
+  const colour = localColour({ ambient, diffuse, specular }, lights);
+  return [...asked, event(ray, { what: "local", ambient, diffuse, specular, lights, share: trace.localWeight[ray], colour })];
+}
+
+/** What a ray's colour is the sum of. sent: the rays it led to. */
+function termsOf(trace: Trace, scene: SceneData, ray: number, sent: readonly number[]): Term[] {
+  const brought = sent.map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
+  if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
+  if (trace.localWeight[ray] === 0) return brought;
+  const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
+  return [{ of: "local", share: trace.localWeight[ray], colour: own }, ...brought];
+}
+
+/** What happens where a ray meets a surface, before the rays it leads to. */
+function meeting(trace: Trace, scene: SceneData, ray: number, isLast: boolean): RayEvent[] {
+  const { reflect, transmit } = scene.materials[trace.material[ray]];
+  const stops: Happening = { what: "stops", name: nameOf(scene, trace.object[ray]), limit: scene.depth, atLimit: trace.depth[ray] >= scene.depth };
+  return [
+    ...(trace.localWeight[ray] > 0 ? lighting(trace, scene, ray) : []),
+    ...(isLast && (reflect > 0 || transmit > 0) ? [event(ray, stops, { line: RAY_KINDS[trace.kind[ray]] })] : []),
+  ];
 }
 
 /** One pixel's events in true order: each ray with all it leads to before the next. */
@@ -38,81 +118,20 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
   const tree = treeOf(trace, pixel);
   const children = new Map<number, number[]>();
   for (const ray of tree) children.set(trace.parent[ray], [...(children.get(trace.parent[ray]) ?? []), ray]);
-  const place = [pixel % trace.n, Math.floor(pixel / trace.n)] as const;
   const events: RayEvent[] = [];
-  const nameOf = (object: number) => scene.objects[object]?.name ?? "?";
-  const way = (ray: number) => sub(triple(trace.point, ray), originOf(trace, scene, ray));
-  /** Between a ray and the line along a normal. */
-  const angle = (ray: number, normal: Vec3): Degrees =>
-    length(way(ray)) < MEASURABLE * scene.bounds.radius ? null : TURN * Math.acos(Math.min(1, Math.abs(dot(unit(way(ray)), normal))));
-  const put = (ray: number, happening: Happening, { light = -1, line = null as LineKind | null, long = 0 } = {}) =>
-    events.push({ ...happening, ray, light, line, long });
-
-  function departure(ray: number, media: Media, after: Media): Happening {
-    const parent = trace.parent[ray];
-    const kind = RAY_KINDS[trace.kind[ray]];
-    if (parent < 0) return { what: "camera", pixel: place, eye: scene.camera.eye };
-    const material = scene.materials[trace.material[parent]];
-    const normal = triple(trace.normal, parent);
-    const base = { name: nameOf(trace.object[parent]), share: trace.weight[ray], angle: angle(parent, normal) };
-    const leaves = trace.inside[parent] === 1;
-    const from = leaves && !media.length ? material.ior : indexIn(media, scene);
-    if (kind === "refracted") return { what: kind, ...base, enters: !leaves, from, to: indexIn(after, scene), bent: angle(ray, normal) };
-    if (kind === "total") return { what: kind, ...base, from, to: indexIn(crossed(media, trace.object[parent], !leaves), scene) };
-    return { what: "reflected", ...base, keeps: trace.localWeight[parent], clear: material.transmit > 0 };
-  }
-
-  function arrival(ray: number): Happening {
-    if (trace.object[ray] < 0) return { what: "background", colour: scene.background };
-    const hits: { name: string; t: number }[] = [];
-    if (trace.parent[ray] < 0)
-      for (let k = trace.hitsStart[ray]; k < trace.hitsStart[ray + 1]; k++) hits.push({ name: nameOf(trace.hitsObject[k]), t: trace.hitsT[k] });
-    return { what: "meets", name: nameOf(trace.object[ray]), t: trace.t[ray], point: triple(trace.point, ray), hits };
-  }
-
-  function lighting(ray: number) {
-    const point = triple(trace.point, ray);
-    const lights = lightShares(trace, scene, ray);
-    for (const [light, { name, seen }] of lights.entries()) {
-      const at = ray * trace.lights + light;
-      const far = length(sub(scene.lights[light].position, point));
-      if (seen === "reached") put(ray, { what: seen, name }, { light, line: seen, long: far });
-      else if (seen !== "blocked") put(ray, { what: seen, name }, { light });
-      else {
-        const stopped = far * trace.blockedAt[at];
-        put(ray, { what: seen, name, by: nameOf(trace.blocker[at]), at: stopped }, { light, line: seen, long: stopped });
-      }
-    }
-    const { ambient, diffuse, specular } = scene.materials[trace.material[ray]];
-    put(ray, { what: "local", ambient, diffuse, specular, lights, share: trace.localWeight[ray], colour: localColour({ ambient, diffuse, specular }, lights) });
-  }
-
-  function terms(ray: number): Term[] {
-    const sent = (children.get(ray) ?? []).map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
-    if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
-    if (trace.localWeight[ray] === 0) return sent;
-    const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
-    return [{ of: "local", share: trace.localWeight[ray], colour: own }, ...sent];
-  }
 
   /** media: what the ray travels in; before: what its parent came through. */
   function walk(ray: number, media: Media, before: Media) {
     const line = RAY_KINDS[trace.kind[ray]];
-    put(ray, departure(ray, before, media), { line, long: length(way(ray)) });
-    put(ray, arrival(ray), { line });
     const object = trace.object[ray];
     const sent = children.get(ray) ?? [];
-    if (object >= 0) {
-      if (trace.localWeight[ray] > 0) lighting(ray);
-      const { reflect, transmit } = scene.materials[trace.material[ray]];
-      if (!sent.length && (reflect > 0 || transmit > 0))
-        put(ray, { what: "stops", name: nameOf(object), limit: scene.depth, atLimit: trace.depth[ray] >= scene.depth }, { line });
-    }
+    events.push(event(ray, departure(trace, scene, ray, before, media), { line, long: length(runOf(trace, scene, ray)) }), event(ray, arrival(trace, scene, ray), { line }));
+    if (object >= 0) events.push(...meeting(trace, scene, ray, !sent.length));
     for (const child of sent) walk(child, RAY_KINDS[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
-    const colour = triple(trace.colour, ray);
+    const sum = { terms: termsOf(trace, scene, ray, sent), colour: triple(trace.colour, ray) };
     const bytes = triple(trace.tiles, pixel);
-    if (trace.parent[ray] < 0) put(ray, { what: "pixel", pixel: place, terms: terms(ray), colour, bytes, why: whyOf(trace, tree, events, bytes) });
-    else if (sent.length) put(ray, { what: "gather", name: nameOf(object), terms: terms(ray), colour }, { line });
+    if (trace.parent[ray] < 0) events.push(event(ray, { what: "pixel", pixel: placeOf(trace, pixel), ...sum, bytes, why: whyOf(trace, tree, events, bytes) }));
+    else if (sent.length) events.push(event(ray, { what: "gather", name: nameOf(scene, object), ...sum }, { line }));
   }
 
   for (const ray of children.get(-1) ?? []) walk(ray, [], []);

@@ -3,9 +3,9 @@
 import { RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace, Vec3 } from "../trace/types";
 import type { LightShare } from "./event-types";
-import { lightShares, localColour, times } from "./events";
+import { given, hitsOf, lightShares, localColour } from "./events";
 import { treeOf } from "./lines";
-import { add, scale, triple } from "./vectors";
+import { triple } from "./vectors";
 
 export interface LightRow extends LightShare {
   light: number; // index into SceneData.lights
@@ -39,20 +39,11 @@ export interface RayRow {
 const BLACK: Vec3 = [0, 0, 0];
 
 function lightRows(trace: Trace, scene: SceneData, ray: number): LightRow[] {
-  const { diffuse, specular } = scene.materials[trace.material[ray]];
+  const material = scene.materials[trace.material[ray]];
   return lightShares(trace, scene, ray).map((light, k) => {
     const at = ray * trace.lights + k;
-    const counts = light.seen === "reached" || light.seen === "unasked";
-    const paint = add(scale(diffuse, light.diffuse), scale(specular, light.specular));
-    return { ...light, light: k, by: scene.objects[trace.blocker[at]]?.name ?? "", at: trace.blockedAt[at], gives: counts ? times(paint, light.colour) : BLACK };
+    return { ...light, light: k, by: scene.objects[trace.blocker[at]]?.name ?? "", at: trace.blockedAt[at], gives: given(material, light) };
   });
-}
-
-function hitsOf(trace: Trace, scene: SceneData, ray: number) {
-  const hits: { name: string; t: number }[] = [];
-  if (trace.parent[ray] < 0)
-    for (let k = trace.hitsStart[ray]; k < trace.hitsStart[ray + 1]; k++) hits.push({ name: scene.objects[trace.hitsObject[k]]?.name ?? "", t: trace.hitsT[k] });
-  return hits;
 }
 
 /** In walking order: each ray before all it leads to. */
