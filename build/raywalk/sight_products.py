@@ -103,8 +103,8 @@ def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
         "pixel": [in_grid[place] for place in tree.pixel.tolist()],
         **{name: getattr(tree, name).tolist() for name in ROWS},
         "columns": {
-            told: (t if name == "t" else getattr(tree, name)).reshape(-1).tolist()
-            for name, told in COLUMNS.items()
+            column: (t if name == "t" else getattr(tree, name)).reshape(-1).tolist()
+            for name, column in COLUMNS.items()
         },
         "hitsStart": tree.hits_start.tolist(),
         "hitsT": tree.hits_t.tolist(),

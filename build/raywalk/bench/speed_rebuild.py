@@ -58,7 +58,7 @@ def command(place: Path, *words: str) -> list[str]:
 
 
 def built(place: Path) -> str:
-    """Builds the site; returns what it told."""
+    """Builds the site; returns what it printed."""
     done = subprocess.run(command(place, "site"), check=True, capture_output=True, text=True)
     return done.stdout
 
@@ -135,11 +135,11 @@ def traced_of(place: Path) -> dict[str, int]:
     first.write_text(
         text.replace("[camera]\n", "[camera]\nup = [0.1, 1, 0]\n", 1), encoding="utf-8"
     )
-    told = re.search(r"scenes: (\d+) traced", built(place))
-    assert told, "a build tells how many scenes it traced"
+    found = re.search(r"scenes: (\d+) traced", built(place))
+    assert found, "a build tells how many scenes it traced"
     after = others(place, first.parent.name)
     differ = sum(before.get(name) != content for name, content in after.items())
-    return {"traced": int(told[1]), "differ": differ}
+    return {"traced": int(found[1]), "differ": differ}
 
 
 def others(place: Path, but: str) -> dict[str, bytes]:

@@ -33,15 +33,15 @@ def cases(count: int, seed: int) -> Iterator[Case]:
         rounds = len(variants) if count >= THOROUGH else 1
         rays = max(4, count // (RAYS_A_TREE * rounds * len(pairs)))
         for way in dict.fromkeys(way for _, way, _ in pairs):
-            told = np.zeros(3, int)
+            totals = np.zeros(3, int)
             for n, (_, _, bodies) in enumerate(pairs):
                 if pairs[n][1] != way:
                     continue
                 for k in range(rounds):
                     place, swapped = variants[(n + k) % len(variants)]
                     rng = np.random.default_rng([seed, n, k])
-                    told += wrong_media(placed_somewhere(bodies, place, rng), swapped, rays, rng)
-            judged, kept, lacking = (int(number) for number in told)
+                    totals += wrong_media(placed_somewhere(bodies, place, rng), swapped, rays, rng)
+            judged, kept, lacking = (int(number) for number in totals)
             yield Case(
                 "touching glass", way, "rays that keep a medium they left or lack one, ppm",
                 0.0, per_million(kept + lacking, judged), judged, seed,

@@ -74,13 +74,13 @@ def broken_triangles(count: int, seed: int) -> Iterator[Case]:
     }
     for name, triangles in added.items():
         compiled = compiled_mesh(np.concatenate([corners, triangles]))
-        told = compiled.meshes[0].triangles.dropped
+        reasons = compiled.meshes[0].triangles.dropped
         t, _, which, _ = compiled.nearest(rays)
         changed = (t != whole[0]) | (which != whole[2])
         yield Case(
             "broken triangles", f"{name} added", "rays changed in t or triangle, ppm",
             0.0, per_million(int(changed.sum()), count), count, seed,
-            note=", ".join(f"{number} dropped: {reason}" for reason, number in told.items()),
+            note=", ".join(f"{number} dropped: {reason}" for reason, number in reasons.items()),
         )  # fmt: skip
 
 

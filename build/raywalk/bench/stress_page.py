@@ -53,10 +53,10 @@ def soak_cases(count: int, seed: int) -> Iterator[Case]:
     settings = {"RAYWALK_SOAK_CYCLES": str(lessons), "RAYWALK_SOAK_MINUTES": f"{minutes:.1f}"}
     failed, said = run_in_browser("soak", settings)
     found = re.search(r"soak (\{.*\})", said)
-    told: dict[str, Any] = json.loads(found[1]) if found else {}
-    shown = int(told.get("cycles", 0))
-    name = f"a kiosk untouched, {shown:,} lessons in {told.get('seconds', 0) / 60:.0f} minutes"
-    heaps = told.get("heaps") or [math.nan]
+    report: dict[str, Any] = json.loads(found[1]) if found else {}
+    shown = int(report.get("cycles", 0))
+    name = f"a kiosk untouched, {shown:,} lessons in {report.get('seconds', 0) / 60:.0f} minutes"
+    heaps = report.get("heaps") or [math.nan]
     gone = (0, math.nan)
 
     def case(
@@ -66,17 +66,17 @@ def soak_cases(count: int, seed: int) -> Iterator[Case]:
             "the page", name, metric, bound, (pair[1] - pair[0]) / unit, shown, seed, note=note
         )
 
-    yield case("JS objects grown, kB", OBJECTS_KB, told.get("objects", gone), 1e3)
-    yield case("JS strings grown, kB", STRINGS_KB, told.get("strings", gone), 1e3)
+    yield case("JS objects grown, kB", OBJECTS_KB, report.get("objects", gone), 1e3)
+    yield case("JS strings grown, kB", STRINGS_KB, report.get("strings", gone), 1e3)
     series = "MB: " + " ".join(f"{heap / 1e6:.1f}" for heap in tenths(heaps))
     yield case(
         "JS heap with compiled code grown, MB", HEAP_MEGABYTES, (heaps[0], heaps[-1]), 1e6, series
     )
-    rising = (0, told.get("rising", math.nan))
+    rising = (0, report.get("rising", math.nan))
     yield case("JS heap, last quarter above the one before, MB", RISING_MEGABYTES, rising, 1e6)
     for what, (words, bound) in COUNTED.items():
-        yield case(f"more {words}", bound, told.get("counts", {}).get(what, gone), 1)
-    yield case("errors", 0.0, (0, told.get("faults", math.nan) + bool(failed and not told)), 1)
+        yield case(f"more {words}", bound, report.get("counts", {}).get(what, gone), 1)
+    yield case("errors", 0.0, (0, report.get("faults", math.nan) + bool(failed and not report)), 1)
 
 
 def tenths(series: list[float]) -> list[float]:

@@ -58,8 +58,8 @@ def refused_rays(seed: int) -> Case:
                 try:
                     read_rays(path)
                     accepted += 1
-                except SourceErrors as told:
-                    accepted += f"[1].{key}" not in str(told)
+                except SourceErrors as problems:
+                    accepted += f"[1].{key}" not in str(problems)
     return Case(
         "odd directions", "zero, NaN, infinite, not numbers", "not refused by name, rays",
         0.0, float(accepted), 2 * len(odd) - 1, seed,

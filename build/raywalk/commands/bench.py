@@ -45,9 +45,9 @@ def run(chosen: Namespace) -> Iterator[str]:
     measured["builds"] = []
     for key in PARTS:
         own: list[Case] = []
-        told = part(key, chosen, own)
-        yield from [told["title"], *told["lines"], *(case.as_line() for case in own)]
-        measured["builds"].append({**told, "cases": [case.as_dict() for case in own]})
+        measurement = part(key, chosen, own)
+        yield from [measurement["title"], *measurement["lines"], *(case.as_line() for case in own)]
+        measured["builds"].append({**measurement, "cases": [case.as_dict() for case in own]})
         cases += own
     keep_bench(chosen.work, measured)
     yield from publish_page(chosen.work, chosen.out)

@@ -34,8 +34,8 @@ def run(chosen: Namespace) -> Iterator[str]:
             problems += raised.errors
     for code in languages():
         try:
-            told = read_spoken(scenes, code) if code != DEFAULT else []
-            warnings += missing_translations(told, code)
+            translations = read_spoken(scenes, code) if code != DEFAULT else []
+            warnings += missing_translations(translations, code)
             warnings += [f"{code}.json: not translated: {key}" for key in missing_sentences(code)]
         except SourceErrors as raised:
             problems += raised.errors

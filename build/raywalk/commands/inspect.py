@@ -57,13 +57,13 @@ def _events(chosen: Namespace) -> Iterator[str]:
     scene = chosen.trace.with_name("scene.js")
     scene.stat()  # what is missing is said as of any file
     with Stops() as stops:
-        told = stops.ask({
+        answer = stops.ask({
             "do": "events", "scene": str(scene), "trace": str(chosen.trace),
             "pixel": chosen.pixel, "words": read_words(chosen.language).tree,
         })  # fmt: skip
     if chosen.json:
-        yield told
+        yield answer
         return
-    for number, event in enumerate(json.loads(told), start=1):
+    for number, event in enumerate(json.loads(answer), start=1):
         numbers = f"\n     {event['numbers']}" if event["numbers"] else ""
         yield f"{number:>3}  {event['says']}{numbers}"

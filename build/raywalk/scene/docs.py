@@ -68,7 +68,7 @@ INTRODUCTION = f"""\
 One folder a scene, with a `scene.toml`; the folder's name is the scene's id and gives the order.
 The world is right-handed with +y up; lengths are in world units, angles in degrees, colours
 linear red, green, blue with 1 as full. A key that is not listed here is an error, and all errors
-of all scenes are told at once. Editors that read the first line check the file while you write.
+of all scenes are reported at once. Editors that read the first line check the file while you write.
 
 {EXAMPLE}"""
 

@@ -78,7 +78,7 @@ class Shape:
         yield from ()
 
     def drawn(self) -> dict[str, Any]:
-        """What the viewer is told to draw: a shape of viewer/state/shapes.ts."""
+        """What the viewer draws: a shape of viewer/state/shapes.ts."""
         return {"type": self.canonical.name}
 
     @property

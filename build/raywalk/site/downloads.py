@@ -40,11 +40,11 @@ def sorted_downloads(id: str, sizes: dict[str, int], words: Words) -> dict[str, 
     ]
     there = {file["after"]: file["size"] for file in files}
     folder = next(iter(sizes)).rpartition("/")[0]
-    told = [there.get(ending, ABSENT) for ending in FORMS]
+    listed = [there.get(ending, ABSENT) for ending in FORMS]
     return {
         "files": files,
         "figures": sorted(path for path in sizes if path.endswith(".svg")),
-        "compact": "|".join([f"{folder}/", *told]),
+        "compact": "|".join([f"{folder}/", *listed]),
     }
 
 

@@ -1,4 +1,4 @@
-"""What open pages are told while `raywalk serve` runs: a new build, one under way, mistakes."""
+"""What open pages hear while `raywalk serve` runs: a new build, one under way, mistakes."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ class News:
 
     def as_event(self) -> bytes:
         """One server-sent event; JSON escapes line ends, so a text cannot break out of it."""
-        told = {
+        message = {
             "version": self.version,
             "busy": self.busy,
             "trouble": self.trouble,
             "title": TROUBLE if self.trouble else BUSY if self.busy else "",
         }
-        return f"data: {json.dumps(told)}\n\n".encode()
+        return f"data: {json.dumps(message)}\n\n".encode()
 
 
 class Live:

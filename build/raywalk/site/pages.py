@@ -44,8 +44,8 @@ def write_pages(
     def write(here: str, template: str, **context: Any) -> None:
         page = out / f"{home}{here}"
         page.parent.mkdir(parents=True, exist_ok=True)
-        told = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
-        page.write_text(environment.get_template(template).render(told), encoding="utf-8")
+        values = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
+        page.write_text(environment.get_template(template).render(values), encoding="utf-8")
 
     decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
@@ -63,12 +63,12 @@ def write_pages(
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
-        told = _scene(scene, figures[scene.id]) | {
+        shown = _scene(scene, figures[scene.id]) | {
             "savings": (savings or {}).get(scene.id),
             "downloads": decks.get(scene.id),
         }
         here = f"scenes/{scene.id}/index.html"
-        write(here, "scene.html", scene=told, preview=_preview(out, [scene]))
+        write(here, "scene.html", scene=shown, preview=_preview(out, [scene]))
 
 
 def face_of(scenes: Sequence[Scene]) -> Scene:

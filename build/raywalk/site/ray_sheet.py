@@ -23,8 +23,8 @@ def ray_sheet() -> str:
 
 
 def _colours(page: str, colour: str) -> str:
-    told = [
+    colours = [
         f"--ray-{kind}: {LINES[kind][colour]}; --word-{kind}: {PAGE[kind][colour]};"
         for kind in LINES
     ]
-    return f"{page} {{ {' '.join(told)} }}"
+    return f"{page} {{ {' '.join(colours)} }}"

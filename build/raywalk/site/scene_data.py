@@ -1,4 +1,4 @@
-"""What the viewer is told of a scene: scene.js, as SceneData in viewer/trace/types.ts."""
+"""What the viewer knows of a scene: scene.js, as SceneData in viewer/trace/types.ts."""
 
 from __future__ import annotations
 

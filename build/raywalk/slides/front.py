@@ -53,7 +53,7 @@ def goals_slides(scene: Scene, layout: Layout) -> list[Slide]:
 
 
 def credits_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
-    told = [say("slides.madeWith"), say("slides.fontCredit")]
+    entries = [say("slides.madeWith"), say("slides.fontCredit")]
     for scene in scenes:
         for table in named_models(scene):
             credit = say(
@@ -62,8 +62,8 @@ def credits_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
                 credit=table.credit,
                 licence=table.licence,
             )
-            told += [credit] if credit not in told else []
-    points = [Paragraph((Run(each),)) for each in told]
+            entries += [credit] if credit not in entries else []
+    points = [Paragraph((Run(each),)) for each in entries]
     return list_slides(say("slides.credits"), points, layout, "credits")
 
 

@@ -67,8 +67,8 @@ def _plain(colours: dict[str, str]) -> dict[str, str]:
 def _section(
     deck: Deck, slide: Slide, number: int, notes_word: str, shared: dict[bytes, str]
 ) -> str:
-    told = "".join(f"<p>{escape(note)}</p>" for note in slide.notes)
-    notes = f"<details><summary>{notes_word}</summary>{told}</details>" if told else ""
+    paragraphs = "".join(f"<p>{escape(note)}</p>" for note in slide.notes)
+    notes = f"<details><summary>{notes_word}</summary>{paragraphs}</details>" if paragraphs else ""
     drawing = inline(slide.items, deck.width, deck.height, shared)
     name = escape(f"{number}: {slide.title}")
     return f'<section id="s{number}" aria-label="{name}">{drawing}{notes}</section>'

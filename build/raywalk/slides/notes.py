@@ -15,4 +15,4 @@ def step_notes(scene: Scene, stop: Stop) -> Iterator[str]:
     yield plain_text(stop.text(scene))
     if stop.kind == "question":
         yield say("slides.questionNote")
-    yield from (event.told for event in stop.events)
+    yield from (event.in_words for event in stop.events)

@@ -57,14 +57,14 @@ class ShapeWriter:
 
     def _about(self, name: str, alt: str = "", kind: str = "Sp") -> str:
         self.last += 1
-        told = f' descr="{escape(alt)}"' if alt else ""
+        description = f' descr="{escape(alt)}"' if alt else ""
         extra = {"Sp": "<p:cNvSpPr/>", "CxnSp": "<p:cNvCxnSpPr/>", "GrpSp": "<p:cNvGrpSpPr/>",
                  "Pic": '<p:cNvPicPr><a:picLocks noChangeAspect="0"/></p:cNvPicPr>',
                  "Box": '<p:cNvSpPr txBox="1"/>',
                  "GraphicFrame": "<p:cNvGraphicFramePr/>"}[kind]  # fmt: skip
         tag = "Sp" if kind == "Box" else kind
         return (
-            f'<p:nv{tag}Pr><p:cNvPr id="{self.last}" name="{escape(name)}"{told}/>{extra}'
+            f'<p:nv{tag}Pr><p:cNvPr id="{self.last}" name="{escape(name)}"{description}/>{extra}'
             f"<p:nvPr/></p:nv{tag}Pr>"
         )
 

@@ -44,12 +44,12 @@ def _rule(row: int, is_last: bool, palette: Palette) -> str:
 
 
 def _cell(cell: Cell, align: str, run: str, size: float, span: str, below: str) -> str:
-    told = run if cell.text else f'<a:endParaRPr sz="{round(100 * size)}"/>'
+    runs = run if cell.text else f'<a:endParaRPr sz="{round(100 * size)}"/>'
     none = "".join(f"<a:{side}><a:noFill/></a:{side}>" for side in ("lnL", "lnR", "lnT"))
     left = emu(SAMPLE_ROOM) if cell.sample else 0
     return (
         f'<a:tc{span}><a:txBody><a:bodyPr wrap="none"/><a:lstStyle/><a:p>'
-        f'<a:pPr algn="{ALIGN[align]}"/>{told}</a:p></a:txBody>'
+        f'<a:pPr algn="{ALIGN[align]}"/>{runs}</a:p></a:txBody>'
         f'<a:tcPr marL="{left}" marR="0" marT="0" marB="0" '
         f'anchor="ctr">{none}{below}<a:noFill/></a:tcPr></a:tc>'
     )

@@ -20,12 +20,12 @@ def text_body(text: Text, palette: Palette, language: str) -> str:
     paragraphs = text.paragraphs or text.lines
     # As high as our line; PowerPoint counts in shares of the font's own line, 1.15 of the size.
     spacing = round(100_000 * text.leading / 1.15) if len(text.lines) > 1 else 100_000
-    told = "".join(_paragraph(runs, text, spacing, palette, language) for runs in paragraphs)
+    xml = "".join(_paragraph(runs, text, spacing, palette, language) for runs in paragraphs)
     # Its own wrapping may need a line less: what stands below is placed for ours.
     anchor = "ctr" if len(text.lines) == 1 or text.is_title else "t"
     return (
         f'<p:txBody><a:bodyPr wrap="{wrap}" lIns="0" tIns="0" rIns="0" bIns="0" '
-        f'anchor="{anchor}"><a:noAutofit/></a:bodyPr><a:lstStyle/>{told}</p:txBody>'
+        f'anchor="{anchor}"><a:noAutofit/></a:bodyPr><a:lstStyle/>{xml}</p:txBody>'
     )
 
 
@@ -37,11 +37,11 @@ def _paragraph(
     if text.right_to_left:  # there, "l" is where a line begins
         align = {"l": "r", "r": "l"}.get(align, align)
     kept = runs if text.is_title else tuple(replace(run, text=_kept(run.text)) for run in runs)
-    told = "".join(run_xml(run, text.size, palette[text.colour], language) for run in kept)
+    xml = "".join(run_xml(run, text.size, palette[text.colour], language) for run in kept)
     return (
         f'<a:p><a:pPr algn="{align}"{backwards} marL="0" indent="0"><a:lnSpc>'
         f'<a:spcPct val="{spacing}"/></a:lnSpc><a:spcBef><a:spcPts val="0"/></a:spcBef>'
-        f"<a:buNone/></a:pPr>{told}</a:p>"
+        f"<a:buNone/></a:pPr>{xml}</a:p>"
     )
 
 

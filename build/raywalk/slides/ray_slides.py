@@ -21,7 +21,7 @@ GATHERED = ("gather", "pixel")  # what comes back stands on the slide of the sum
 
 
 def ray_slides(lesson: Lesson) -> list[Slide]:
-    """The rays of the pixel whose sum is told, one after the other; [] where there is only one."""
+    """The rays of the pixel whose sum is shown, one after the other; [] where there is only one."""
     stop = told_pixel(lesson)
     if stop is None or len(stop.rows) < FEWEST:
         return []
@@ -35,12 +35,12 @@ def _ray(lesson: Lesson, whole: Stop, ray: Row) -> list[Slide]:
     figure = replace(figure, items=(*figure.items, *legend(figure, layout)))
     here = step_place(lesson, stop, ray.number, ray.number)
     under = footer(where(lesson, stop), here, layout)
-    told = [each for each in stop.events if each.ray == ray.number and each.what not in GATHERED]
-    notes = (here, *(event.told for event in told))
+    events = [each for each in stop.events if each.ray == ray.number and each.what not in GATHERED]
+    notes = (here, *(event.in_words for event in events))
     box = _words_box(layout, layout.figure.top)
-    if _fitting(told, box).height() > box.height:
+    if _fitting(events, box).height() > box.height:
         box = _words_box(layout, layout.words.top)
-    first, rest = _fitting(told, box).split(box.height)
+    first, rest = _fitting(events, box).split(box.height)
     items = (title(head, layout.title), figure, *flow_texts(first, box), *under)
     slides = [Slide(head, items, notes, "ray", figure=figure)]
     while rest.lines:
@@ -52,11 +52,11 @@ def _ray(lesson: Lesson, whole: Stop, ray: Row) -> list[Slide]:
     return slides
 
 
-def _fitting(told: list[Event], box: Box) -> Flow:
+def _fitting(events: list[Event], box: Box) -> Flow:
     """The events in the box: smaller where they are many, and then without the longest numbers,
     which stand on the slide of the sum."""
     for size, most in ((SIZE, None), (SMALLEST, None), (SMALLEST, LONG_NUMBERS)):
-        words = flow([_told(each, most) for each in told], size, box.width)
+        words = flow([_told(each, most) for each in events], size, box.width)
         if words.height() <= box.height:
             break
     return words

@@ -80,11 +80,11 @@ def step_figure(drawing: Drawing) -> Group:
 
 def _switched(drawing: Drawing, places: Places) -> list[Item]:
     """What is not as traced, in the figure's upper left corner."""
-    told = switched(drawing.stop.switches)
+    settings = switched(drawing.stop.switches)
     if drawing.stop.colours != "picture":
-        told.append(say(f"tileView.means.{drawing.stop.colours}"))
+        settings.append(say(f"tileView.means.{drawing.stop.colours}"))
     items: list[Item] = []
-    for k, words in enumerate(told):
+    for k, words in enumerate(settings):
         items += places.plate(words, drawing.box.left + 2, drawing.box.top + 2 + 18 * k)
     return items
 

@@ -215,14 +215,17 @@ def _pixel_colour(stop: Stop, box: Box) -> list[Item]:
     """ "Pixel 7, 9" and its colour as a swatch and three numbers; one line if there is no room."""
     colour = hex_of(stop.bytes)
     name = say("card.pixel", column=stop.pixel[0], row=stop.pixel[1])
-    told = ", ".join(map(str, stop.bytes))
+    levels = ", ".join(map(str, stop.bytes))
     if box.height < 60:
         text_box = Box(box.left + 20, box.top, box.width - 20, LINE)
-        return [_swatch(box.left, box.top + 3, 14, colour), one_line(f"{name}: {told}", text_box)]
+        return [
+            _swatch(box.left, box.top + 3, 14, colour),
+            one_line(f"{name}: {levels}", text_box),
+        ]
     return [
         one_line(name, Box(box.left, box.top, box.width, 18), bold=True),
         _swatch(box.left, box.top + 24, 28, colour),
-        one_line(told, Box(box.left, box.top + 58, box.width, 18)),
+        one_line(levels, Box(box.left, box.top + 58, box.width, 18)),
     ]
 
 

@@ -95,7 +95,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Event:
-    """One thing that happens to a ray, told."""
+    """One thing that happens to a ray, in words and numbers."""
 
     what: str
     ray: int
@@ -104,7 +104,7 @@ class Event:
     numbers: str
 
     @property
-    def told(self) -> str:
+    def in_words(self) -> str:
         return " ".join(part for part in (self.says, self.numbers) if part)
 
 
@@ -168,8 +168,10 @@ class Question:
 
 def read_stops(file: Path) -> tuple[list[Stop], list[Question]]:
     """The lesson's stops, and what its worksheet asks of the trace."""
-    told = json.loads(file.read_text(encoding="utf-8"))
-    return [_stop(each) for each in told["stops"]], [Question(**each) for each in told["questions"]]
+    lesson = json.loads(file.read_text(encoding="utf-8"))
+    return [_stop(each) for each in lesson["stops"]], [
+        Question(**each) for each in lesson["questions"]
+    ]
 
 
 def _made(make: type[Made], raw: dict[str, Any], **instead: Any) -> Made:

@@ -102,11 +102,11 @@ def _row(ray: Row) -> tuple[Cell, ...]:
 
 
 def _total(stop: Stop) -> list[tuple[Cell, ...]]:
-    told, blank = Cell(tone(stop.rows[0].colour), bold=True), Cell()
+    total, blank = Cell(tone(stop.rows[0].colour), bold=True), Cell()
     swatch = Cell(swatch=hex_of(stop.bytes))
     last = Cell(", ".join(map(str, stop.bytes)), bold=True)
     return [
-        (Cell(say("slides.sumTotal"), bold=True), blank, blank, blank, blank, told, swatch),
+        (Cell(say("slides.sumTotal"), bold=True), blank, blank, blank, blank, total, swatch),
         (Cell(say("slides.ofBytes"), bold=True), blank, blank, blank, blank, last, blank),
     ]
 

@@ -113,8 +113,8 @@ def _item(item: Item, ink: Ink) -> str:
 
 
 def _group(name: str, alt: str, inner: str) -> str:
-    told = f' role="img" aria-label="{escape(alt)}"' if alt else ""
-    return f'<g data-name="{escape(name)}"{told}>{inner}</g>'
+    attributes = f' role="img" aria-label="{escape(alt)}"' if alt else ""
+    return f'<g data-name="{escape(name)}"{attributes}>{inner}</g>'
 
 
 def _line(line: Line, ink: Ink) -> str:
@@ -170,19 +170,19 @@ def _picture(picture: Picture, ink: Ink) -> str:
         f'x="{_n(box.left)}" y="{_n(box.top)}" width="{_n(box.width)}" height="{_n(box.height)}" '
         'preserveAspectRatio="none"'
     )
-    told = f' role="img" aria-label="{escape(picture.alt)}"' if picture.alt else ""
+    attributes = f' role="img" aria-label="{escape(picture.alt)}"' if picture.alt else ""
     if not ink.themed:
         data = picture.on_screen if ink.palette is SCREEN else picture.on_paper
-        return f'<image {place}{told} href="{data_url(data)}"/>'
+        return f'<image {place}{attributes} href="{data_url(data)}"/>'
     to = f"translate({_n(box.left)} {_n(box.top)}) scale({_n(box.width)} {_n(box.height)})"
     names = [
         ink.shared.setdefault(data, f"p{len(ink.shared)}")
         for data in (picture.on_web or picture.on_screen, picture.on_web or picture.on_paper)
     ]
     if names[0] == names[1]:
-        return f'<use href="#{names[0]}" transform="{to}"{told}/>'
+        return f'<use href="#{names[0]}" transform="{to}"{attributes}/>'
     return (
-        f'<use href="#{names[0]}" transform="{to}"{told} class="on-screen"/>'
+        f'<use href="#{names[0]}" transform="{to}"{attributes} class="on-screen"/>'
         f'<use href="#{names[1]}" transform="{to}" class="on-paper"/>'
     )
 

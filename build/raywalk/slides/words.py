@@ -1,6 +1,6 @@
 """Words on slides that are not the lesson's own, from the catalogue of sentences.
 
-Slides are told in one language at a time: `with speaking("de"):` says in which.
+Slides are written in one language at a time: `with speaking("de"):` says in which.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _SPOKEN: ContextVar[Words | None] = ContextVar("spoken", default=None)
 
 @contextmanager
 def speaking(code: str) -> Iterator[None]:
-    """Within it all slides are told in the language of this code."""
+    """Within it all slides are written in the language of this code."""
     token = _SPOKEN.set(read_words(code))
     try:
         yield
@@ -77,18 +77,18 @@ def place(stop: Stop) -> dict[str, int]:
 
 def switched(switches: Switches) -> list[str]:
     """What a step's switches alter, a piece each; [] where all is as traced."""
-    told = []
+    parts = []
     if switches.bounces is not None:
-        told.append(say("slides.mostBounces", count=switches.bounces))
+        parts.append(say("slides.mostBounces", count=switches.bounces))
     for name, factor in switches.lamps:
         if factor == 0:
-            told.append(say("slides.lampOff", light=name))
+            parts.append(say("slides.lampOff", light=name))
         else:
-            told.append(say("slides.lampDimmed", light=name, factor=number(factor)))
+            parts.append(say("slides.lampDimmed", light=name, factor=number(factor)))
     if not switches.shadows:
-        told.append(say("slides.noShadows"))
-    told += [say(f"slides.without.{part}") for part in switches.without]
-    return told
+        parts.append(say("slides.noShadows"))
+    parts += [say(f"slides.without.{part}") for part in switches.without]
+    return parts
 
 
 def columns() -> list[str]:
@@ -108,18 +108,18 @@ MOST_TOLD = 12  # rays in a description: more nobody listens to
 
 def figure_alt(scene: Scene, stop: Stop) -> str:
     """A figure in a few sentences, for those who do not see it."""
-    told = [say("slides.figureAlt", title=scene.title, n=stop.n)]
+    parts = [say("slides.figureAlt", title=scene.title, n=stop.n)]
     for line in stop.chosen[:MOST_TOLD]:
         kind = kind_word(line.kind)
         if line.light >= 0:
-            told.append(say("slides.shadowAlt", light=scene.lights[line.light].name, kind=kind))
+            parts.append(say("slides.shadowAlt", light=scene.lights[line.light].name, kind=kind))
         elif line.leaves:
-            told.append(say("slides.leavesAlt", kind=kind))
+            parts.append(say("slides.leavesAlt", kind=kind))
         else:
             name = stop.rows[line.ray - 1].object
-            told.append(say("slides.hitsAlt", kind=kind, name=name, point=vector(line.to)))
+            parts.append(say("slides.hitsAlt", kind=kind, name=name, point=vector(line.to)))
     if len(stop.chosen) > MOST_TOLD:
-        told.append(say("slides.moreAlt", count=len(stop.chosen) - MOST_TOLD))
+        parts.append(say("slides.moreAlt", count=len(stop.chosen) - MOST_TOLD))
     if stop.thin:
-        told.append(say("slides.thinAlt", count=len(stop.thin)))
-    return " ".join(told)
+        parts.append(say("slides.thinAlt", count=len(stop.thin)))
+    return " ".join(parts)

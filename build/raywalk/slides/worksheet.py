@@ -52,15 +52,15 @@ def questions(lesson: Lesson) -> list[Question]:
 
 def _given(scene: Scene) -> tuple[list[Item], float]:
     """What one needs to know of the scene to work it out."""
-    told = [say("slides.givenCamera", eye=vector(scene.camera.eye),
+    facts = [say("slides.givenCamera", eye=vector(scene.camera.eye),
                 target=vector(scene.camera.target), fov=f"{scene.camera.fov:g}")]  # fmt: skip
-    told += [f"{obj.name}: {shape_words(obj)}" for obj in scene.objects]
-    told += [
+    facts += [f"{obj.name}: {shape_words(obj)}" for obj in scene.objects]
+    facts += [
         say("slides.givenLight", light=light.name, at=vector(light.position))
         for light in scene.lights
     ]
     points = [Paragraph((Run(say("slides.given"), bold=True),))]
-    points += [Paragraph((Run(each),), "•") for each in told]
+    points += [Paragraph((Run(each),), "•") for each in facts]
     return _flowed(points)
 
 

@@ -129,11 +129,11 @@ def trace_scene(scene: Scene, threads: Threads = 2) -> Traced:
 
 
 def trace_picture(
-    tracer: Tracer, threads: Threads = 2, tell: Callable[[float], None] | None = None
+    tracer: Tracer, threads: Threads = 2, report: Callable[[float], None] | None = None
 ) -> Traced:
     """The whole picture and the ray trees of all frustum resolutions.
 
-    The result does not depend on the number of threads. tell: told the share that is traced.
+    The result does not depend on the number of threads. report: called with the share traced.
     Only the strips at work are in memory: what grows with the picture is the picture alone.
     """
     render = tracer.scene.render
@@ -152,8 +152,8 @@ def trace_picture(
         picture[ends[strip] : ends[strip + 1]] = colours
         records.append(recorded)
         total.add(tally)
-        if tell:
-            tell((strip + 1) / count)
+        if report:
+            report((strip + 1) / count)
     return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size), total)
 
 

@@ -71,13 +71,13 @@ def _light(trace: DecodedTrace, k: int, l: int) -> dict[str, Any]:
 
 def describe(trace: DecodedTrace, pixel: tuple[int, int]) -> str:
     """The same as indented text, three decimals as on the ray card."""
-    told = as_json(trace, pixel)
+    found = as_json(trace, pixel)
     lines = [
-        f"{told['scene']} at {told['n']} x {told['n']}, pixel {pixel[0]},{pixel[1]}: "
-        f"tile colour {' '.join(map(str, told['tile']))} of 255"
+        f"{found['scene']} at {found['n']} x {found['n']}, pixel {pixel[0]},{pixel[1]}: "
+        f"tile colour {' '.join(map(str, found['tile']))} of 255"
     ]
-    lines += _hit_lines(told["hits"])
-    pending = [(told["tree"], 0)]
+    lines += _hit_lines(found["hits"])
+    pending = [(found["tree"], 0)]
     while pending:
         ray, depth = pending.pop()
         lines += ["  " * depth + line for line in _ray_lines(ray, trace.header)]

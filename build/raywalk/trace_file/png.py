@@ -1,6 +1,6 @@
 """PNG files of the pictures: lossless, small, the same bytes from the same picture.
 
-One filter for all rows, Up or Sub: which is smaller is told by a quick look (zlib 4 at a
+One filter for all rows, Up or Sub: which is smaller is found by a quick trial (zlib 4 at a
 quarter of the rows). Measured over the ten pictures of the course: Up alone at zlib 6 2.10 MB,
 the better of both at 8 8 % less, at 9 9 % for twice the time; a filter chosen row by row saves
 less.
@@ -21,7 +21,7 @@ from raywalk.trace_file.script import write_beside
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 LEVEL, QUICK = 8, 4
 MEMORY = 9
-BAND = 8  # rows of a quick look's bands
+BAND = 8  # rows of a quick trial's bands
 NO_FILTER, SUB, UP = 0, 1, 2
 CHANNELS = 3
 TRUE_COLOUR, PALETTE = 2, 3

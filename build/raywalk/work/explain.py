@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-MOST_NAMED = 4  # parts a line; a new version of everything is told by count
+MOST_NAMED = 4  # parts a line; a new version of everything is given by count
 
 
 def why(before: Any, now: dict[str, Any], damage: str) -> str:
@@ -64,7 +64,7 @@ def _values_changed(at: str, before: Any, now: Any) -> Iterator[str]:
 
 
 def _is_table(before: list[Any], now: list[Any]) -> bool:
-    """Lists of objects, lights, steps: told one by one; a triple of numbers is one value."""
+    """Lists of objects, lights, steps: named one by one; a triple of numbers is one value."""
     return all(isinstance(item, dict) for item in [*before, *now])
 
 
