@@ -5,10 +5,12 @@ PYTHON := .venv/bin/python
 PYTHON_READY := .venv/.ready
 TEST_READY := .venv/.ready-for-tests
 NODE_READY := node_modules/.ready
+# In an environment of its own: its 28 packages must not decide which versions the tests run with.
+MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site slides kiosk test check serve bench stress clean distclean help
+.PHONY: all site slides kiosk test check serve bench stress mutants clean distclean help
 .DEFAULT_GOAL := all
 
 all: site
@@ -52,6 +54,10 @@ stress: site $(TEST_READY) ## the hardest cases against their bounds; a kiosk fo
 	@sh build/setup/browser.sh
 	@$(PYTHON) -m raywalk stress
 
+mutants: $(TEST_READY) $(NODE_READY) $(MUTANTS)/.ready ## change sources and see that a test fails: SAMPLE=200 SEED=1 ONLY=optics JOBS=2; all of them take a night
+	@$(MUTANTS)/bin/python tests/mutants/run.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) \
+		$(if $(JOBS),--jobs $(JOBS)) $(if $(ONLY),--only $(ONLY))
+
 clean: ## remove what was built; keeps installed packages
 	rm -rf dist dist-kiosk dist.*.partial .work test-output
 	@# compiled kernels too: each state of their sources has left a folder
@@ -73,6 +79,11 @@ $(PYTHON_READY): requirements.lock pyproject.toml build/setup/venv.sh
 
 $(TEST_READY): $(PYTHON_READY) requirements-test.lock
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements-test.lock
+	@touch $@
+
+$(MUTANTS)/.ready: requirements-mutants.lock $(PYTHON_READY)
+	$(PYTHON) -m venv --clear $(MUTANTS)
+	$(MUTANTS)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements-mutants.lock
 	@touch $@
 
 $(NODE_READY): package-lock.json

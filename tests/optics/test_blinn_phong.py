@@ -31,9 +31,13 @@ def test_light_from_behind_gives_nothing() -> None:
 
 
 @pytest.mark.parametrize("shininess", [1.0, 10.0, 100.0, 1000.0])
-def test_the_highlight_is_full_where_light_mirrors_into_the_eye(shininess: float) -> None:
+@pytest.mark.parametrize("cosine", [1.0, 0.8, 0.5, 0.1])  # at 0.5, l + e is a unit vector as it is
+def test_the_highlight_is_full_where_light_mirrors_into_the_eye(
+    cosine: float, shininess: float
+) -> None:
     """h = n, so (n.h)^s = 1 to the roundings of one normalisation, times s."""
-    found = highlight(*UP, 0.6, 0.8, 0.0, -0.6, 0.8, 0.0, shininess)
+    sine = math.sqrt(1.0 - cosine * cosine)
+    found = highlight(*UP, sine, cosine, 0.0, -sine, cosine, 0.0, shininess)
     assert found == pytest.approx(1.0, abs=3e-16 * shininess)
 
 
@@ -51,6 +55,17 @@ def test_shininess_zero_and_light_straight_behind_are_numbers() -> None:
     """x^0 = 1 for a half vector above the surface; l = -e leaves no half vector: 0."""
     assert highlight(*UP, 0.6, 0.8, 0.0, *UP, 0.0) == 1.0
     assert highlight(*UP, 0.6, 0.8, 0.0, -0.6, -0.8, 0.0, 0.0) == 0.0
+    assert highlight(*UP, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0) == 0.0  # along the surface: from 0 on
+
+
+def test_the_factors_are_dot_products_in_any_direction(rng: np.random.Generator) -> None:
+    """n.l and n.(l + e) / |l + e|, each 0 where it is below, for 1000 random directions."""
+    for _ in range(1000):
+        n, l, e = (v / np.linalg.norm(v) for v in rng.normal(size=(3, 3)))
+        half = (l + e) / np.linalg.norm(l + e)
+        assert diffuse_cosine(*n, *l) == pytest.approx(max(0.0, n @ l), abs=1e-15)  # 5 roundings
+        # the same, and over the half vector's length, of which 1000 pairs leave 0.01 and more
+        assert highlight(*n, *l, *e, 1.0) == pytest.approx(max(0.0, n @ half), abs=1e-13)
 
 
 def test_attenuation_is_the_quotient_it_says() -> None:
@@ -64,7 +79,9 @@ def test_attenuation_is_the_quotient_it_says() -> None:
 def test_no_falloff_gives_infinity(distance: float, falloff: tuple[float, ...]) -> None:
     """Light is 0 where the quotient divides by 0, and finite beside it: black times infinity
     would be no number."""
-    assert math.isfinite(strength(distance, 1.0, *falloff))
+    divisor = falloff[0] + falloff[1] * distance + falloff[2] * distance * distance
+    found = strength(distance, 1.0, *falloff)
+    assert found == (min(1.0 / divisor, 1e300) if divisor else 0.0)
 
 
 def tables(*lights: Light) -> tuple[Materials, Lights]:
@@ -101,6 +118,49 @@ def test_the_local_colour_is_ambient_plus_diffuse_plus_specular() -> None:
         0.3 + 0.5 * 0.8 / 3,
     ]
     np.testing.assert_allclose(shaded(lamp, (0.0, 0.0, 0.0)), expected, rtol=0, atol=1e-15)
+
+
+def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator) -> None:
+    """Points, normals, rays, materials and lights at random, in rows out of order: each colour is
+    ambient + sum of V I / (a0 + a1 D + a2 D^2) (kd n.l + ks (n.h)^s) light."""
+    looks = [Material(f"m{m}", *rng.random((3, 3)), 1.0 + 9.0 * rng.random()) for m in range(4)]
+    lamps = [
+        Light(f"l{k}", *rng.random((2, 3)), 1.0 + rng.random(), rng.random(3)) for k in range(3)
+    ]
+    scene = scene_of([], looks, lamps)
+    materials, lights = compile_materials(scene), compile_lights(scene)
+    count, rows = 60, rng.permutation(60)[:50]
+    point, normal, incoming = rng.normal(size=(3, count, 3))
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    incoming /= np.linalg.norm(incoming, axis=1, keepdims=True)
+    material = rng.integers(0, 4, count).astype(np.int32)
+    visible = rng.random((count, 3)) < 0.7
+    diffuse, specular = np.zeros((2, count, 3))
+    for k in range(3):
+        to_light, distance, facing = towards_light(rows, point, normal, lights.position[k])
+        l = lights.position[k] - point[rows]
+        np.testing.assert_allclose(to_light * distance[:, None], l, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(np.linalg.norm(to_light, axis=1), 1.0, rtol=0, atol=4e-16)
+        assert (facing == ((l * normal[rows]).sum(axis=1) > 0)).all()
+        light_factors(
+            materials, rows, material, normal, incoming, to_light, distance,
+            lights.intensity[k], lights.attenuation[k], k, diffuse, specular,
+        )  # fmt: skip
+    colour = np.zeros((count, 3))
+    local_colours(materials, lights, rows, material, visible, diffuse, specular, colour)
+    for i in rows:
+        look, expected = looks[material[i]], np.array(looks[material[i]].ambient)
+        for k, lamp in enumerate(lamps):
+            away = np.linalg.norm(lamp.position - point[i])
+            l = (lamp.position - point[i]) / away
+            half = (l - incoming[i]) / np.linalg.norm(l - incoming[i])
+            reach = lamp.intensity / (lamp.attenuation @ np.array([1.0, away, away * away]))
+            shine = np.multiply(look.diffuse, max(0.0, normal[i] @ l))
+            shine += np.multiply(look.specular, max(0.0, normal[i] @ half) ** look.shininess)
+            expected += visible[i, k] * reach * shine * lamp.colour
+        # some 30 roundings, in highlights times an exponent of up to 10
+        np.testing.assert_allclose(colour[i], expected, rtol=1e-13, atol=1e-14)
+    assert not colour[np.setdiff1d(np.arange(count), rows)].any()
 
 
 @pytest.mark.parametrize("falloff", [(1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)])

@@ -174,6 +174,16 @@ def test_between_equal_media_nothing_is_reflected() -> None:
     assert fresnel_reflectance(0.0, 0.0, GLASS, GLASS) == 1.0  # the limit from unequal indices
 
 
+def test_grazing_a_border_between_equal_media_is_not_total() -> None:
+    """sin a = n2 / n1 = 1 exactly is the last angle that goes through; Fresnel gives all back."""
+    d, n, one = np.array([[1.0, 0.0, 0.0]] * 2), np.array([[0.0, 1.0, 0.0]] * 2), np.full(2, GLASS)
+    kr, kt = np.full(2, 0.2), np.full(2, 0.7)
+    reflected, refracted, total = glass_shares(d, n, one, one, kr, kt, np.array([False, True]))
+    assert not total.any()
+    assert reflected.tolist() == [0.2, 0.2 + 0.7]
+    assert refracted.tolist() == [0.7, 0.0]
+
+
 @pytest.mark.parametrize("k", range(1, 15))
 def test_total_reflection_begins_at_the_critical_angle(k: int) -> None:
     """At sin a = n2 / n1 (1 -+ 10^-k) the answer is right, down to 14 digits."""
@@ -222,3 +232,28 @@ def test_rays_stay_on_their_side_of_the_true_surface(rng: np.random.Generator) -
     ones = np.ones(COUNT)
     on = refracted_directions(d, n, g, ones, GLASS * ones)
     assert ((on * g).sum(axis=1) < 0).all()
+    # The interpolated normal decides wherever its ray stays on its side, else the true one.
+    for i in range(COUNT):
+        r, t = (np.array(f) for f in (reflect(*d[i], *n[i]), refract(*d[i], *n[i], 1.0, GLASS)))
+        assert (back[i] == (r if r @ g[i] > 0 else reflect(*d[i], *g[i]))).all()
+        assert (on[i] == (t if t @ g[i] < 0 else refract(*d[i], *g[i], 1.0, GLASS))).all()
+
+
+def test_shares_without_fresnel_are_the_materials_own_and_with_it_the_angles(
+    rng: np.random.Generator,
+) -> None:
+    """Row by row, against the formulas at the row's own angle and indices."""
+    d, n = onto_surfaces(rng)
+    n_from, n_to = rng.uniform(1.0, 2.5, (2, COUNT))
+    kr, kt = rng.uniform(0.0, 0.5, (2, COUNT))
+    fresnel = rng.random(COUNT) < 0.5
+    reflected, refracted, total = glass_shares(d, n, n_from, n_to, kr, kt, fresnel)
+    for i in range(COUNT):
+        beyond = n_from[i] / n_to[i] * sine(d[i], n[i]) > 1.0
+        share = reflectance_at(math.acos(-d[i] @ n[i]), n_from[i], n_to[i])
+        both = kr[i] + kt[i]
+        expected = both * share if beyond or fresnel[i] else kr[i]
+        assert total[i] == beyond
+        # the angle by way of acos costs 1 / cos of it, the refracted one too
+        assert reflected[i] == pytest.approx(expected, abs=1e-10)
+        assert reflected[i] + refracted[i] == pytest.approx(both, abs=3e-16)

@@ -62,6 +62,14 @@ def test_a_view_keeps_only_the_keys_it_gives(scene_from):
     }
 
 
+def test_a_view_may_switch_to_as_many_bounces_as_are_traced(scene_from):
+    """The last bounce is there to be shown."""
+    scene = scene_from(
+        '[render]\ndepth = 3\n[[lesson]]\ntext = "Look."\nview = { switches = { bounces = 3 } }\n'
+    )
+    assert scene.lesson[0].view == {"switches": {"bounces": 3}}
+
+
 def test_an_answer_is_a_stop_of_its_own_and_keeps_what_its_view_leaves_out(scene_from):
     """Question and answer one after the other, as a person walks through them."""
     step = (

@@ -36,6 +36,16 @@ def test_keys_of_a_material_stand_over_those_it_is_like(scene_from):
     assert material.specular == (1, 1, 0.5)  # the grandparent's
 
 
+def test_an_own_glass_is_built_on_the_built_in_one_wherever_it_stands_in_the_line(scene_from):
+    """Its own name in `like` means the built-in of that name, also as somebody's parent."""
+    scene = scene_from(
+        '[materials.base]\nlike = "glass"\nshininess = 7\n'
+        '[materials.glass]\nlike = "glass"\nior = 1.7\n' + SPHERE.format('"base"')
+    )
+    material = material_of(scene)
+    assert (material.ior, material.shininess, material.transmit) == (1.7, 7, 1)
+
+
 def test_a_material_given_in_place_is_named_after_its_object(scene_from):
     """A person reads the name in the panel of materials."""
     scene = scene_from(SPHERE.format('{ like = "white", diffuse = [1, 0, 0] }'))

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from raywalk.errors import SourceErrors
 from raywalk.scene.models import find_catalogue, read_catalogue
 
 CATALOGUE = Path(__file__).parents[2] / "models/models.toml"
@@ -41,3 +42,16 @@ def test_the_catalogue_is_found_from_any_folder_below(tmp_path):
     (tmp_path / "models/models.toml").touch()
     found = find_catalogue(tmp_path / "scenes/mine/scene.toml")
     assert found == tmp_path / "models/models.toml"
+
+
+@pytest.mark.parametrize("broken", ["no toml", "[bunny]\nfile = 7\n"], ids=["text", "tables"])
+def test_a_broken_catalogue_is_the_only_thing_that_is_reported(broken, scene_from, tmp_path):
+    """By its own path. Whether it lists a model is not known, so that no mesh is blamed."""
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models/models.toml").write_text(broken, encoding="utf-8")
+    mesh = '[[objects]]\ntype = "mesh"\nmodel = "bunny"\nmaterial = "white"\n'
+    with pytest.raises(SourceErrors) as caught:
+        scene_from(mesh)
+    reported = [line for line in str(caught.value).splitlines() if not line.startswith(" ")][:-1]
+    assert reported
+    assert all(line.startswith(f"{tmp_path}/models/models.toml: ") for line in reported)

@@ -1,0 +1,87 @@
+"""Which tests judge a mutant of which file: all that concern it, and no others, for time's sake."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+
+class Judges(NamedTuple):
+    """What pytest is given (files, folders, options), first without compiled kernels, then with.
+
+    To compile the kernels that a mutant is part of costs ten seconds and more, to interpret a few
+    quick tests two or three: most mutants die there.
+    """
+
+    interpreted: tuple[str, ...]
+    compiled: tuple[str, ...]
+
+
+SCENE = Judges(
+    (),
+    (
+        "tests/scene",
+        "tests/commands/test_answers.py",
+        "tests/geometry/test_overlap.py",
+        "tests/trace/test_scenes_one_to_five.py",
+        "tests/trace/test_lights_and_looks.py",
+        "--ignore=tests/scene/test_fine_scenes.py",  # traces for half a minute, reads nothing new
+    ),
+)
+OPTICS = Judges(
+    # Where a kernel divides by 0 and has its infinity, Python raises.
+    ("tests/optics", "tests/properties/test_optics_laws.py", "-k=not almost_at_the_point"),
+    (
+        "tests/optics",
+        "tests/properties/test_optics_laws.py",
+        "tests/trace/test_lights_and_looks.py",
+        "tests/trace/test_glass.py",
+    ),
+)
+GEOMETRY = (
+    "tests/geometry",
+    "tests/properties/test_geometry_laws.py",
+    "tests/trace/test_touching_glass.py",
+)
+SHAPES = Judges(
+    (
+        "tests/geometry/test_primitives.py",
+        "tests/properties/test_geometry_laws.py",
+        "-k=not directions_that_are_none",  # they divide by 0 too
+    ),
+    GEOMETRY,
+)
+MESHES = Judges((), (*GEOMETRY, "tests/trace/test_boxes.py"))
+FOLDERS = {"scene": SCENE, "optics": OPTICS, "geometry": SHAPES}
+# Files of geometry/ that other tests know better.
+FILES = {
+    **{
+        f"geometry/{name}.py": MESHES
+        for name in (
+            *("bvh", "float32_copy", "mesh_file", "mesh_sides", "mesh_target"),
+            *("shallow_boxes", "triangle"),
+        )
+    },
+    **{
+        f"geometry/{name}.py": Judges((), (tests,))
+        for name, tests in {
+            "cross_section": "tests/trace/test_sections.py",
+            "mesh_section": "tests/trace/test_sections.py",
+            "spared": "tests/trace/test_plan.py",
+            "mesh_spared": "tests/trace/test_plan.py",
+            "display": "tests/site/test_mesh_data.py",
+        }.items()
+    },
+}
+# Where kernels are kept is what the copy of the checkout itself decides.
+UNJUDGED = {"optics/compiled.py"}
+
+
+def is_judged(file: Path) -> bool:
+    """Whether tests can say anything about the file."""
+    return "/".join(file.parts[-2:]) not in UNJUDGED
+
+
+def judges_of(file: Path) -> Judges:
+    """The tests for a source file."""
+    return FILES.get("/".join(file.parts[-2:]), FOLDERS[file.parts[-2]])
