@@ -67,8 +67,8 @@ FILES = {
         for name, tests in {
             "cross_section": "tests/trace/test_sections.py",
             "mesh_section": "tests/trace/test_sections.py",
-            "spared": "tests/trace/test_plan.py",
-            "mesh_spared": "tests/trace/test_plan.py",
+            "savings": "tests/trace/test_plan.py",
+            "mesh_savings": "tests/trace/test_plan.py",
             "display": "tests/site/test_mesh_data.py",
         }.items()
     },

@@ -4,20 +4,21 @@ import dataclasses
 
 import pytest
 
-from raywalk.scene import model
+from raywalk.scene import model, shapes
 
 WHITE = 'material = "white"\n'
 CAMERA = "[camera]\neye = [0, 0, 9]\ntarget = [0, 0, 0]\n"
 SHAPES = {
-    model.Ellipsoid: "center = [0, 0, 0]\nradii = [1, 2, 3]\n",
-    model.Cylinder: "start = [0, 0, 0]\nend = [0, 1, 0]\nradius = 1\n",
-    model.Mesh: 'file = "flat.obj"\n',
+    shapes.Ellipsoid: "center = [0, 0, 0]\nradii = [1, 2, 3]\n",
+    shapes.Cylinder: "start = [0, 0, 0]\nend = [0, 1, 0]\nradius = 1\n",
+    shapes.Mesh: 'file = "flat.obj"\n',
 }
 
 
 def kinds_of_data():
-    """Every dataclass of the model."""
-    return [kind for kind in vars(model).values() if dataclasses.is_dataclass(kind)]
+    """Every dataclass of the model, shapes too."""
+    named = vars(model) | vars(shapes)
+    return [kind for kind in named.values() if dataclasses.is_dataclass(kind)]
 
 
 def defaults_of(kind):
