@@ -241,7 +241,7 @@ def bundle(site_source: Path, folder: Path) -> None:
 def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
     """scene.js: what the viewer is told of a scene."""
     display = read_display(scene, entry.folder / "display.npz")
-    data = scene_data(scene, display) | {"savings": savings_of(facts_of(entry))}
+    data = scene_data(scene, display, savings_of(facts_of(entry)))
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

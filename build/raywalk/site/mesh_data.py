@@ -1,4 +1,4 @@
-"""A mesh for the rasterised stage, small: MeshData in viewer/trace/types.ts.
+"""A mesh for the rasterised stage, small.
 
 Faces are walked from neighbour to neighbour and vertices numbered as they are first met,
 so an index is mostly close to the newest one and a vertex close to the one before: what
@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import base64
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+
+from raywalk.site.scene_types import MeshData
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +26,7 @@ class DisplayMesh:
     normals: np.ndarray | None  # (v, 3) unit; None if flat
 
 
-def mesh_data(mesh: DisplayMesh) -> dict[str, Any]:
+def mesh_data(mesh: DisplayMesh) -> MeshData:
     """Positions in 16 bits of the mesh's box, normals in 8: below a pixel on any screen."""
     faces = mesh.faces[face_walk(mesh.faces)]
     used, faces = in_order_of_use(faces)
@@ -33,7 +34,7 @@ def mesh_data(mesh: DisplayMesh) -> dict[str, Any]:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     size = np.where(high > low, high - low, 1.0)
     steps = np.rint((vertices - low) / size * 65535).astype(np.int64)
-    data: dict[str, Any] = {
+    data: MeshData = {
         "box": [low.tolist(), (low + size).tolist()],
         "positions": byte_planes(differences(steps), 2),
         "indices": byte_planes(behind_newest(faces), 4),

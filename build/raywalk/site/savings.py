@@ -5,22 +5,23 @@ from __future__ import annotations
 from typing import Any
 
 from raywalk.site.figures import Figures
+from raywalk.site.scene_types import Saving, Savings
 from raywalk.words import Words
 
-# Key of its words, what was saved, and of how many; 0 if that is not to be shown.
-Savings = tuple[str, int, int]
+COUNTED: tuple[Saving, ...] = (
+    "shadow", "turned", "colourless", "dark", "unshadowed", "faint",
+)  # fmt: skip
 
 
-def savings_of(facts: dict[str, Any]) -> dict[str, Any]:
+def savings_of(facts: dict[str, Any]) -> Savings:
     """The same for the viewer, without words: the stages not run, and the counts there are.
 
     facts: what the trace stage counted (facts.json).
     """
     tally = facts["tally"]
     tests, pixels = tally["tests"] + tally["tests_saved"], tally["pixels"]
-    counts = [(key, tally[key], 0) for key in ("shadow", "turned", "colourless", "dark")]
-    counts += [(key, tally[key], 0) for key in ("unshadowed", "faint")]
-    counts += [
+    counts: list[tuple[Saving, int, int]] = [
+        *((key, tally[key], 0) for key in COUNTED),
         ("tests", tally["tests_saved"], tests),
         ("mesh", tally["mesh_rays_saved"], tally["mesh_rays"]),
         ("kept", pixels - tally["kept_pixels"], pixels),

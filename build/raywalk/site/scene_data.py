@@ -1,9 +1,9 @@
-"""What the viewer knows of a scene: scene.js, as SceneData in viewer/trace/types.ts."""
+"""What the viewer knows of a scene: scene.js."""
 
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import cast
 
 import numpy as np
 
@@ -12,8 +12,18 @@ from raywalk.scene.model import Camera, LessonStep, Light, Material, Scene, Scen
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
-
-Json = dict[str, Any]
+from raywalk.site.scene_types import (
+    CameraData,
+    LessonStepData,
+    LessonStop,
+    LightData,
+    MaterialData,
+    ObjectData,
+    Savings,
+    SceneData,
+    SceneWords,
+    StartData,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +35,8 @@ class Display:
     meshes: dict[str, DisplayMesh]  # by object name
 
 
-def scene_data(scene: Scene, display: Display) -> Json:
-    """SceneData as plain JSON values."""
+def scene_data(scene: Scene, display: Display, savings: Savings) -> SceneData:
+    """All of a scene for the viewer."""
     return {
         "format": 1,
         "id": scene.id,
@@ -47,12 +57,12 @@ def scene_data(scene: Scene, display: Display) -> Json:
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
         "lesson": [_step(step) for step in scene.lesson],
+        "savings": savings,
     }
 
 
-def scene_words(scene: Scene) -> Json:
-    """What of SceneData is words, SceneWords in viewer/trace/types.ts: for a scene in a language
-    other than its own."""
+def scene_words(scene: Scene) -> SceneWords:
+    """What of SceneData is words: for a scene in a language other than its own."""
     return {
         "title": scene.title,
         "teaches": scene.teaches,
@@ -63,12 +73,15 @@ def scene_words(scene: Scene) -> Json:
     }
 
 
-def _step(step: LessonStep) -> Json:
-    said, *revealed = [{"html": lesson_html(text), "view": view} for text, view in step.stops()]
-    return said | {"answer": revealed[0]} if revealed else said
+def _step(step: LessonStep) -> LessonStepData:
+    said, *answers = [LessonStop(html=lesson_html(text), view=view) for text, view in step.stops()]
+    data: LessonStepData = {"html": said["html"], "view": said["view"]}
+    if answers:
+        data["answer"] = answers[0]
+    return data
 
 
-def _start(scene: Scene) -> Json:
+def _start(scene: Scene) -> StartData:
     """The first lesson step's ray, so that a visitor meets the scene where its story begins."""
     view = scene.lesson[0].view if scene.lesson else {}
     levels = sorted(scene.render.resolutions)
@@ -77,7 +90,7 @@ def _start(scene: Scene) -> Json:
     return {"resolution": n, "pixel": list(pixel or (n // 2, n // 2))}
 
 
-def _camera(camera: Camera) -> Json:
+def _camera(camera: Camera) -> CameraData:
     return {
         "eye": list(camera.eye),
         "target": list(camera.target),
@@ -86,11 +99,11 @@ def _camera(camera: Camera) -> Json:
     }
 
 
-def _material(material: Material) -> Json:
-    return asdict(material)
+def _material(material: Material) -> MaterialData:
+    return cast(MaterialData, asdict(material))
 
 
-def _light(light: Light) -> Json:
+def _light(light: Light) -> LightData:
     return {
         "name": light.name,
         "position": list(light.position),
@@ -99,17 +112,17 @@ def _light(light: Light) -> Json:
     }
 
 
-def _object(obj: SceneObject, display: Display) -> Json:
+def _object(obj: SceneObject, display: Display) -> ObjectData:
     linear, centre = placement(obj)
     if isinstance(obj.shape, Mesh):
         linear, centre = np.eye(3), display.meshes[obj.name].centre
-    data: Json = {
+    data = cast(ObjectData, {
         "name": obj.name,
         **obj.shape.drawn(),
         "label": obj.shape.word,
         "material": obj.material,
         "transform": _column_major(linear, centre),
-    }
+    })  # fmt: skip
     if isinstance(obj.shape, Mesh):
         data["mesh"] = obj.name
     if obj.checker and isinstance(obj.shape, Plane):

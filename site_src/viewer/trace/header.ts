@@ -1,49 +1,11 @@
 /** What stands in a trace file beside its columns. FORMAT.md in build/raywalk/trace_file explains
  *  it; trace.schema.json there is its schema. */
 import { TraceError, damaged } from "./errors";
-import type { Vec3 } from "./types";
+import type { Header } from "./pipeline-types";
 
-export interface Patch {
-  object: number; // -1: rays that leave the scene end here
-  points: "flat" | "ball" | "free";
-  normals: "one" | "gradient" | "stored" | "none";
-  step?: number;
-  origin?: readonly number[];
-  axes?: readonly number[];
-  gradient?: readonly number[];
-}
-
-export interface Predictor {
-  affine?: readonly number[];
-  taps?: readonly number[]; // []: the affine part stands alone
-}
-
-export interface Header {
-  format: string;
-  version: number;
-  scene: string;
-  n: number;
-  rays: number;
-  crc32: number;
-  camera: { eye: Vec3; forward: Vec3; right: Vec3; down: Vec3 };
-  background: Vec3;
-  lights: readonly { position: Vec3; colour: Vec3 }[];
-  materials: readonly {
-    ambient: Vec3; diffuse: Vec3; specular: Vec3;
-    local: number; split: number; reflected: number; refracted: number; total: number;
-    step: number;
-  }[];
-  patches: readonly Patch[];
-  images: readonly { object: number; turn: number; step: number }[];
-  tables: {
-    signature: readonly (readonly number[])[];
-    surface: readonly (readonly [number, number, number, number])[]; // patch, material, inside, sign
-    visibility: readonly (readonly [number, number, number?])[]; // visibility, blocker, passed
-  };
-  steps: { normal: number; split: number; blocked: number };
-  predictors: Readonly<Record<string, Readonly<Record<string, Predictor>>>>;
-  columns: Readonly<Record<string, string>>;
-}
+export type { Header };
+export type Patch = Header["patches"][number];
+export type Predictor = Header["predictors"][string][string];
 
 export interface Expected {
   scene?: string;

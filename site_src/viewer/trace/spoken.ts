@@ -1,14 +1,5 @@
 /** A scene in another language: words-<language>.js holds its words, scene.js everything else. */
-import type { SceneData, View } from "./types";
-
-export interface SceneWords {
-  title: string;
-  teaches: string;
-  objects: readonly string[];
-  lights: readonly string[];
-  materials: readonly string[];
-  lesson: readonly (readonly string[])[]; // of each step its text as HTML, and its answer's if it has one
-}
+import type { SceneData, SceneWords, View } from "./types";
 
 export function wordsFrom(json: unknown): SceneWords {
   const words = json as SceneWords;

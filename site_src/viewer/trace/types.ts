@@ -4,7 +4,9 @@
  * the pipeline did, these are its results.
  */
 
-export type Vec3 = readonly [number, number, number];
+// What scene.js holds and how a lesson step or an address gives a view (what is absent keeps its start
+// value): made from the pipeline's own types.
+export type { LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SwitchesView, Vec3, View } from "./pipeline-types";
 
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const; // off: only by a switch, in no file
 
@@ -44,113 +46,4 @@ export interface Trace {
   hitsStart: Int32Array;
   hitsT: Float64Array;
   hitsObject: Int16Array;
-}
-
-export interface MaterialData {
-  name: string;
-  ambient: Vec3;
-  diffuse: Vec3;
-  specular: Vec3;
-  shininess: number;
-  reflect: number;
-  transmit: number;
-  ior: number;
-  fresnel: boolean;
-}
-
-/** Canonical shapes, placed by `transform`: sphere of radius 1; plane y = 0 facing +y;
- *  cylinder x^2 + y^2 = 1, |z| <= 1; box |x|,|y|,|z| <= 1; disc z = 0 of radius 1 facing +z;
- *  triangle (0,0,0) (1,0,0) (0,1,0); a mesh in its own coordinates. An ellipsoid is a
- *  sphere with a transform. */
-export interface ObjectData {
-  name: string;
-  type: "sphere" | "plane" | "cylinder" | "box" | "disc" | "triangle" | "mesh";
-  label: string; // the word a person reads: "ellipsoid", "mesh", ...
-  material: number;
-  /** 16 numbers, column-major (as three's Matrix4.fromArray): canonical -> world. */
-  transform: readonly number[];
-  open?: boolean; // a cylinder without caps
-  mesh?: string; // key into SceneData.meshes
-  checker?: { size: number; material: number; axes: readonly [Vec3, Vec3]; origin: Vec3 };
-}
-
-/** Base64 of byte planes: all low bytes, then all next ones. Positions: 2 planes of steps of
- *  65535 over box[0]..box[1], normals (absent when flat): 1 plane, / 127; both axis by axis,
- *  each the difference to the vertex before, modulo the planes' range. Indices: 4 planes, how
- *  far behind the next new vertex; 0 is that new one. */
-export interface MeshData {
-  box: readonly [Vec3, Vec3];
-  positions: string;
-  normals?: string;
-  indices: string;
-}
-
-export interface LightData {
-  name: string;
-  position: Vec3;
-  colour: Vec3;
-  intensity: number;
-}
-
-/** What-if switches as a lesson step names them; what is absent is as traced. */
-export interface SwitchesView {
-  bounces?: number;
-  lights?: Readonly<Record<string, number>>; // factor on a lamp's brightness, by its name
-  shadows?: boolean;
-  without?: readonly ("ambient" | "diffuse" | "specular" | "reflected" | "refracted")[];
-}
-
-/** A view as a lesson step or an address gives it; what is absent keeps its start value. */
-export interface View {
-  resolution?: number; // n
-  pixel?: readonly [number, number]; // column, row from the top left
-  rays?: readonly ("pixel" | "row" | "column" | "all")[]; // [] shows none
-  tiles?: "empty" | "filled";
-  look?: "plain" | "approximate" | "traced"; // of the stage
-  slice?: "none" | "row" | "column"; // drawn flat instead of the stage
-  observer?: "start" | "camera" | { eye: Vec3; target: Vec3 };
-  switches?: SwitchesView;
-  colours?: "picture" | "rays" | "depth" | "tests" | "distance" | "normal"; // of the tiles
-}
-
-interface LessonStop {
-  html: string; // rendered and sanitised by the pipeline
-  view: View;
-}
-
-/** With an answer, the step is a question. */
-export interface LessonStepData extends LessonStop {
-  answer?: LessonStop;
-}
-
-/** scenes/<id>/scene.js */
-/** What tracing a scene did not have to do. Keys are those of words/<language>.json, below "savings". */
-export interface Savings {
-  notRun: readonly ("meshes" | "shadows" | "highlights" | "reflection" | "refraction")[];
-  /** whole: of how many; 0 if that is not to be told. */
-  counts: readonly (readonly [key: "shadow" | "turned" | "colourless" | "dark" | "unshadowed" | "faint" | "tests" | "mesh" | "kept", part: number, whole: number])[];
-}
-
-export interface SceneData {
-  format: 1;
-  id: string;
-  key: string; // "1".."9", "0" or ""
-  title: string;
-  teaches: string;
-  picture: string; // file name beside scene.js
-  size: number; // the picture is size x size
-  camera: { eye: Vec3; target: Vec3; up: Vec3; fov: number }; // fov vertical, degrees
-  background: Vec3;
-  shadows: boolean;
-  depth: number;
-  levels: readonly number[]; // frustum resolutions, ascending; <n>.js beside scene.js
-  start: { resolution: number; pixel: readonly [number, number] };
-  /** A sphere round everything finite: objects, lights, eye. */
-  bounds: { center: Vec3; radius: number };
-  materials: readonly MaterialData[];
-  objects: readonly ObjectData[];
-  meshes: Readonly<Record<string, MeshData>>;
-  lights: readonly LightData[];
-  lesson: readonly LessonStepData[];
-  savings: Savings;
 }

@@ -1,0 +1,164 @@
+"""What scene.js and words-<language>.js hold: all that the viewer knows of a scene.
+
+The viewer's own types are made from these (viewer_types.py). World units, right-handed, +y up;
+colours linear, 1 is full. NotRequired is left out where it does not apply.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, NotRequired
+
+from pydantic import WithJsonSchema
+from typing_extensions import TypedDict
+
+from raywalk.scene.schema_objects import SHAPES
+
+
+def _list_of(*parts: dict[str, str]) -> WithJsonSchema:
+    return WithJsonSchema({"type": "array", "prefixItems": list(parts)})
+
+
+_VECTOR = {"viewer": "Vec3"}
+Vec3 = Annotated[list[float], WithJsonSchema(_VECTOR)]
+TwoVec3 = Annotated[list[list[float]], _list_of(_VECTOR, _VECTOR)]
+Pixel = Annotated[list[int], _list_of({"type": "integer"}, {"type": "integer"})]
+# As the scene's file has it: the schema's ViewTable without what it leaves out.
+View = Annotated[dict[str, Any], WithJsonSchema({"viewer": "View"})]
+# The canonical shapes; an ellipsoid is a sphere with a transform.
+Drawn = Annotated[str, WithJsonSchema({"enum": [word for word in SHAPES if word != "ellipsoid"]})]
+# Keys of words/<language>.json, below "savings".
+Stage = Literal["meshes", "shadows", "highlights", "reflection", "refraction"]
+Saving = Literal[
+    "shadow", "turned", "colourless", "dark", "unshadowed", "faint", "tests", "mesh", "kept"
+]
+
+
+class CameraData(TypedDict):
+    eye: Vec3
+    target: Vec3
+    up: Vec3
+    fov: float  # vertical, degrees
+
+
+class MaterialData(TypedDict):
+    name: str
+    ambient: Vec3
+    diffuse: Vec3
+    specular: Vec3
+    shininess: float
+    reflect: float
+    transmit: float
+    ior: float
+    fresnel: bool
+
+
+class CheckerData(TypedDict):
+    size: float
+    material: int  # of the odd squares
+    axes: TwoVec3
+    origin: Vec3
+
+
+class ObjectData(TypedDict):
+    """Canonical shapes, placed by `transform`, 16 numbers, column-major (as three's
+    Matrix4.fromArray): sphere of radius 1; plane y = 0 facing +y; cylinder x^2 + y^2 = 1,
+    |z| <= 1; box |x|,|y|,|z| <= 1; disc z = 0 of radius 1 facing +z; triangle (0,0,0) (1,0,0)
+    (0,1,0); a mesh in its own coordinates."""
+
+    name: str
+    type: Drawn
+    label: str  # the word a person reads: "ellipsoid", "mesh", ...
+    material: int  # index into SceneData.materials
+    transform: list[float]
+    open: NotRequired[bool]  # a cylinder without caps
+    mesh: NotRequired[str]  # key into SceneData.meshes
+    checker: NotRequired[CheckerData]
+
+
+class MeshData(TypedDict):
+    """Base64 of byte planes: all low bytes, then all next ones. Positions: 2 planes of steps of
+    65535 over box[0]..box[1], normals (absent when flat): 1 plane, / 127; both axis by axis,
+    each the difference to the vertex before, modulo the planes' range. Indices: 4 planes, how
+    far behind the next new vertex; 0 is that new one."""
+
+    box: TwoVec3
+    positions: str
+    normals: NotRequired[str]
+    indices: str
+
+
+class LightData(TypedDict):
+    name: str
+    position: Vec3
+    colour: Vec3
+    intensity: float
+
+
+class LessonStop(TypedDict):
+    """html: rendered and sanitised."""
+
+    html: str
+    view: View
+
+
+class LessonStepData(LessonStop):
+    """With an answer, the step is a question."""
+
+    answer: NotRequired[LessonStop]
+
+
+class StartData(TypedDict):
+    resolution: int
+    pixel: Pixel
+
+
+class BoundsData(TypedDict):
+    """A sphere round everything finite: objects, lights, eye."""
+
+    center: Vec3
+    radius: float
+
+
+class Savings(TypedDict):
+    """What tracing a scene did not have to do. counts: key, how many, of how many; that is 0
+    where it is not to be shown."""
+
+    notRun: list[Stage]
+    counts: list[tuple[Saving, int, int]]
+
+
+class SceneData(TypedDict):
+    """scenes/<id>/scene.js"""
+
+    format: Literal[1]
+    id: str
+    key: str  # "1".."9", "0" or ""
+    title: str
+    teaches: str
+    picture: str  # file name beside scene.js
+    size: int  # the picture is size x size
+    camera: CameraData
+    background: Vec3
+    shadows: bool
+    depth: int
+    levels: list[int]  # frustum resolutions, ascending; <n>.js beside scene.js
+    start: StartData
+    bounds: BoundsData
+    materials: list[MaterialData]
+    objects: list[ObjectData]
+    meshes: dict[str, MeshData]
+    lights: list[LightData]
+    lesson: list[LessonStepData]
+    savings: Savings
+
+
+class SceneWords(TypedDict):
+    """scenes/<id>/words-<language>.js. lesson: of each step its text as HTML, and its answer's
+    if it has one."""
+
+    title: str
+    teaches: str
+    objects: list[str]
+    lights: list[str]
+    materials: list[str]
+    lesson: list[list[str]]
