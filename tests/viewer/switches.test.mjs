@@ -103,17 +103,17 @@ test("only parts that a scene has are offered", () => {
 
 test("tiles show the picture, or numbers that are the tree's", () => {
   const { trace } = glass;
-  assert.equal(costsOf(trace, "picture").colours, trace.tiles);
-  const { values } = costsOf(trace, "rays");
-  const { values: deep } = costsOf(trace, "depth");
-  const { values: tests } = costsOf(trace, "tests");
+  assert.equal(costsOf(trace, glass.scene, "picture").colours, trace.tiles);
+  const { values } = costsOf(trace, glass.scene, "rays");
+  const { values: deep } = costsOf(trace, glass.scene, "depth");
+  const { values: tests } = costsOf(trace, glass.scene, "tests");
   for (let pixel = 0; pixel < 225; pixel += 4) {
     const tree = treeOf(trace, pixel);
     assert.equal(values[pixel], linesOf(trace, glass.scene, pixel).length);
     assert.equal(deep[pixel], Math.max(...tree.map((ray) => trace.depth[ray])));
     assert.equal(tests[pixel], tree.reduce((sum, ray) => sum + trace.tests[ray], 0));
   }
-  const far = costsOf(trace, "distance");
+  const far = costsOf(trace, glass.scene, "distance");
   assert.ok(far.values.every((value, pixel) => Number.isNaN(value) ? trace.object[pixel] < 0 : value === trace.t[pixel]));
   assert.equal(TILE_VIEWS.length, 6);
 });
@@ -124,7 +124,7 @@ test("the scale of colours grows lighter from end to end, for every kind of colo
 });
 
 test("a normal's tile is (n + 1) / 2, of a ray that leaves a dark one", () => {
-  const { colours } = costsOf(glass.trace, "normal");
+  const { colours } = costsOf(glass.trace, glass.scene, "normal");
   for (let pixel = 0; pixel < 225; pixel++)
     if (glass.trace.object[pixel] >= 0) for (let c = 0; c < 3; c++) assert.equal(colours[3 * pixel + c], Math.round((255 * (glass.trace.normal[3 * pixel + c] + 1)) / 2));
     else assert.ok(colours[3 * pixel] < 30);

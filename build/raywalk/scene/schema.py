@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import Discriminator, Field, model_validator
 
@@ -161,10 +161,9 @@ Dimming = Annotated[
 Dimmed = Annotated[
     dict[str, Dimming], Allowed("a table of lights", hint='write lights = { "light 1" = 0 }')
 ]
-Colours = Annotated[
-    Literal["picture", "rays", "depth", "tests", "distance", "normal"],
-    one_of("picture", "rays", "depth", "tests", "distance", "normal"),
-]
+# What tiles can show; the viewer's state/costs.ts has a formula for each.
+TileColours = Literal["picture", "rays", "depth", "tests", "distance", "normal"]
+Colours = Annotated[TileColours, one_of(*get_args(TileColours))]
 
 
 class SwitchesTable(Table):

@@ -1,5 +1,5 @@
 /** What the tiles show: a menu, and for counts a scale with the numbers of the selected and the pointed tile. */
-import { onScale, TILE_VIEWS, type Costs, type TileView } from "../state/costs";
+import { onScale, scaleOf, TILE_VIEWS, type Costs, type CountedView, type ScaledView, type TileView } from "../state/costs";
 import { triple } from "../state/vectors";
 import type { Shown } from "../state/shown";
 import { pixelIndex, type ViewState } from "../state/view-state";
@@ -15,13 +15,20 @@ function ramp(): string {
   return `linear-gradient(90deg, ${stops.join(", ")})`;
 }
 
-function valueOf(costs: Costs, trace: Trace, tile: readonly [number, number]): string {
+/** At an end of the scale a count needs no noun. */
+function written(view: ScaledView, value: number, atEnd: boolean): string {
+  const how = scaleOf(view).written;
+  if (how !== "count") return how === "share" ? percent(value) : number(value);
+  return atEnd ? String(value) : say(`tileView.count.${view as CountedView}`, { count: value });
+}
+
+function valueOf({ view, values }: Costs, trace: Trace, tile: readonly [number, number]): string {
   const index = tile[1] * trace.n + tile[0];
-  if (trace.object[index] < 0 && (costs.view === "normal" || costs.view === "distance")) return say("tileView.leaves");
-  if (costs.view === "normal") return vector(triple(trace.normal, index));
-  const value = costs.values?.[index] ?? 0;
-  if (costs.view === "distance") return number(value);
-  return costs.view === "picture" ? "" : say(`tileView.count.${costs.view}`, { count: value });
+  const leaves = trace.object[index] < 0;
+  if (view === "normal") return leaves ? say("tileView.leaves") : vector(triple(trace.normal, index));
+  const value = values?.[index] ?? 0;
+  if (Number.isNaN(value)) return say(leaves ? "tileView.leaves" : "tileView.none");
+  return written(view as ScaledView, value, false);
 }
 
 /** What the bounding volumes saved the selected camera ray. */
@@ -61,7 +68,7 @@ export function createTileColours(acts: { colours: (view: TileView) => void }) {
       if (legend.hidden || !costs || !trace || costs.view === "picture") return;
       scale.hidden = !costs.values;
       means.textContent = say(`tileView.means.${costs.view}`);
-      const end = (value: number) => (costs.view === "distance" ? number(value) : String(value));
+      const end = (value: number) => (costs.values ? written(costs.view as ScaledView, value, true) : "");
       [least.textContent, most.textContent] = [end(costs.least), end(costs.most)];
       const tell = (tile: readonly [number, number]) => ({ pixel: list(tile.map(String)), value: valueOf(costs, trace, tile) });
       const lines = [say("tileView.selected", tell(pixel))];

@@ -1,11 +1,9 @@
 /** What a tile can show besides its colour: how much work its rays were, and what its camera ray met. */
 import { KIND } from "../trace/kinds";
-import { VISIBILITY, type Trace } from "../trace/types";
+import { VISIBILITY, type SceneData, type Trace, type View } from "../trace/types";
 import { HIDDEN } from "./what-if";
 
-export type TileView = "picture" | "rays" | "depth" | "tests" | "distance" | "normal";
-export const TILE_VIEWS: readonly TileView[] = ["picture", "rays", "depth", "tests", "distance", "normal"];
-export type Counted = Exclude<TileView, "picture" | "normal">;
+export type TileView = NonNullable<View["colours"]>;
 
 export interface Costs {
   view: TileView;
@@ -52,12 +50,25 @@ function raysAt(trace: Trace, ray: number): number {
   return count;
 }
 
-const VALUES: Readonly<Record<Counted, (trace: Trace) => Float64Array>> = {
-  rays: (trace) => sums(trace, (ray) => raysAt(trace, ray), add),
-  depth: (trace) => sums(trace, (ray) => trace.depth[ray], Math.max),
-  tests: (trace) => sums(trace, (ray) => trace.tests[ray], add),
-  distance: (trace) => sums(trace, (ray) => (trace.kind[ray] === KIND.camera ? (Number.isFinite(trace.t[ray]) ? trace.t[ray] : NaN) : 0), add),
-};
+/** A tile's number, NaN where it has none, and how it is written. A share's scale is from nothing to all,
+ *  the others' from the least to the most there is. */
+interface Scaled {
+  of: (trace: Trace, scene: SceneData) => Float64Array; // (n * n)
+  written: "count" | "length" | "share";
+}
+
+/** The table of what tiles can show by a scale of colours, in the order of the menu; its words are below tileView. */
+const SCALED = {
+  rays: { of: (trace) => sums(trace, (ray) => raysAt(trace, ray), add), written: "count" },
+  depth: { of: (trace) => sums(trace, (ray) => trace.depth[ray], Math.max), written: "count" },
+  tests: { of: (trace) => sums(trace, (ray) => trace.tests[ray], add), written: "count" },
+  distance: { of: (trace) => sums(trace, (ray) => (trace.kind[ray] === KIND.camera ? (Number.isFinite(trace.t[ray]) ? trace.t[ray] : NaN) : 0), add), written: "length" },
+} as const satisfies Readonly<Record<Exclude<TileView, "picture" | "normal">, Scaled>>;
+
+export type ScaledView = keyof typeof SCALED;
+export type CountedView = { [Each in ScaledView]: (typeof SCALED)[Each]["written"] extends "count" ? Each : never }[ScaledView];
+export const scaleOf = (view: ScaledView): Scaled => SCALED[view];
+export const TILE_VIEWS: readonly TileView[] = ["picture", ...(Object.keys(SCALED) as ScaledView[]), "normal"];
 
 function normals(trace: Trace): Uint8Array {
   const colours = new Uint8Array(3 * trace.n * trace.n);
@@ -66,11 +77,12 @@ function normals(trace: Trace): Uint8Array {
   return colours;
 }
 
-export function costsOf(trace: Trace, view: TileView): Costs {
+export function costsOf(trace: Trace, scene: SceneData, view: TileView): Costs {
   if (view === "picture") return { view, colours: trace.tiles, values: null, least: 0, most: 0 };
   if (view === "normal") return { view, colours: normals(trace), values: null, least: 0, most: 0 };
-  const values = VALUES[view](trace);
-  const known = values.filter((value) => !Number.isNaN(value));
+  const { of, written } = scaleOf(view);
+  const values = of(trace, scene);
+  const known = written === "share" ? Float64Array.of(0, 1) : values.filter((value) => !Number.isNaN(value));
   const [least, most] = [known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity)];
   const colours = new Uint8Array(3 * values.length);
   for (let k = 0; k < values.length; k++) colours.set(Number.isNaN(values[k]) ? NOTHING : onScale(most > least ? (values[k] - least) / (most - least) : 0), 3 * k);

@@ -93,7 +93,7 @@ export function createShown() {
       const tiles = tilesShown(state);
       const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
       const thick = chosenLines(state, scene, trace, told);
-      const colours = costs([trace, state.colours], () => trace && costsOf(trace, state.colours));
+      const colours = costs([trace, scene, state.colours], () => trace && costsOf(trace, scene, state.colours));
       const data = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
       const rayBoxes = tested([data, state.n, index], () => data && boxesOf(data, state.n, index));
       const { lines, left } = thinLines(state, scene, trace);

@@ -94,7 +94,7 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
     figure: sheet.figure(setting.plane, n, switches),
     chosen: seen.chosen.map((line, k) => sheet.chosen(line, sights.hidden[k], seen.trace, numbers.get(line.ray)!)),
     thin: seen.thin.map((line, k) => sheet.drawn(line, sights.hidden[seen.chosen.length + k])),
-    tiles: state.tiles === "filled" ? base64(costsOf(seen.trace, colours).colours) : null,
+    tiles: state.tiles === "filled" ? base64(costsOf(seen.trace, seen.scene, colours).colours) : null,
     hiddenTiles: sights.tiles,
     picture: isSwitched(switches) ? { n: finest, tiles: base64(whatIf.of(filed(finest), scene, switches).trace.tiles) } : null,
     bytes: triple(seen.trace.tiles, pixelIndex(state)),
