@@ -115,7 +115,37 @@ test("tiles show the picture, or numbers that are the tree's", () => {
   }
   const far = costsOf(trace, glass.scene, "distance");
   assert.ok(far.values.every((value, pixel) => Number.isNaN(value) ? trace.object[pixel] < 0 : value === trace.t[pixel]));
-  assert.equal(TILE_VIEWS.length, 6);
+  assert.equal(TILE_VIEWS.length, 7);
+});
+
+const litBy = ({ scene, trace }, ...turns) => {
+  const dark = { ...scene, background: [0, 0, 0] };
+  const { trace: now } = switched({ scene: dark, trace }, (of, to) => turnPart(of, to, "ambient"), ...turns);
+  return Float64Array.from({ length: trace.n ** 2 }, (_, pixel) => now.colour[3 * pixel] + now.colour[3 * pixel + 1] + now.colour[3 * pixel + 2]);
+};
+
+for (const id of ["02-shadows", "03-two-lights", "05-many-bounces", "08-glass"])
+  test(`${id}: the share in shadow is what turning shadows off would add to the lamps' part of each pixel, of the sum`, () => {
+    const read = readTrace(id, 15);
+    const { values } = costsOf(read.trace, read.scene, "shadow");
+    const [shaded, unshaded] = [litBy(read), litBy(read, turnShadows)];
+    assert.ok(values.some((value) => value > 0.05) && values.some((value) => value < 0.05), "some of each");
+    for (let pixel = 0; pixel < 225; pixel++)
+      if (Number.isNaN(values[pixel])) assert.equal(unshaded[pixel], 0);
+      else assert.ok(Math.abs(values[pixel] - (1 - shaded[pixel] / unshaded[pixel])) < 1e-9, `pixel ${pixel}: ${values[pixel]}`); // sums in another order
+  });
+
+test("the share in shadow follows the switches: none without shadows, and a lamp that is off counts neither way", () => {
+  const read = readTrace("03-two-lights", 15);
+  const none = switched(read, turnShadows);
+  assert.ok(costsOf(none.trace, none.scene, "shadow").values.every((value) => Number.isNaN(value) || value === 0));
+  const one = switched(read, (of, scene) => turnLamp(of, scene, 0));
+  const { values, least, most } = costsOf(one.trace, one.scene, "shadow");
+  assert.deepEqual([least, most], [0, 1]); // of all: tiles of different scenes compare
+  for (let pixel = 0; pixel < 225; pixel++) {
+    const seen = one.trace.visibility[2 * pixel + 1]; // of the other lamp; nothing mirrors here
+    if (one.trace.object[pixel] >= 0 && seen < 2) assert.ok(Number.isNaN(values[pixel]) || values[pixel] === 1 - seen);
+  }
 });
 
 test("the scale of colours grows lighter from end to end, for every kind of colour vision", () => {

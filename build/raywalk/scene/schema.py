@@ -162,7 +162,7 @@ Dimmed = Annotated[
     dict[str, Dimming], Allowed("a table of lights", hint='write lights = { "light 1" = 0 }')
 ]
 # What tiles can show; the viewer's state/costs.ts has a formula for each.
-TileColours = Literal["picture", "rays", "depth", "tests", "distance", "normal"]
+TileColours = Literal["picture", "rays", "depth", "tests", "distance", "shadow", "normal"]
 Colours = Annotated[TileColours, one_of(*get_args(TileColours))]
 
 

@@ -50,6 +50,28 @@ function raysAt(trace: Trace, ray: number): number {
   return count;
 }
 
+/** Of the light that the lamps would give a pixel along all its rays if nothing stood in the way, the share that is
+ *  blocked or kept by glass: 1 - (what arrives) / (what would), both sums over hits and lamps of the hit's share in
+ *  the pixel times its diffuse and highlight terms, red, green and blue added up. */
+function shadowed(trace: Trace, scene: SceneData): Float64Array {
+  const [would, arrives] = [new Float64Array(trace.n * trace.n), new Float64Array(trace.n * trace.n)];
+  const share = trace.weight.slice(); // in the pixel: parents stand before their children
+  for (let ray = 0; ray < trace.count; ray++) {
+    if (trace.parent[ray] >= 0) share[ray] *= share[trace.parent[ray]];
+    const pixel = trace.pixel[ray];
+    if (pixel === HIDDEN || trace.object[ray] < 0) continue;
+    const { diffuse, specular } = scene.materials[trace.material[ray]];
+    for (const [light, { colour }] of scene.lights.entries()) {
+      const at = ray * trace.lights + light, seen = trace.visibility[at];
+      if (seen === VISIBILITY.behind || seen === VISIBILITY.off) continue;
+      const given = share[ray] * trace.localWeight[ray] * [0, 1, 2].reduce((sum, c) => sum + (trace.diffuse[at] * diffuse[c] + trace.specular[at] * specular[c]) * colour[c], 0);
+      would[pixel] += seen === VISIBILITY.untested ? given : given / trace.passed[at];
+      if (seen !== VISIBILITY.blocked) arrives[pixel] += given;
+    }
+  }
+  return would.map((all, pixel) => (all > 0 ? 1 - arrives[pixel] / all : NaN));
+}
+
 /** A tile's number, NaN where it has none, and how it is written. A share's scale is from nothing to all,
  *  the others' from the least to the most there is. */
 interface Scaled {
@@ -63,6 +85,7 @@ const SCALED = {
   depth: { of: (trace) => sums(trace, (ray) => trace.depth[ray], Math.max), written: "count" },
   tests: { of: (trace) => sums(trace, (ray) => trace.tests[ray], add), written: "count" },
   distance: { of: (trace) => sums(trace, (ray) => (trace.kind[ray] === KIND.camera ? (Number.isFinite(trace.t[ray]) ? trace.t[ray] : NaN) : 0), add), written: "length" },
+  shadow: { of: shadowed, written: "share" },
 } as const satisfies Readonly<Record<Exclude<TileView, "picture" | "normal">, Scaled>>;
 
 export type ScaledView = keyof typeof SCALED;
