@@ -38,20 +38,29 @@ OPTICS = Judges(
         "tests/trace/test_glass.py",
     ),
 )
-GEOMETRY = (
-    "tests/geometry",
-    "tests/properties/test_geometry_laws.py",
-    "tests/trace/test_touching_glass.py",
-)
 SHAPES = Judges(
     (
         "tests/geometry/test_primitives.py",
         "tests/properties/test_geometry_laws.py",
         "-k=not directions_that_are_none",  # they divide by 0 too
     ),
-    GEOMETRY,
+    (
+        "tests/geometry",
+        "tests/properties/test_geometry_laws.py",
+        "tests/trace/test_touching_glass.py",
+        "--ignore=tests/geometry/test_meshes.py",
+        "--ignore=tests/geometry/test_mesh_files.py",
+    ),
 )
-MESHES = Judges((), (*GEOMETRY, "tests/trace/test_boxes.py"))
+MESHES = Judges(
+    (),
+    (
+        "tests/geometry/test_meshes.py",
+        "tests/geometry/test_mesh_files.py",
+        "tests/geometry/test_leaving.py",
+        "tests/trace/test_boxes.py",
+    ),
+)
 FOLDERS = {"scene": SCENE, "optics": OPTICS, "geometry": SHAPES}
 # Files of geometry/ that other tests know better.
 FILES = {

@@ -120,6 +120,15 @@ def test_the_local_colour_is_ambient_plus_diffuse_plus_specular() -> None:
     np.testing.assert_allclose(shaded(lamp, (0.0, 0.0, 0.0)), expected, rtol=0, atol=1e-15)
 
 
+@pytest.mark.parametrize("away", [0.5, 1.0, 2.0, 3.0])
+def test_a_light_straight_above_gives_all_it_has(away: float) -> None:
+    """Seen from above too: n.l = n.h = 1, so I / (1 + D) (kd + ks)."""
+    lamp = Light("lamp", (0.0, away, 0.0), intensity=2.0, attenuation=(1.0, 1.0, 0.0))
+    reach = 2.0 / (1.0 + away)
+    expected = [0.1 + reach * 1.9, 0.2 + reach * 1.0, 0.3 + reach * 0.5]
+    np.testing.assert_allclose(shaded(lamp, (0.0, 0.0, 0.0)), expected, rtol=4e-16)
+
+
 def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator) -> None:
     """Points, normals, rays, materials and lights at random, in rows out of order: each colour is
     ambient + sum of V I / (a0 + a1 D + a2 D^2) (kd n.l + ks (n.h)^s) light."""
@@ -168,6 +177,9 @@ def test_a_light_at_the_very_point_leaves_the_ambient_colour(falloff: tuple[floa
     """It has no direction, faces nothing, and gives no NaN."""
     lamp = Light("lamp", (1.0, 2.0, 3.0), attenuation=falloff)  # type: ignore[arg-type]
     assert shaded(lamp, (1.0, 2.0, 3.0)).tolist() == [0.1, 0.2, 0.3]
+    at = np.array([[1.0, 2.0, 3.0]])
+    to_light, distance, facing = towards_light(np.zeros(1, np.int64), at, -at, at[0])
+    assert not (to_light.any() or distance.any() or facing.any())
 
 
 @pytest.mark.parametrize("away", [1e-155, 1e-160, 1e-200])

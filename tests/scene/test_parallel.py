@@ -1,4 +1,4 @@
-"""Two directions are one to the eye below an angle of 1e-9, however long they are given."""
+"""Directions are one, corners on a line, below an angle that their lengths do not change."""
 
 import pytest
 
@@ -41,3 +41,19 @@ def test_edges_span_an_area_whatever_their_lengths(sine, is_clear, long, short, 
         f"edges = [[{long!r}, 0, 0], [{along!r}, 0, {sine * short!r}]]\n"
     )
     assert ("span no area" in refusals(scene_from, lamp)) != is_clear
+
+
+@pytest.mark.parametrize("size", [1e-150, 1.0, 7.0, 1e12])
+@pytest.mark.parametrize("height, is_one", [(0.7e-14, False), (1.5e-14, True), (0.5, True)])
+@pytest.mark.parametrize("turn", range(3))
+def test_a_triangle_is_a_line_below_a_height_of_1e_14_of_its_longest_side(
+    turn, height, is_one, size, scene_from
+):
+    """Along (1, 1, 1), so that no coordinate is a side's length; whichever side is the longest."""
+    side = size * 3**0.5
+    across = (height * side * 0.5**0.5, -height * side * 0.5**0.5, 0.0)
+    foot = [size / 2 + c for c in across]
+    corners = [[0.0] * 3, [size] * 3, foot]
+    a, b, c = corners[turn:] + corners[:turn]
+    table = f'[[objects]]\ntype = "triangle"\na = {a}\nb = {b}\nc = {c}\nmaterial = "white"\n'
+    assert ("lie on one line" in refusals(scene_from, table)) != is_one
