@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 from raywalk.trace.tree import Visibility
-from raywalk.trace_file import read_trace
+from raywalk.trace_file.decode import read_trace
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")

@@ -20,14 +20,22 @@ VIEWER = ROOT / "site_src" / "viewer"
 # __main__ and its commands, work and bench tie the others together.
 MAY_IMPORT = {
     "optics": set(),
-    "words": set(),
-    "scene": {"errors"},
+    "words": {"work.snapshot"},
+    "scene": {"errors", "work.snapshot"},
     "geometry": {"scene", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "stops": {"words", "errors"},
     "slides": {"scene", "trace.kinds", "words", "lesson_text", "errors"},
-    "site": {"scene", "trace.kinds", "trace_file", "words", "lesson_text", "errors"},
+    "site": {
+        "scene",
+        "trace.kinds",
+        "trace_file",
+        "words",
+        "lesson_text",
+        "errors",
+        "work.snapshot",
+    },
 }
 VIEWER_MAY_IMPORT = {
     "trace": {"trace"},

@@ -11,24 +11,20 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.site import sizes
 from raywalk.site.assets import BundleError, bundle_viewer, write_assets, write_words
 from raywalk.site.figures import has_glass, left_out, scene_figures
 from raywalk.site.licences import write_licences
-from raywalk.site.mesh_data import DisplayMesh
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, write_pages, write_sizes
-from raywalk.site.preview import write_preview
 from raywalk.site.reports import publish_reports
-from raywalk.site.savings import as_table, savings_lines, savings_of
-from raywalk.site.scene_data import Display, scene_data, scene_words
+from raywalk.site.savings import as_table, savings_lines
+from raywalk.site.scene_data import scene_words
 from raywalk.site.sitemap import base_of, write_sitemap
 from raywalk.slide_pipeline import Source, last_decks, make_decks, publish_slides, slide_remarks
 from raywalk.trace_file.script import write_script
@@ -37,7 +33,16 @@ from raywalk.words.catalogue import DEFAULT
 from raywalk.work.cluster import run_on_cluster
 from raywalk.work.digests import key_of
 from raywalk.work.explain import why
-from raywalk.work.keys import Parts, page_data_parts, preview_parts, trace_parts, viewer_parts
+from raywalk.work.keys import (
+    PAGE_DATA,
+    PREVIEW,
+    Parts,
+    page_data_parts,
+    preview_parts,
+    trace_parts,
+    viewer_parts,
+)
+from raywalk.work.making import made
 from raywalk.work.pool import Finished, cores, run_all
 from raywalk.work.progress import Begin, End, Message, Progress
 from raywalk.work.publish import staged
@@ -88,11 +93,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     for scene in scenes:
         picture = entries[scene.id].folder / "picture.png"
         previews[scene.id] = yield from kept(
-            store, preview_parts(scene.id, keys[scene.id]), partial(write_preview, picture), chosen
+            store, preview_parts(scene.id, keys[scene.id]), partial(PREVIEW, picture), chosen
         )
         data[scene.id] = yield from kept(
             store, page_data_parts(scene, keys[scene.id]),
-            partial(write_page_data, scene, entries[scene.id]), chosen,
+            partial(PAGE_DATA, scene, entries[scene.id].folder), chosen,
         )  # fmt: skip
     sources = [
         Source(each.scene, code, entries[each.scene.id], data[each.scene.id])
@@ -151,12 +156,11 @@ def kept(
     store: Store, made_from: Parts, make: Any, chosen: Namespace
 ) -> Generator[str, None, Entry]:
     """An entry of the store, made if it is not there; tells why, if that is asked."""
-    key = key_of(made_from)
-    if found := store.find(key):
+    if found := store.find(key_of(made_from)):
         return found
     if chosen.explain:
         yield f"{made_from['of']}: {made_from['what']} is made: {reason(store, made_from)}"
-    return store.entry(key, make, made_from)
+    return made(store, made_from, make)
 
 
 def reason(store: Store, made_from: Parts) -> str:
@@ -238,36 +242,12 @@ def bundle(site_source: Path, folder: Path) -> None:
         raise SourceErrors([SourceError(site_source, "", str(problem))]) from None
 
 
-def write_page_data(scene: Scene, entry: Entry, folder: Path) -> None:
-    """scene.js: what the viewer is told of a scene."""
-    display = read_display(scene, entry.folder / "display.npz")
-    data = scene_data(scene, display, savings_of(facts_of(entry)))
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-    write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
-
-
 def publish_scene(folder: Path, made: list[Entry]) -> None:
     """Copies a scene's files into the site."""
     folder.mkdir(parents=True)
     for path in [path for entry in made for path in entry.files()]:
         if path.name not in NOT_PUBLISHED:
             shutil.copyfile(path, folder / path.name)
-
-
-def read_display(scene: Scene, path: Path) -> Display:
-    """The drawing data that the trace stage handed on."""
-    arrays = np.load(path)
-    meshes = {
-        obj.name: DisplayMesh(
-            centre=arrays[f"{k}.centre"],
-            vertices=arrays[f"{k}.vertices"],
-            faces=arrays[f"{k}.faces"],
-            normals=arrays.get(f"{k}.normals"),
-        )
-        for k, obj in enumerate(scene.objects)
-        if isinstance(obj.shape, Mesh)
-    }
-    return Display(arrays["centre"], float(arrays["radius"]), meshes)
 
 
 def remarks(scene: Scene, facts: dict[str, Any]) -> Iterator[str]:

@@ -18,9 +18,10 @@ from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
-from raywalk.trace_file import level_of, write_level
+from raywalk.trace_file.level import level_of
 from raywalk.trace_file.png import write_png
 from raywalk.trace_file.script import write_script
+from raywalk.trace_file.write import write_level
 from raywalk.work.progress import Report, say_nothing
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def _write_cuts(folder: Path, tracer: Tracer) -> None:
     """What the viewer draws of the geometry itself: outlines in planes, a mesh's boxes."""
     drawn = {"sections": sections_of(tracer)}
     if tracer.compiled.meshes:
-        from raywalk.trace.boxes import boxes_of  # a scene without a mesh runs none of it
+        from raywalk.trace.mesh_boxes import boxes_of  # a scene without a mesh runs none of it
 
         drawn["boxes"] = boxes_of(tracer)
     for name, data in drawn.items():
@@ -133,7 +134,7 @@ def write_display(path: Path, scene: Scene, tracer: Tracer) -> None:
     for k, obj in enumerate(scene.objects):
         if isinstance(obj.shape, Mesh):
             # Only here: a scene without a mesh imports nothing that reads one.
-            from raywalk.geometry.display import display_triangles
+            from raywalk.geometry.mesh_display import display_triangles
 
             arrays |= _mesh_arrays(k, display_triangles(scene, obj))
     np.savez(path, **arrays)  # type: ignore[arg-type]

@@ -11,32 +11,33 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.site.scene_data import scene_words
+from raywalk.slides.files import ASKED, KEPT, LESSON, REMARKS, SIGHTS
 from raywalk.slides.formats import COURSE
 from raywalk.slides.layout import WIDE, Layout
-from raywalk.stops.process import SCRIPT, Stops
+from raywalk.stops.process import Stops
 from raywalk.words import read_words
-from raywalk.words.catalogue import DEFAULT
-from raywalk.work.digests import digest, digests, key_of
-from raywalk.work.keys import Parts, is_source, makers, plain
+from raywalk.words.catalogue import DEFAULT, FOLDER
+from raywalk.work.digests import digest, key_of
+from raywalk.work.keys import Maker, Parts, plain, shut_for
+from raywalk.work.making import made
 from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.progress import Report
+from raywalk.work.snapshot import digest_of
 from raywalk.work.store import Entry, Store
 
 if TYPE_CHECKING:
     from raywalk.slides.deck import Sources
 
-WORDS = Path(__file__).resolve().parents[2] / "site_src" / "words"
+# Asks the viewer's modules; its own code is little, the scripts that it runs are much.
+ASK = Maker("raywalk.stops.process", "Stops")
 # Where the tracer is asked: a lesson's words are not in it, so a change of words traces nothing.
-SIGHT_STAGES = ("trace/observer_view.py", "sight_products.py")
-SIGHT_PACKAGES = ("numpy", "pillow")
-STAGES = ("slides", "slide_products.py", "lesson_text.py", "scene", "words")
-PACKAGES = ("numpy", "pillow", "markdown", "reportlab", "python-pptx", "python-bidi", "lxml")
+SEE = Maker("raywalk.sight_products", "write_sights")
+WRITE = Maker("raywalk.slide_products", "write_scene_slides")
+WRITE_COURSE = Maker("raywalk.slide_products", "write_course_slides")
 PUBLISHED = WIDE
-KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course; not published
-REMARKS = "remarks.txt"  # what could not be written, and why; not published
-ASKED, SIGHTS, LESSON = "asked.json", "sights.json", "lesson.json"
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,7 @@ def plans_of(
     """Has the viewer's modules tell every lesson, and the tracer what they ask of it, where that is
     not in the store. Only what they say is in the slides' keys: other code that says the same makes
     no slide anew."""
-    code = makers_of_stops()
+    code = ASK.parts()
     asked = {each.scene.id: _asked(store, stops, each, layout, code) for each in sources}
     sights = yield from _sights(store, sources, asked)
     plans = []
@@ -91,7 +92,8 @@ def plans_of(
             "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
             "trace": each.traced.folder.name, "sights": of.folder.name,
             "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene),
-            "sentences": sentences(each.language), **makers(STAGES, PACKAGES),
+            "credits": [model.model_dump() for model in named_models(each.scene)],
+            **WRITE.parts(languages={DEFAULT, each.language}),
         }))  # fmt: skip
     return plans
 
@@ -114,7 +116,7 @@ def _sights(
         tasks[each.scene.id] = (each.scene, asked[each.scene.id], {
             "what": "sights", "of": each.scene.id, "trace": each.traced.folder.name,
             "asked": digest(asked[each.scene.id].folder / ASKED),
-            **makers(SIGHT_STAGES, SIGHT_PACKAGES),
+            **SEE.parts(shut_for(each.scene)),
         })  # fmt: skip
     missing = [task for task in tasks.values() if not store.find(key_of(task[2]))]
     if missing:
@@ -132,7 +134,7 @@ def _lesson(
     parts = {
         "what": "lesson", "of": _of(of.scene.id, of.language), "layout": layout.name,
         "page data": of.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
-        "sentences": sentences(of.language), **code,
+        **code, "read": sentences(of.language),
     }  # fmt: skip
     request = {
         "do": "lesson", **_where(of, layout), "asked": str(asked.folder / ASKED),
@@ -155,17 +157,15 @@ def _kept(store: Store, stops: Stops, parts: Parts, name: str, request: Parts) -
     def write(folder: Path) -> None:
         (folder / name).write_text(stops.ask(request), encoding="utf-8")
 
-    return store.entry(key_of(parts), write, parts)
+    return made(store, parts, write)
 
 
 def _make_sights(
     store: Store, task: tuple[Scene, Entry, Parts], threads: Threads, report: Report
 ) -> None:
-    from raywalk.sight_products import write_sights
-
     scene, asked, parts = task
     wanted = json.loads((asked.folder / ASKED).read_text(encoding="utf-8"))
-    store.entry(key_of(parts), partial(write_sights, scene, wanted), parts)
+    made(store, parts, partial(SEE, scene, wanted))
 
 
 def _of(id: str, language: str) -> str:
@@ -173,21 +173,19 @@ def _of(id: str, language: str) -> str:
     return id if language == DEFAULT else f"{language}/{id}"
 
 
-def makers_of_stops() -> Parts:
-    """The viewer's modules that are asked, and what bundles them."""
-    files = [SCRIPT, *(SCRIPT.parent / "viewer").rglob("*.ts")]
-    return {"code": digests((path for path in files if is_source(path)), SCRIPT.parent)}
-
-
 def sentences(language: str) -> dict[str, str]:
     """Hashes of the catalogues of sentences that are spoken: what one lacks is the default's."""
-    return {code: digest(WORDS / f"{code}.json") for code in sorted({DEFAULT, language})}
+    files = [FOLDER / f"{code}.json" for code in sorted({DEFAULT, language})]
+    return {file.name: digest_of(file) for file in files}
 
 
 def course_parts(plans: list[Plan]) -> Parts:
     """The course is made from all scenes' slides in its language."""
-    of = _of(COURSE, plans[0].language)
-    return {"what": "slides", "of": of, "decks": [each.key for each in plans]}
+    language = plans[0].language
+    return {
+        "what": "slides", "of": _of(COURSE, language), "decks": [each.key for each in plans],
+        **WRITE_COURSE.parts(languages={DEFAULT, language}),
+    }  # fmt: skip
 
 
 def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list[MadeDeck]]:
@@ -250,16 +248,10 @@ def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
 
 
 def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Report) -> None:
-    from raywalk.slide_products import write_course_slides
-
     kept = [store.get(each.key).folder / KEPT for each in plans]
     sources = [sources_of(each) for each in plans]
     parts, language = course_parts(plans), plans[0].language
-    store.entry(
-        key_of(parts),
-        lambda folder: write_course_slides(sources, kept, PUBLISHED, folder, language),
-        parts,
-    )
+    made(store, parts, lambda folder: WRITE_COURSE(sources, kept, PUBLISHED, folder, language))
 
 
 def slide_remarks(decks: list[MadeDeck]) -> list[str]:
@@ -291,18 +283,16 @@ def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict
 
 def _make(store: Store, task: tuple[Plan, ...], threads: Threads, report: Report) -> float:
     """One scene's slides in some languages; returns the seconds it took."""
-    # Only here: a build with nothing to make never pays for numba, ReportLab and python-pptx.
-    from raywalk.slide_products import write_scene_slides
-
     begun = time.monotonic()
-    for made in task:
-        write = partial(write_scene_slides, sources_of(made), PUBLISHED, language=made.language)
-        store.entry(made.key, write, made.slides)
+    for each in task:
+        made(
+            store, each.slides, partial(WRITE, sources_of(each), PUBLISHED, language=each.language)
+        )
     return time.monotonic() - begun
 
 
-def sources_of(made: Plan) -> Sources:
+def sources_of(of: Plan) -> Sources:
     """Where its slides come from."""
     from raywalk.slides.deck import Sources
 
-    return Sources(made.scene, made.traced, made.sights.folder, made.lesson.folder / LESSON)
+    return Sources(of.scene, of.traced, of.sights.folder, of.lesson.folder / LESSON)

@@ -9,9 +9,9 @@ from pathlib import Path
 from raywalk.errors import SourceError
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import translation_file
-from raywalk.slide_pipeline import KEPT, REMARKS
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
+from raywalk.slides.files import KEPT, REMARKS
 from raywalk.slides.formats import COURSE_FORMATS, FORMATS, SHEET_FORMATS, TRANSLATED
 from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html

@@ -14,7 +14,7 @@ from raywalk.bench.speed_rebuild import rebuild_cases, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, quarter, skip_cases
 from raywalk.bench.speed_triangles import Fineness, triangle_cases, triangles
 from raywalk.commands.bench import PARTS
-from raywalk.scene import read_scene, read_scenes
+from raywalk.scene.read import read_scene, read_scenes
 from raywalk.trace.plan import plan_of
 
 FOLDER = Path(__file__).parents[2] / "scenes"

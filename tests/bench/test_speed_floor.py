@@ -13,7 +13,7 @@ import pytest
 from raywalk import products
 from raywalk.bench.speed_floor import GOAL, as_table, floor_cases, floors
 from raywalk.geometry.compiled import CompiledScene
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 FOLDER = Path(__file__).parents[2] / "scenes"
 MUCH = 10  # times as long as all the rest: a busy machine does not hide it

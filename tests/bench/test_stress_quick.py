@@ -25,8 +25,8 @@ from raywalk.bench.cases import refuse_broken
 from raywalk.bench.made_scenes import compiled_mesh, icosphere, placed, scene_of
 from raywalk.bench.stress_shadows import visibility
 from raywalk.geometry.compiled import rays_from
-from raywalk.scene import read_scene
 from raywalk.scene.model import Light, Scene
+from raywalk.scene.read import read_scene
 from raywalk.scene.shapes import Sphere
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wavefront import Tracer

@@ -2,7 +2,7 @@
 
 import pytest
 
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 TOP = """\
 version = 1

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.errors import SourceErrors
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 BAD = Path(__file__).parent / "bad"
 FILES = sorted(BAD.glob("*.toml"))

@@ -3,7 +3,7 @@
 import pytest
 
 from raywalk.errors import SourceErrors
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 SMALLEST = """\
 version = 1

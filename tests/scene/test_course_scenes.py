@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Ellipsoid, Mesh, Plane, Sphere
 
 SCENES = Path(__file__).parents[2] / "scenes"

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from raywalk.errors import SourceErrors
-from raywalk.scene import read_scene
 from raywalk.scene.docs import EXAMPLE, files, json_schema
+from raywalk.scene.read import read_scene
 
 SCENES = Path(__file__).parents[2] / "scenes"
 BAD = Path(__file__).parent / "bad"

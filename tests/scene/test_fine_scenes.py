@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raywalk.scene import read_scenes
 from raywalk.scene.models import read_catalogue
+from raywalk.scene.read import read_scenes
 from raywalk.trace.tree import Kind
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer
 

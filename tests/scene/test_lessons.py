@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 
 SCENES = Path(__file__).parents[2] / "scenes"
 BLOCKED, REACHED, BEHIND, UNTESTED = 0, 1, 2, 3

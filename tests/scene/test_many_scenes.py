@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.errors import SourceErrors
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 
 SCENE = """\
 version = 1

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.errors import SourceErrors
-from raywalk.scene import read_scene, read_scenes
+from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.translation import missing_translations, read_spoken
 from raywalk.words import languages
 

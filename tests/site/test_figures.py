@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 from raywalk.site.figures import has_glass, scene_figures
 from raywalk.site.pages import write_pages
 from raywalk.words import read_words

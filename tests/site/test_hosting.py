@@ -14,7 +14,7 @@ from PIL import Image
 from pypdf import PdfReader
 
 from raywalk.errors import UserError
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 from raywalk.site.sitemap import base_of, write_sitemap
 
 ROOT = Path(__file__).parent.parent.parent

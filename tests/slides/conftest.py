@@ -10,8 +10,8 @@ from typing import TypeVar, cast
 import pytest
 
 from raywalk.commands.slides import traced
-from raywalk.scene import read_scene
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene
 from raywalk.slide_pipeline import plans_of, sources_of
 from raywalk.slides.deck import Sources, scene_deck
 from raywalk.slides.figure import Deck

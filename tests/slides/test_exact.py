@@ -11,10 +11,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from raywalk.errors import UserError
-from raywalk.slide_pipeline import SIGHTS
+from raywalk.slides.files import ASKED, SIGHTS
 from raywalk.slides.layout import WIDE
 from raywalk.trace.pixel_tree import pixel_tree
-from raywalk.trace_file import read_trace
+from raywalk.trace_file.decode import read_trace
 
 from .conftest import BALLS, make
 
@@ -49,7 +49,6 @@ def test_a_slides_rows_are_the_tracers(scene: str, tmp_path: Path):
 
 def test_rays_that_are_not_those_of_the_file_are_refused(tmp_path: Path):
     """A tracer and a trace file that disagree are named, with scene, pixel and grid."""
-    from raywalk.slide_pipeline import ASKED
     from raywalk.stops.process import Stops
     from raywalk.words import read_words
 

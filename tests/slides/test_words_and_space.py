@@ -9,7 +9,6 @@ import pytest
 from pptx import Presentation
 from pypdf import PdfReader
 
-from raywalk.slide_pipeline import REMARKS
 from raywalk.slide_products import write_files
 from raywalk.slides.blocks import flow
 from raywalk.slides.figure import (
@@ -24,6 +23,7 @@ from raywalk.slides.figure import (
     Text,
     flat,
 )  # fmt: skip
+from raywalk.slides.files import REMARKS
 from raywalk.slides.html import deck_html
 from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from conftest import Made
 
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 from raywalk.slide_products import deck_files
 from raywalk.slides.deck import scene_deck
 from raywalk.slides.formats import FORMATS

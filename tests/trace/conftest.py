@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from raywalk.scene import read_scene
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene
 
 FOLDER = Path(__file__).parents[2] / "scenes"
 NAMES = (

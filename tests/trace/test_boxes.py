@@ -14,9 +14,9 @@ from raywalk.geometry.shallow_boxes import (
     crosses_sphere,
     shallow_boxes,
 )
-from raywalk.scene import read_scenes
-from raywalk.trace.boxes import _runs, boxes_of
+from raywalk.scene.read import read_scenes
 from raywalk.trace.camera import camera_directions
+from raywalk.trace.mesh_boxes import _runs, boxes_of
 from raywalk.trace.wavefront import Tracer
 
 SCENES = {scene.id: scene for scene in read_scenes(Path("scenes"))}

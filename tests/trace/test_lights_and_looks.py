@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from tests.geometry.by_hand import CHALK, CLEAR, SHAPES, moved, scene_of, unit
 
-from raywalk.scene import read_scene
 from raywalk.scene.model import Checker, Light, Material, Scene, SceneObject
+from raywalk.scene.read import read_scene
 from raywalk.scene.shapes import Box, Disc, Plane, Shape, Sphere, Triple
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Wave

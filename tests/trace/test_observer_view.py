@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 from raywalk.trace.observer_view import Walls, hidden_points, hidden_stretches
 from raywalk.trace.wavefront import Tracer
 

@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import plan_of
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
-from raywalk.work.keys import MESH_PACKAGES, MESH_STAGES
+from raywalk.work.keys import TRACE, trace_parts
 
 FOLDER = Path(__file__).parents[2] / "scenes"
 SCENES = {scene.id: scene for scene in read_scenes(FOLDER)}
@@ -51,25 +51,26 @@ def test_the_plan_names_what_each_scene_of_the_course_needs():
 
 @pytest.mark.parametrize("id", [id for id, scene in SCENES.items() if not plan_of(scene).meshes])
 def test_a_scene_without_a_mesh_never_imports_what_reads_or_meets_one(id, tmp_path):
-    """Neither trimesh nor Embree, nor any module that a scene's key leaves out for that."""
+    """Neither trimesh nor Embree: nothing of ours but what the scene's key is made of."""
     code = f"""
 import sys
 from dataclasses import replace
 from pathlib import Path
-from raywalk.products import write_products
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 scene = read_scene({str(FOLDER / id)!r})
 scene = replace(scene, render=replace(scene.render, size=15, resolutions=(5,)))
-write_products(scene, Path({str(tmp_path)!r}), 1)
-print(*sys.modules)
+before = set(sys.modules)
+from {TRACE.module} import {TRACE.function} as write
+write(scene, Path({str(tmp_path)!r}), 1)
+print(*set(sys.modules) - before)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    imported = set(done.stdout.split())
-    modules = {"raywalk." + name.removesuffix(".py").replace("/", ".") for name in MESH_STAGES}
-    assert not imported & (modules | set(MESH_PACKAGES))
-    assert all(
-        (Path(__file__).parents[2] / "build/raywalk" / name).is_file() for name in MESH_STAGES
-    )
+    imported = done.stdout.split()
+    assert not {"trimesh", "embreex"} & {*imported}
+    behind = trace_parts(SCENES[id])["code"]
+    for module in (name for name in imported if name.startswith("raywalk.")):
+        place = module.removeprefix("raywalk.").replace(".", "/")
+        assert f"{place}.py" in behind or f"{place}/__init__.py" in behind, module
 
 
 @pytest.mark.parametrize("id", [id for id, scene in SCENES.items() if not plan_of(scene).glass])

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scenes
 from raywalk.trace.sections import APART, STEPS, sections_of
 from raywalk.trace.wavefront import Tracer
 

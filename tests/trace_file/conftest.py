@@ -17,7 +17,8 @@ from tiny_tracer import trace_tiny
 
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
-from raywalk.trace_file import DecodedTrace, decode, encode
+from raywalk.trace_file.decode import DecodedTrace, decode
+from raywalk.trace_file.encode import encode
 from raywalk.trace_file.level import in_file_order
 
 SIZE = 21

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from raywalk.trace.tree import Visibility
-from raywalk.trace_file import read_trace
+from raywalk.trace_file.decode import read_trace
 
 SHOT = (int(Visibility.BLOCKED), int(Visibility.REACHED))
 

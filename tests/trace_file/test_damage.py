@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 from conftest import Encoded
 
-from raywalk.trace_file import TraceFileError, decode, read_trace, write_level
 from raywalk.trace_file.checksum import checksum
 from raywalk.trace_file.container import pack, script, unpack
+from raywalk.trace_file.decode import decode, read_trace
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.write import write_level
 
 
 def changed(data: bytes, **parts: Any) -> bytes:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import Encoded
 
-from raywalk.trace_file import TraceFileError
+from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.inspect import as_json, describe
 
 

@@ -7,7 +7,10 @@ import pytest
 from scenes_for_tests import mirrors
 from tiny_tracer import trace_tiny
 
-from raywalk.trace_file import TraceFileError, decode, encode, level_of
+from raywalk.trace_file.decode import decode
+from raywalk.trace_file.encode import encode
+from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.level import level_of
 
 
 @pytest.mark.parametrize("n", [3, 7, 21])

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 from conftest import NAMES, encoded_scene
 
-from raywalk.trace_file import DecodedTrace, read_trace
 from raywalk.trace_file.container import pack
-from raywalk.trace_file.decode import COLUMNS
+from raywalk.trace_file.decode import COLUMNS, DecodedTrace, read_trace
 
 ROOT = Path(__file__).parents[2]
 PRINTER = ROOT / "tests" / "viewer" / "trace" / "columns-as-bytes.mjs"

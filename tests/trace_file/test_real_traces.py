@@ -9,7 +9,9 @@ import pytest
 from scenes_for_tests import glass, mirrors, random_scene
 
 from raywalk.trace.wavefront import trace_scene
-from raywalk.trace_file import decode, encode, level_of
+from raywalk.trace_file.decode import decode
+from raywalk.trace_file.encode import encode
+from raywalk.trace_file.level import level_of
 
 
 @pytest.mark.parametrize("seed", [None, "mirrors", 1, 2, 4], ids=lambda seed: f"seed {seed}")

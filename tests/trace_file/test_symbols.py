@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from raywalk.trace_file import TraceFileError
+from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.symbols import ONE, TWO, Reader, write_numbers, zigzag
 
 EDGES = [0, 1, ONE - 1, ONE, TWO - 1, TWO, 93**3 - 1, 93**3, 2**51]

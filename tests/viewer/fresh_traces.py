@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scenes
 from raywalk.trace import wavefront
 from raywalk.trace.bounce import bounce
 from raywalk.trace.plan import LEAST_SHARE, plan_of

@@ -12,8 +12,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scenes
 from raywalk.site.assets import write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.pages import write_pages

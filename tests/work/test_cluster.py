@@ -14,7 +14,7 @@ import pytest
 
 from raywalk.__main__ import main
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 from raywalk.work.cluster import (
     ClusterError,
     made_by,

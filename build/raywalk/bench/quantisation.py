@@ -12,9 +12,9 @@ from raywalk.bench.cases import Case
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wavefront import trace_scene
-from raywalk.trace_file import decode, encode, level_of
-from raywalk.trace_file.decode import DecodedTrace
-from raywalk.trace_file.level import in_file_order
+from raywalk.trace_file.decode import DecodedTrace, decode
+from raywalk.trace_file.encode import encode
+from raywalk.trace_file.level import in_file_order, level_of
 from raywalk.trace_file.precision import COLOUR
 
 SIZE, LEVEL = 165, 55

@@ -16,7 +16,7 @@ from raywalk.bench import (
     speed_triangles,
 )
 from raywalk.bench.cases import Case
-from raywalk.scene import read_scenes
+from raywalk.scene.read import read_scenes
 
 Lines = list[str]
 Measure = Callable[[Namespace, list[Case]], Lines]

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.bench.cases import Case
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 MOST = 1024.0  # MiB at 1155 x 1155
 # Bytes a pixel by which the peak may grow: picture 3, mask of kept pixels 1, and while the PNG is

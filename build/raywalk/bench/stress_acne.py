@@ -23,8 +23,8 @@ import numpy as np
 from raywalk.bench.cases import Case
 from raywalk.bench.made_scenes import placed
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Camera, Scene
+from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Wave

@@ -17,8 +17,8 @@ from raywalk.bench.made_scenes import bunny, mesh_object, placed, scene_of
 from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.nearest import NOWHERE
-from raywalk.scene import read_scenes
 from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Shape, Sphere
 from raywalk.trace.probe import probe, read_rays
 from raywalk.trace.tree import RayTree

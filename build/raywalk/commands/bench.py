@@ -59,7 +59,7 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
     from raywalk.bench import bench
     from raywalk.bench.picture_error import picture_cases, pictures, resolution
     from raywalk.bench.quantisation import quantisation
-    from raywalk.scene import read_scenes
+    from raywalk.scene.read import read_scenes
 
     side, rounds = (128, 3) if chosen.quick else (bench.SIDE, bench.ROUNDS)
     for task in bench.tasks(side, rounds, chosen.seed):

@@ -11,6 +11,7 @@ from typing import Any
 
 from raywalk.work.last_build import LastBuild, inputs_of
 from raywalk.work.progress import Message
+from raywalk.work.snapshot import one_build
 
 SITE_SOURCE = Path("site_src")
 BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
@@ -43,6 +44,11 @@ def add_options(parser: Any) -> None:
 
 def run(chosen: Namespace) -> Iterator[str | Message]:
     """Builds the site, telling what was traced, kept and written."""
+    with one_build():
+        yield from _run(chosen)
+
+
+def _run(chosen: Namespace) -> Iterator[str | Message]:
     started = time.monotonic()
     last = LastBuild(chosen.work, chosen.out)
     inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}

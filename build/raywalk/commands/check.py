@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.scene.translation import missing_translations, read_spoken
 from raywalk.words import languages, missing_sentences

@@ -30,7 +30,8 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """The tree as indented text, or as one JSON object with every stored number; with --events
     its events, a sentence and a line of numbers each."""
-    from raywalk.trace_file import TraceFileError, read_trace
+    from raywalk.trace_file.decode import read_trace
+    from raywalk.trace_file.errors import TraceFileError
     from raywalk.trace_file.inspect import as_json, describe
 
     try:

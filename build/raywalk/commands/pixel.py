@@ -11,7 +11,7 @@ from typing import Any
 
 from raywalk.commands.check import scene_file
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 MOST_BOUNCES = 1000
 LARGEST = 100_000  # pixels a side

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.commands.check import scene_file
-from raywalk.scene import read_scene
+from raywalk.scene.read import read_scene
 
 
 def add_to(commands: Any) -> None:

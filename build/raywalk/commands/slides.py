@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from raywalk.commands.check import scene_file
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene import read_scene, read_scenes
 from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.wording import did_you_mean, joined
 from raywalk.slides.formats import COURSE, DECK_FORMATS, FORMATS
 from raywalk.slides.layout import LAYOUTS, WIDE
@@ -152,20 +152,17 @@ def _prepared(
 
 def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
     """A scene's trace and page data, made if they are not kept."""
-    from raywalk.pipeline import write_page_data
     from raywalk.slide_pipeline import Source
     from raywalk.words.catalogue import DEFAULT
     from raywalk.work.digests import key_of
-    from raywalk.work.keys import page_data_parts, trace_parts
+    from raywalk.work.keys import PAGE_DATA, TRACE, page_data_parts, trace_parts
+    from raywalk.work.making import made
     from raywalk.work.pool import cores
 
     parts = trace_parts(scene)
-    trace = store.find(key_of(parts))
-    if not trace:
+    if not store.find(key_of(parts)):
         yield f"tracing {scene.id}"
-        from raywalk.products import write_products
-
-        trace = store.entry(key_of(parts), partial(write_products, scene, threads=cores()), parts)
+    trace = made(store, parts, partial(TRACE, scene, threads=cores()))
     parts = page_data_parts(scene, key_of(parts))
-    data = store.entry(key_of(parts), partial(write_page_data, scene, trace), parts)
+    data = made(store, parts, partial(PAGE_DATA, scene, trace.folder))
     return Source(scene, DEFAULT, trace, data)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.scene.problems import Problems
+from raywalk.work.snapshot import text_of
 
 _POSITION = re.compile(r"^(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)$", re.DOTALL)
 
@@ -15,8 +16,7 @@ _POSITION = re.compile(r"^(.*) \(at (?:line (\d+), column (\d+)|(end of document
 def read_toml(path: Path, problems: Problems) -> dict[str, Any] | None:
     """The file's table; None, with the problem noted, if it cannot be read."""
     try:
-        # Some editors begin a file with a byte order mark; it is no part of the text.
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+        return tomllib.loads(text_of(path))
     except OSError as error:
         problems.add((), f"cannot be read: {(error.strerror or str(error)).lower()}")
     except UnicodeDecodeError as error:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from raywalk.site.ray_sheet import ray_sheet
 from raywalk.words import Words
+from raywalk.work.snapshot import bytes_of
 
 BUNDLED = ("viewer", "kiosk")
 PAGES_ONLY = ("pages", "slides")  # sentences that the viewer never says
@@ -22,8 +23,8 @@ def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
     """Writes the bundled scripts of a folder, the pages' own and the joined styles into
     out/assets; returns their names in the site."""
     styles = sorted((site_src / "styles").glob("*.css"))
-    sheet = b"\n".join([*(style.read_bytes() for style in styles), ray_sheet().encode()])
-    page = b"\n".join(path.read_bytes() for path in sorted((site_src / "page").glob("*.js")))
+    sheet = b"\n".join([*(bytes_of(style) for style in styles), ray_sheet().encode()])
+    page = b"\n".join(bytes_of(path) for path in sorted((site_src / "page").glob("*.js")))
     scripts = {
         f"{name}_js": named(out, name, "js", (bundled / f"{name}.js").read_bytes())
         for name in BUNDLED

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
+from raywalk.work.snapshot import text_of
 
 ROOT = Path(__file__).resolve().parents[3]
 FILE = "LICENSES.txt"
@@ -44,7 +45,7 @@ def write_licences(out: Path, scenes: Iterable[Scene], bundled: Path, has_slides
 
 def own() -> Part:
     """Raywalk itself."""
-    text = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    text = text_of(ROOT / "LICENSE")
     return Part(
         "Raywalk: pages, viewer, scenes, lessons, pictures, slides", "everywhere", "MIT", text
     )
@@ -52,7 +53,7 @@ def own() -> Part:
 
 def npm_package(name: str, where: str, files: tuple[str, ...] = ("LICENSE",)) -> Part:
     """One of package-lock.json, with its licence as it was installed."""
-    locked = json.loads((ROOT / "package-lock.json").read_text(encoding="utf-8"))["packages"]
+    locked = json.loads(text_of(ROOT / "package-lock.json"))["packages"]
     found = locked[f"node_modules/{name}"]
     folder = ROOT / "node_modules" / name
     text = "\n\n".join((folder / file).read_text(encoding="utf-8") for file in files)

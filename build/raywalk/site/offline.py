@@ -13,6 +13,7 @@ from PIL import Image
 from raywalk.site.assets import named
 from raywalk.site.pages import home_of
 from raywalk.words import Words, languages
+from raywalk.work.snapshot import text_of
 
 WORKER = "sw.js"
 MANIFEST = "manifest.webmanifest"
@@ -68,7 +69,7 @@ def write_manifest(out: Path, words: Words, icons: dict[str, str]) -> None:
 def write_worker(out: Path, source: Path) -> None:
     """sw.js: the worker's own code after what this build consists of. To be written last."""
     build = json.dumps(build_of(out), separators=(",", ":"))
-    code = (source / "offline" / WORKER).read_text(encoding="utf-8")
+    code = text_of(source / "offline" / WORKER)
     (out / WORKER).write_text(f"const BUILD = {build};\n{code}", encoding="utf-8")
 
 

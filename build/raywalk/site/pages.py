@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined, select_autoescape
+from jinja2 import BytecodeCache, Environment, FunctionLoader, StrictUndefined, select_autoescape
 from jinja2.bccache import Bucket
 
 from raywalk.lesson_text import lesson_html
@@ -19,6 +19,7 @@ from raywalk.site.saying import sayings
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
+from raywalk.work.snapshot import text_of
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root
 Assets = dict[str, str]
@@ -135,7 +136,7 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
     """Jinja2 as every page uses it: all values are escaped, `say` and `tell` know the sentences
     of a language, of the default one if none is given."""
     environment = Environment(
-        loader=FileSystemLoader(templates),
+        loader=FunctionLoader(lambda name: text_of(templates / name)),
         autoescape=select_autoescape(default=True, default_for_string=True),
         bytecode_cache=_COMPILED,
         undefined=StrictUndefined,  # a misspelt name fails the build, not the page

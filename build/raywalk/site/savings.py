@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from raywalk.site.figures import Figures
 from raywalk.site.scene_types import Saving, Savings
-from raywalk.words import Words
+
+if TYPE_CHECKING:
+    from raywalk.site.figures import Figures
+    from raywalk.words import Words
 
 COUNTED: tuple[Saving, ...] = (
     "shadow", "turned", "colourless", "dark", "unshadowed", "faint",

@@ -15,6 +15,7 @@ from typing import Any
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
 from raywalk.words.catalogue import DEFAULT
+from raywalk.work.snapshot import text_of
 
 BUDGETS = Path(__file__).with_name("budgets.toml")
 REPORT = "sizes.json"
@@ -56,7 +57,7 @@ class OverBudget(UserError):
 
 def read_budgets(path: Path = BUDGETS) -> list[Budget]:
     """The budgets of a file in the manner of budgets.toml."""
-    return [Budget(**each) for each in tomllib.loads(path.read_text("utf-8"))["budgets"]]
+    return [Budget(**each) for each in tomllib.loads(text_of(path))["budgets"]]
 
 
 def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]]) -> list[Size]:

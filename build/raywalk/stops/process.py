@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import re
 import subprocess
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.words.catalogue import FOLDER
 
-SCRIPT = FOLDER.parent / "stops.mjs"
+SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "stops.mjs"
 ANSWER, FAULT = '{"answer":', '{"fault":'
 
 

@@ -7,6 +7,7 @@ import zlib
 
 from raywalk.trace_file.errors import TraceFileError
 
+FORMAT, VERSION = "raywalk-trace", 2
 GZIP = 31  # window bits that make zlib write and read a gzip frame; it notes no time
 # Blocks of 2^13 symbols: columns change often. Over the ten scenes' files 0.4 % smaller than
 # zlib's usual 2^14; the best of three ways for each file would be 0.2 % smaller for three times

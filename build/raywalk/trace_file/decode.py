@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 
 from raywalk.trace_file.checksum import checksum
-from raywalk.trace_file.container import unpack
+from raywalk.trace_file.container import FORMAT, VERSION, unpack
 from raywalk.trace_file.errors import TraceFileError
-from raywalk.trace_file.header import FORMAT, VERSION
 from raywalk.trace_file.reading import Reading
 from raywalk.trace_file.walk import walk
 

@@ -12,6 +12,8 @@ from raywalk.trace_file.checksum import checksum
 from raywalk.trace_file.header import begin_header
 from raywalk.trace_file.level import in_file_order
 from raywalk.trace_file.measure import measured_errors
+from raywalk.trace_file.noting import Noting
+from raywalk.trace_file.patches import split_into_patches
 from raywalk.trace_file.precision import finite_extent
 from raywalk.trace_file.truth import TrueNumbers
 from raywalk.trace_file.walk import walk
@@ -19,10 +21,6 @@ from raywalk.trace_file.walk import walk
 
 def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8."""
-    # Only here: who reads traces never pays for numba.
-    from raywalk.trace_file.noting import Noting
-    from raywalk.trace_file.patches import split_into_patches
-
     tree = in_file_order(level)
     tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
     extent = finite_extent(tree, scene)

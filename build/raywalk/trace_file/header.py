@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file import rebuild, tables
+from raywalk.trace_file.container import FORMAT, VERSION
 from raywalk.trace_file.level import side_of
+from raywalk.trace_file.patches import Patch
 from raywalk.trace_file.precision import MOST_POINT, POINT_SHARE, SPLIT, depth_step, normal_step
 from raywalk.trace_file.walk import images_along, keys_along
-
-if TYPE_CHECKING:
-    from raywalk.trace_file.patches import Patch
-
-FORMAT, VERSION = "raywalk-trace", 2
 
 
 def begin_header(

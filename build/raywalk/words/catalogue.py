@@ -6,11 +6,12 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from raywalk.words.numbers import Numbers
+from raywalk.work.snapshot import text_of
 
 FOLDER = Path(__file__).resolve().parents[3] / "site_src" / "words"
 DEFAULT = "en"
@@ -72,18 +73,22 @@ def languages() -> list[str]:
     )
 
 
-@cache
 def read_words(code: str = DEFAULT) -> Words:
     """A language's sentences; what it lacks is said in the default one. Raises KeyError if there
     is none of that code."""
     if code not in languages():
         raise KeyError(f'no language "{code}"; there are {", ".join(languages())}')
-    return words_from(_over(read_tree(DEFAULT), read_tree(code)))
+    return _words(*(text_of(FOLDER / f"{each}.json") for each in (DEFAULT, code)))
+
+
+@lru_cache(maxsize=8)  # by the texts themselves: a file that is saved anew is told anew
+def _words(below: str, own: str) -> Words:
+    return words_from(_over(json.loads(below), json.loads(own)))
 
 
 def read_tree(code: str) -> dict[str, Any]:
     """A language's catalogue as it stands in its file."""
-    tree: dict[str, Any] = json.loads((FOLDER / f"{code}.json").read_text(encoding="utf-8"))
+    tree: dict[str, Any] = json.loads(text_of(FOLDER / f"{code}.json"))
     return tree
 
 

@@ -16,7 +16,8 @@ from typing import Any
 from raywalk.errors import UserError
 from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Mesh
-from raywalk.work.keys import MESH_PACKAGES, PACKAGES, STAGES, Parts, makers
+from raywalk.work.keys import TRACE, Parts
+from raywalk.work.making import refuse_edited
 from raywalk.work.pool import Finished
 from raywalk.work.progress import Progress
 
@@ -96,7 +97,7 @@ def mesh_files(scene: Scene) -> Files:
 
 def made_by() -> Parts:
     """The code and packages that trace, on this machine."""
-    return makers(STAGES, PACKAGES + MESH_PACKAGES)
+    return TRACE.parts()
 
 
 def trace_there(scene: Scene, meshes: Files, expected: Parts) -> tuple[float, Files]:
@@ -106,13 +107,12 @@ def trace_there(scene: Scene, meshes: Files, expected: Parts) -> tuple[float, Fi
     could be others.
     """
     refuse_other_makers(expected, made_by())
-    from raywalk.products import write_products
-
     begun = time.monotonic()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "made"
         folder.mkdir()
-        write_products(with_meshes(scene, meshes, Path(scratch)), folder, 1)
+        TRACE(with_meshes(scene, meshes, Path(scratch)), folder, 1)
+        refuse_edited({"what": "trace", "of": scene.id, **expected})
         files = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
     return time.monotonic() - begun, files
 

@@ -18,6 +18,7 @@ def why(before: Any, now: dict[str, Any], damage: str) -> str:
         *_listed("", _scene_changes(before.get("scene"), now.get("scene"))),
         *_listed("the model ", _names_changed(before.get("models"), now.get("models"))),
         *_listed("code: ", _names_changed(before.get("code"), now.get("code"))),
+        *_listed("", _names_changed(before.get("read"), now.get("read"))),
         *_listed("", _values_changed("", before.get("packages"), now.get("packages"))),
         *(["its trace"] if before.get("trace") != now.get("trace") else []),
     ]

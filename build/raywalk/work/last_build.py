@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import sys
 import zlib
 from collections.abc import Iterable, Iterator
@@ -15,6 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.work.digests import digest, digest_or_missing, digests
+from raywalk.work.packages import installed
+from raywalk.work.snapshot import digest_of
 
 PACKAGE = Path(__file__).resolve().parent.parent
 FORMAT = 1
@@ -62,8 +65,9 @@ def inputs_of(scenes: Path, site_source: Path, work: Path) -> dict[str, str]:
     places = [*_files(scenes), *_files(site_source), *(work / "reports").glob("*.json")]
     places += [folder / "models" / "models.toml" for folder in scenes.absolute().parents]
     places += [root / "package-lock.json", root / "node_modules" / ".package-lock.json"]
-    named = {str(path): digest_or_missing(path) for path in places}
-    versions = f"{sys.version} {zlib.ZLIB_RUNTIME_VERSION} {' '.join(sorted(_installed()))}"
+    named = {str(path): digest_of(path) for path in places}
+    others = (f"{name} {version}" for name, (version, _) in sorted(installed().items()))
+    versions = f"{sys.version} {zlib.ZLIB_RUNTIME_VERSION} {' '.join(others)}"
     return named | _code() | {"versions": versions, "format": str(FORMAT)}
 
 
@@ -77,20 +81,13 @@ def outputs_of(out: Path) -> dict[str, str]:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    # Types that the type check makes for itself are no part of what is built.
-    return (path for path in folder.rglob("*") if path.is_file() and path.suffixes != [".d", ".ts"])
+    """All but what Python compiles and the type check makes for itself."""
+    for place, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if name != "__pycache__"]
+        yield from (Path(place, name) for name in names if not name.endswith(".d.ts"))
 
 
 @cache
 def _code() -> dict[str, str]:
     """Hashed once a process: what runs is what was imported, however it is edited meanwhile."""
-    files = (path for path in _files(PACKAGE) if path.suffix in (".py", ".json", ".css", ".toml"))
-    return digests(files, PACKAGE)
-
-
-def _installed() -> Iterator[str]:
-    """Names with versions of installed packages, read off their folders: asking each package
-    itself takes as long as all the rest."""
-    for place in map(Path, sys.path):
-        if place.name == "site-packages" and place.is_dir():
-            yield from (info.name for info in place.glob("*.dist-info"))
+    return digests(_files(PACKAGE), PACKAGE)

@@ -21,6 +21,7 @@ from threading import Thread
 from typing import Any, Generic, TypeVar
 
 from raywalk.work.progress import Progress, Report
+from raywalk.work.snapshot import held, hold
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -68,8 +69,9 @@ def run_all(
         return
     context = multiprocessing.get_context("spawn")
     messages, left = context.SimpleQueue(), context.Value("i", len(tasks))
+    given = (messages, left, held())
     with ProcessPoolExecutor(
-        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=(messages, left)
+        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=given
     ) as pool:
         waiting = {pool.submit(_in_process, work, task, name(task)): task for task in tasks}
         yield from follow(pool, waiting, messages)
@@ -123,9 +125,10 @@ def reporter(messages: Any, of: str, stopped: Flag | None = None) -> Report:
     return report
 
 
-def _begin(messages: Any, left: Any) -> None:
+def _begin(messages: Any, left: Any, files: dict[str, bytes] | None) -> None:
     global _messages, _left
     _messages, _left = messages, left
+    hold(files)
     Thread(target=_end_with_parent, daemon=True).start()
 
 

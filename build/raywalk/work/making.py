@@ -1,0 +1,40 @@
+"""Makes a piece of work and keeps it under its key, unless its sources were edited meanwhile."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from raywalk.errors import UserError
+from raywalk.work.digests import digest_or_missing, key_of
+from raywalk.work.keys import OURS, Parts
+from raywalk.work.store import Entry, Store
+
+
+class Edited(UserError):
+    """What was made is not what its key says; str() names the file."""
+
+
+def made(store: Store, parts: Parts, make: Callable[[Path], object]) -> Entry:
+    """The entry of these parts; `make` fills a new folder with its files if there is none.
+
+    Python imports a module, and node reads a script, some time after the key was taken. So their
+    hashes are compared again when the work is done, and work of edited sources is not kept: this
+    process has run a mixture and cannot make it right. Raises Edited, and what `make` raises.
+    """
+
+    def make_unless_edited(folder: Path) -> None:
+        make(folder)
+        refuse_edited(parts)
+
+    return store.entry(key_of(parts), make_unless_edited, parts)
+
+
+def refuse_edited(parts: Parts) -> None:
+    """Raises Edited if code is no longer what the parts say."""
+    for name, hash in parts["code"].items():
+        if digest_or_missing(OURS.place(name)) != hash:
+            raise Edited(
+                f"{name} was edited while {parts['what']} of {parts['of']} was made, which is not "
+                "kept\n  build again; of our Python, `raywalk serve` takes note when started anew"
+            )

@@ -1,0 +1,159 @@
+"""Keys that cannot lie: what a piece of work is made from is found in the sources."""
+
+from __future__ import annotations
+
+import shutil
+from copy import copy as copy_of
+from pathlib import Path
+
+import pytest
+
+from raywalk import slide_pipeline
+from raywalk.work import keys
+from raywalk.work.closure import PACKAGE, Sources
+from raywalk.work.digests import key_of
+
+ROOT = PACKAGE.parents[1]
+# Maker, what it leaves out, whose sentences it says.
+PIECES = {
+    "trace": (keys.TRACE, "", None),
+    "trace without a mesh": (keys.TRACE, keys.MESH, None),
+    "page data": (keys.PAGE_DATA, "", None),
+    "preview": (keys.PREVIEW, "", None),
+    "sights": (slide_pipeline.SEE, "", None),
+    "lesson": (slide_pipeline.ASK, "", None),
+    "slides": (slide_pipeline.WRITE, "", {"en"}),
+    "course": (slide_pipeline.WRITE_COURSE, "", {"en"}),
+}
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    """The sources of pipeline and site, to be edited."""
+    root = tmp_path_factory.mktemp("checkout")
+    leave = shutil.ignore_patterns("__pycache__", "*.d.ts")
+    for folder in ("build/raywalk", "site_src"):
+        shutil.copytree(ROOT / folder, root / folder, ignore=leave)
+    (root / "node_modules").symlink_to(ROOT / "node_modules")
+    (root / "build/raywalk/__pycache__").touch()  # no folder: nothing is kept of what was parsed
+    return root
+
+
+def sources_of(root: Path) -> Sources:
+    return Sources(root / "build" / "raywalk")
+
+
+def parts(sources: Sources, piece: str) -> dict:
+    maker, shut, languages = PIECES[piece]
+    return maker.parts(shut, languages, sources)
+
+
+def read_anew(sources: Sources, file: Path) -> Sources:
+    """The same sources but for one file: reading all of them for each takes a minute."""
+    anew = copy_of(sources)
+    anew._modules = {path: found for path, found in sources._modules.items() if path != file}
+    return anew
+
+
+def edit(file: Path) -> bytes:
+    """One byte more, of no meaning in any language; returns what was there."""
+    before = file.read_bytes()
+    file.write_bytes(before + b"\n")
+    return before
+
+
+def files_of(root: Path) -> set[Path]:
+    folders = (root / "build", root / "site_src")
+    return {path for folder in folders for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize("piece", PIECES)
+def test_a_byte_of_any_file_behind_a_piece_of_work_changes_its_key_and_of_no_other_file(
+    copy, piece
+):
+    """Those behind it one by one, all the others at once."""
+    sources = sources_of(copy)
+    made_from = parts(sources, piece)
+    behind = {sources.place(name) for name in (*made_from["code"], *made_from["read"])}
+    assert behind < files_of(copy)
+    key = key_of(made_from)
+    for file in behind:
+        before = edit(file)
+        assert key_of(parts(read_anew(sources, file), piece)) != key, file
+        file.write_bytes(before)
+    before = {file: edit(file) for file in files_of(copy) - behind}
+    assert key_of(parts(sources_of(copy), piece)) == key
+    for file, text in before.items():
+        file.write_bytes(text)
+
+
+def test_the_viewers_key_changes_with_each_script_it_is_bundled_from_and_no_other_file(copy):
+    """The bundler's own scripts too."""
+    viewer = copy / "site_src"
+    made_from = keys.viewer_parts(viewer)
+    behind = {copy / name for name in made_from["code"]}
+    names = {"bundle.mjs", "strip-rays.mjs", "slim/three.mjs", "viewer/main.ts", "kiosk/main.ts"}
+    assert all(any(path.as_posix().endswith(name) for path in behind) for name in names)
+    for file in behind:
+        before = edit(file)
+        assert keys.viewer_parts(viewer) != made_from, file
+        file.write_bytes(before)
+    before = {file: edit(file) for file in files_of(copy) - behind}
+    assert keys.viewer_parts(viewer) == made_from
+    for file, text in before.items():
+        file.write_bytes(text)
+
+
+def test_a_scene_that_is_placed_otherwise_is_traced_again(copy):
+    """`rounded()` times 1.25 makes every object larger; it was in no key once."""
+    before = parts(sources_of(copy), "trace")
+    file = copy / "build/raywalk/scene/exact.py"
+    text = file.read_text(encoding="utf-8")
+    file.write_text(text.replace("dtype=np.float64) + 0.0", "dtype=np.float64) * 1.25 + 0.0"))
+    assert file.read_text(encoding="utf-8") != text
+    changed = parts(sources_of(copy), "trace")["code"].items() - before["code"].items()
+    assert [name for name, _ in changed] == ["scene/exact.py"]
+    file.write_text(text, encoding="utf-8")
+
+
+def test_what_writes_a_scenes_data_is_in_its_key(copy):
+    """`write_page_data` and `read_display` were in none once."""
+    behind = sources_of(copy).closure(keys.PAGE_DATA.module).modules
+    texts = "".join(file.read_text(encoding="utf-8") for file in behind)
+    assert "def write_page_data(" in texts and "def read_display(" in texts
+
+
+def test_a_page_or_a_sentence_traces_nothing():
+    """Neither pages, words, slides nor the viewer are behind a trace; sights hold no sentence."""
+    traced = parts(keys.OURS, "trace")
+    assert not [
+        name for name in traced["code"] if name.split("/")[0] in ("site", "words", "slides")
+    ]
+    assert not traced["read"]
+    assert not parts(keys.OURS, "sights")["read"]
+    assert not parts(keys.OURS, "page data")["read"]
+
+
+def test_slides_are_keyed_by_the_languages_that_they_say():
+    """What a language lacks is said in the default one."""
+    maker = slide_pipeline.WRITE
+    said = {code: maker.parts(languages={"en", code})["read"] for code in ("en", "de")}
+    assert set(said["en"]) == {"site_src/words/en.json"}
+    assert set(said["de"]) == {"site_src/words/en.json", "site_src/words/de.json"}
+
+
+def test_packages_are_those_behind_the_imports_by_the_names_they_are_installed_under():
+    """With what they require, and what decides on bytes besides: Python and zlib."""
+    slides, traced = parts(keys.OURS, "slides")["packages"], parts(keys.OURS, "trace")["packages"]
+    assert {"pillow", "python-pptx", "python-bidi", "reportlab", "lxml", "python", "zlib"} <= {
+        *slides
+    }
+    assert slides["npm @expo-google-fonts/arimo"] not in ("", "none")
+    assert {"numpy", "numba", "llvmlite", "trimesh", "embreex"} <= {*traced}
+    assert not {"trimesh", "embreex"} & {*parts(keys.OURS, "trace without a mesh")["packages"]}
+    assert "none" not in {*slides.values(), *traced.values()}
+
+
+def test_a_maker_whose_module_is_gone_is_refused():
+    with pytest.raises(KeyError, match=r"no module raywalk.moved_away"):
+        keys.Maker("raywalk.moved_away", "write").parts()
