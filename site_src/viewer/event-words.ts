@@ -1,4 +1,4 @@
-/** The player's events told: one sentence each, and under it its numbers. build/raywalk/telling/sentences.py tells the same. */
+/** The player's events told: one sentence each, and under it its numbers. */
 import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
 import type { Vec3 } from "./trace/types";
 import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";

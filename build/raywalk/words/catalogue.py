@@ -16,11 +16,9 @@ from raywalk.work.snapshot import text_of
 FOLDER = Path(__file__).resolve().parents[3] / "site_src" / "words"
 DEFAULT = "en"
 SLOT = re.compile(r"\{(\w+)\}", re.ASCII)
-MARK = re.compile(r"\*\*(?P<bold>.+?)\*\*|\[(?P<text>.+?)\]\((?P<of>\w+)\)", re.ASCII)
+MARK = re.compile(r"\[.+?\]\((\w+)\)", re.ASCII)  # [text](what it is marked as)
 
 Entry = str | Mapping[str, str]  # a text, or the forms of a plural
-# A piece of a sentence and what it is marked as: None plain, "" bold, else [text](mark).
-Phrase = tuple[str, str | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,17 +36,6 @@ class Words:
         the form. Raises KeyError for an unknown key, and for slots that are not the sentence's."""
         return fill(self.text(key, slots), slots)
 
-    def phrases(self, key: str, /, **slots: object) -> list[Phrase]:
-        """The same in pieces, **bold** and [marked](mark) ones too; no slot is read as a mark."""
-        text, at = self.text(key, slots), 0
-        pieces: list[Phrase] = []
-        for mark in MARK.finditer(text):
-            pieces.append((text[at : mark.start()], None))
-            pieces.append((mark["bold"] or mark["text"], mark["of"] or ""))
-            at = mark.end()
-        pieces.append((text[at:], None))
-        return [(fill(piece, slots), mark) for piece, mark in pieces if piece]
-
     def text(self, key: str, slots: Mapping[str, object], links: bool = False) -> str:
         """The sentence with its slots still open, after a check that exactly they are given;
         links: marks name slots too, which hold addresses."""
@@ -59,11 +46,6 @@ class Words:
         if isinstance(found, str):
             return found
         return found.get("one" if slots["count"] == 1 else "other", found["other"])
-
-
-def plain(phrases: list[Phrase]) -> str:
-    """A sentence without its marks."""
-    return "".join(text for text, _ in phrases)
 
 
 def languages() -> list[str]:
@@ -150,7 +132,7 @@ def slots_of(entry: Entry) -> set[str]:
 def linked(entry: Entry) -> list[str]:
     """What the [text](mark)s of an entry are marked as."""
     forms = [entry] if isinstance(entry, str) else entry.values()
-    return [mark["of"] for form in forms for mark in MARK.finditer(form) if mark["of"]]
+    return [of for form in forms for of in MARK.findall(form)]
 
 
 def fill(text: str, slots: Mapping[str, object]) -> str:

@@ -1,5 +1,5 @@
 /** Why a pixel is dark, or lit: the ray whose end counts most in it, and what the lights say there. From the stored shares
- *  and the events alone; build/raywalk/telling/why.py finds the same for dark ones. */
+ *  and the events alone. */
 import type { Trace, Vec3 } from "../trace/types";
 import type { LightShare, Reason, RayEvent, Why } from "./event-types";
 
