@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from raywalk.errors import SourceErrors
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.translation import missing_translations, read_spoken
+from raywalk.site.scene_data import scene_words
 from raywalk.words import languages
 
 SCENES = Path(__file__).parent.parent.parent / "scenes"
@@ -40,10 +42,10 @@ FIRST, SECOND = '[[lesson]]\ntext = "Da."\n', '[[lesson]]\ntext = "Was?"\nanswer
 HEAD = 'title = "Ball"\nteaches = "Etwas."\n'
 
 
-def spoken(folder: Path, translation: str | None):
+def spoken(folder: Path, translation: str | None, scene: str = SCENE):
     place = folder / "01-ball"
     place.mkdir()
-    (place / "scene.toml").write_text(SCENE, encoding="utf-8")
+    (place / "scene.toml").write_text(scene, encoding="utf-8")
     if translation is not None:
         (place / "lesson.de.toml").write_text(translation, encoding="utf-8")
     return read_spoken([read_scene(place)], "de")
@@ -56,9 +58,22 @@ def test_every_scene_is_told_in_every_language(code: str) -> None:
     assert not missing_translations(told, code)
     for own, each in zip(read_scenes(SCENES), told, strict=True):
         assert each.scene.teaches != own.teaches
+        lamps = {re.sub(r" \d+/\d+$", "", light.name) for light in each.scene.lights}
         for step, said in zip(own.lesson, each.scene.lesson, strict=True):
             assert said.text != step.text and said.view == step.view
             assert bool(said.answer) == bool(step.answer)
+            switched = said.answer_view.get("switches", {}).get("lights") or {}
+            assert set(switched) <= lamps, "a view names the lights as the language does"
+
+
+def test_what_the_viewer_reads_in_a_language_switches_lights_by_their_names(tmp_path: Path) -> None:
+    """Once a German page's step left the light on that its English one puts out."""
+    view = 'view = { resolution = 7, switches = { lights = { "lamp" = 0 } } }'
+    scene = SCENE.replace('text = "Look."', f'text = "Look."\n{view}')
+    [told] = spoken(tmp_path, HEAD + NAMES + FIRST + SECOND, scene)
+    words = scene_words(told.scene)
+    assert words["lights"] == ["Lampe"]
+    assert words["lesson"][0]["view"]["switches"]["lights"] == {"Lampe": 0}
 
 
 def test_a_scene_in_another_language_has_its_words_and_keeps_all_else(tmp_path: Path) -> None:

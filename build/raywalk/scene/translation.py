@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from pydantic import Field, ValidationError
 
@@ -100,10 +101,21 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
                 step,
                 text=said.text.strip(),
                 answer=(said.answer or "").strip(),
+                view=_in_view(step.view, named),
+                answer_view=_in_view(step.answer_view, named),
             )
             for step, said in lesson
         ),
     )
+
+
+def _in_view(view: dict[str, Any], named: Callable[[str], str]) -> dict[str, Any]:
+    """The view with its switches' lights by their new names."""
+    lights = (view.get("switches") or {}).get("lights")
+    if not lights:
+        return view
+    translated = {named(name): factor for name, factor in lights.items()}
+    return view | {"switches": view["switches"] | {"lights": translated}}
 
 
 def _read(file: Path, problems: Problems) -> TranslationFile | None:

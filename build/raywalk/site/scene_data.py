@@ -69,7 +69,7 @@ def scene_words(scene: Scene) -> SceneWords:
         "objects": [obj.name for obj in scene.objects],
         "lights": [light.name for light in scene.lights],
         "materials": [material.name for material in scene.materials],
-        "lesson": [[lesson_html(text) for text, _ in step.stops()] for step in scene.lesson],
+        "lesson": [_step(step) for step in scene.lesson],
     }
 
 

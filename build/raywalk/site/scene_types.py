@@ -153,12 +153,11 @@ class SceneData(TypedDict):
 
 
 class SceneWords(TypedDict):
-    """scenes/<id>/words-<language>.js. lesson: of each step its text as HTML, and its answer's
-    if it has one."""
+    """scenes/<id>/words-<language>.js. lesson: with its views, which name lights."""
 
     title: str
     teaches: str
     objects: list[str]
     lights: list[str]
     materials: list[str]
-    lesson: list[list[str]]
+    lesson: list[LessonStepData]
