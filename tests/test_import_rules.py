@@ -175,12 +175,21 @@ def test_no_modules_of_the_viewer_import_one_another_in_a_circle() -> None:
     TopologicalSorter(graph).prepare()  # raises CycleError, which names the circle
 
 
+def test_only_the_stage_knows_three() -> None:
+    """Another renderer would be another folder."""
+    for file in typescript_files("."):
+        if not file.is_relative_to(VIEWER / "stage"):
+            assert not [name for name in viewer_imports(file) if name.startswith("three")], file
+
+
 @pytest.mark.parametrize("folder", ["trace", "state", "stops"])
 def test_trace_and_state_know_no_browser(folder: str) -> None:
     """They run in node as they are: no document, no window."""
     for file in typescript_files(folder):
         code = without_comments_and_strings(file.read_text("utf-8"))
-        found = re.findall(r"(?<![\w.])(?:document|window)\b(?!\s*[?]?:)", code)
+        found = re.findall(
+            r"(?<![\w.])(?:document|window|navigator|HTMLElement)\b(?!\s*[?]?:)", code
+        )
         assert not found, f"viewer/{folder}/{file.name} knows {found[0]}"
 
 

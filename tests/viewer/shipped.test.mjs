@@ -1,7 +1,7 @@
-/** What is shipped holds no ray code, and the sources keep their order. */
+/** What is shipped holds no ray code, and no source outgrows its reader. */
 import assert from "node:assert/strict";
 import { existsSync, readdirSync, readFileSync } from "node:fs";
-import { dirname, join, relative, resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { raysLeftIn, withoutRays } from "../../site_src/strip-rays.mjs";
@@ -38,27 +38,6 @@ test("the pages hold no inline script, no inline style, and a strict policy", ()
     const own = page.replace(/<(?:link rel="canonical"|meta property="og:)[^>]*>/g, ""); // absolute, where the site knows its address
     assert.doesNotMatch(own, /<script(?![^>]*\bsrc=)|<style|\sstyle=|\son\w+=|https?:\/\//, file);
     assert.match(page, /default-src 'none'; script-src 'self'; style-src 'self'/, file);
-  }
-});
-
-/** Which folder may import from which: main -> stage, panels -> state -> trace; palette and words are leaves. */
-const MAY = { trace: [], state: ["trace"], stage: ["state", "trace", "palette", "tile-picture", "words"], panels: ["state", "trace", "palette", "tile-picture", "words", "event-words"] };
-
-test("imports keep their order: main -> stage, panels -> state -> trace", () => {
-  for (const file of sources) {
-    const layer = file.split("/")[0];
-    if (!MAY[layer]) continue;
-    for (const [, target] of text(file).matchAll(/from "(\.[^"]+)(?<!\.json)"/g)) {
-      const to = relative(VIEWER, resolve(VIEWER, dirname(file), target)).split("/")[0];
-      assert.ok(to === layer || MAY[layer].includes(to), `${file} imports ${target}`);
-    }
-  }
-});
-
-test("trace and state know neither the page nor three; only the stage knows three", () => {
-  for (const file of sources) {
-    if (!file.startsWith("stage/")) assert.doesNotMatch(text(file), /from "three/, file);
-    if (/^(trace|state)\//.test(file)) assert.doesNotMatch(text(file), /\b(document|window|HTMLElement|navigator)\b\./, file);
   }
 });
 

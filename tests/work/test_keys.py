@@ -51,6 +51,7 @@ def parts(sources: Sources, piece: str) -> dict:
 def read_anew(sources: Sources, file: Path) -> Sources:
     """The same sources but for one file: reading all of them for each takes a minute."""
     anew = copy_of(sources)
+    anew._reached = {}
     anew._modules = {path: found for path, found in sources._modules.items() if path != file}
     return anew
 

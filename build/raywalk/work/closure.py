@@ -24,6 +24,8 @@ from raywalk.work.scripts import SCRIPTS, npm_package, script_closure
 
 PACKAGE = Path(__file__).resolve().parent.parent
 Found = dict[str, list[str]]  # "imports", "places" of one module
+# Modules with their hashes, places that they name, packages that they import.
+Reached = tuple[dict[Path, str], set[Path], set[str]]
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ class Sources:
         self.package = package
         self.root = package.parents[1]  # of the repository
         self._modules: dict[Path, tuple[str, Found]] = {}
+        self._reached: dict[tuple[str, str], Reached] = {}
+        self._names: dict[Path, str] = {}
         # Parsing all takes half a second, so what was found is kept with the text's hash.
         self._cache = package / "__pycache__" / "imports.json"
         self._kept: dict[str, tuple[str, Found]] = _read_cache(self._cache)
@@ -53,12 +57,21 @@ class Sources:
     def closure(self, module: str, shut: str = "") -> Closure:
         """module: dotted. shut: our modules whose names begin so are doors that stay shut; what
         is only behind them is not reached. Raises KeyError if there is no such module."""
+        if (module, shut) not in self._reached:
+            self._reached[module, shut] = self._reach(module, shut)
+        modules, places, packages = self._reached[module, shut]
+        whole = _with_files(places, packages)  # scripts may be edited between two builds
+        # Tables beside a module are read when it is imported: they are as much code as it is.
+        tables = {file: self._table(file) for file in whole.read if self.package in file.parents}
+        return replace(whole, modules=modules | tables, read=whole.read - tables.keys())
+
+    def _reach(self, module: str, shut: str) -> Reached:
+        if module not in self._there:
+            raise KeyError(f"there is no module {module}")
         modules: dict[Path, str] = {}
         places: set[Path] = set()
         packages: set[str] = set()
         waiting, seen = [module], {module}
-        if module not in self._there:
-            raise KeyError(f"there is no module {module}")
         while waiting:
             name = waiting.pop()
             if name.split(".")[0] != self.package.name:
@@ -72,16 +85,15 @@ class Sources:
         if not self._is_kept:
             _write_cache(self._cache, self._kept)
             self._is_kept = True
-        whole = _with_files(places, packages)
-        # Tables beside a module are read when it is imported: they are as much code as it is.
-        tables = [file for file in whole.read if file.is_relative_to(self.package)]
-        modules |= {file: self._table(file) for file in tables}
-        return replace(whole, modules=modules, read=whole.read - modules.keys())
+        return modules, places, packages
 
     def name(self, path: Path) -> str:
         """A file by its path below the package, or else below the repository."""
-        inside = path.is_relative_to(self.package)
-        return path.relative_to(self.package if inside else self.root).as_posix()
+        if path not in self._names:
+            inside = path.is_relative_to(self.package)
+            below = path.relative_to(self.package if inside else self.root)
+            self._names[path] = below.as_posix()
+        return self._names[path]
 
     def place(self, name: str) -> Path:
         """The file of such a name."""
