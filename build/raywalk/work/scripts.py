@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
-from os.path import normpath
+from functools import lru_cache
+from os.path import isfile, normpath
 from pathlib import Path
+
+from raywalk.work.snapshot import text_of
 
 SCRIPTS = (".ts", ".mjs", ".js")
 # Types leave nothing behind in a script.
@@ -26,17 +29,24 @@ def script_closure(entry: Path) -> tuple[set[Path], set[str]]:
             continue
         files.add(file)
         if file.suffix in SCRIPTS:
-            text = TYPES.sub("", file.read_text(encoding="utf-8"))
-            waiting += [found for path in OWN.findall(text) if (found := _file(file.parent, path))]
-            packages |= set(OTHERS.findall(text))
+            own, others = _named_in(text_of(file))
+            waiting += [found for path in own if (found := _file(file.parent, path))]
+            packages |= others
     return files, packages
+
+
+@lru_cache(maxsize=1024)  # `raywalk serve` asks again after each save
+def _named_in(text: str) -> tuple[frozenset[str], frozenset[str]]:
+    """Relative paths, and packages of others."""
+    text = TYPES.sub("", text)
+    return frozenset(OWN.findall(text)), frozenset(OTHERS.findall(text))
 
 
 def _file(folder: Path, path: str) -> Path | None:
     """What a script means by a relative path; None if there is no such file."""
-    place = Path(normpath(folder / path))
-    places = (place, *(place.with_name(place.name + ending) for ending in SCRIPTS))
-    return next((file for file in places if file.is_file()), None)
+    place = normpath(folder / path)
+    names = (place, *(place + ending for ending in SCRIPTS))
+    return next((Path(name) for name in names if isfile(name)), None)
 
 
 def npm_package(place: Path) -> str:
