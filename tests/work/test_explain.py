@@ -13,6 +13,7 @@ MADE = {
     },
     "models": {"bunny.ply": "aa"},
     "code": {"trace/wavefront.py": "aa", "geometry/bvh.py": "bb"},
+    "read": {"site_src/words/en.json": "aa"},
     "packages": {"numba": "0.68.1"},
     "trace": "aa",
 }
@@ -38,6 +39,7 @@ def changed(**parts):
          "code: trace/wavefront.py changed"),
         (changed(code={"trace/wavefront.py": "aa"}), "code: geometry/bvh.py is gone"),
         (changed(packages={"numba": "0.69.0"}), 'numba "0.68.1" -> "0.69.0"'),
+        (changed(read={"site_src/words/en.json": "bb"}), "site_src/words/en.json changed"),
         (changed(trace="bb"), "its trace"),
         (changed(models={"bunny.ply": "bb"}, packages={}),
          'the model bunny.ply changed; numba "0.68.1" -> none'),

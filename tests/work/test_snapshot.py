@@ -12,11 +12,14 @@ from pathlib import Path
 import pytest
 
 from raywalk.__main__ import main
+from raywalk.scene.read import read_scene
 from raywalk.work import keys, snapshot
 from raywalk.work.closure import Sources
 from raywalk.work.digests import key_of
 from raywalk.work.making import Edited, made
+from raywalk.work.progress import say_nothing
 from raywalk.work.store import Store
+from raywalk.work.tracing import trace_into
 
 ROOT = keys.OURS.root
 SCENE = """
@@ -107,6 +110,28 @@ def test_work_whose_code_was_edited_while_it_was_made_is_not_kept(tmp_path, edit
     with pytest.raises(Edited, match=r"writer\.py was edited while page of it was made"):
         made(store, parts, make)
     assert store.find(key_of(parts)) is None and not list(store.folder.iterdir())
+
+
+def test_a_trace_whose_mesh_was_saved_while_it_was_traced_is_not_kept(tmp_path, monkeypatch):
+    """Its bytes are hashed first and read later."""
+    (tmp_path / "models").symlink_to(ROOT / "models")
+    place = tmp_path / "scenes" / "01-ball"
+    place.mkdir(parents=True)
+    shutil.copyfile(ROOT / "models" / "bunny.ply", place / "own.ply")
+    shape = 'type = "sphere"\ncenter = [0, 0, 0]\nradius = 0.9'
+    text = SCENE.replace(shape, 'type = "mesh"\nfile = "own.ply"')
+    (place / "scene.toml").write_text(text, encoding="utf-8")
+    scene, store = read_scene(place), Store(tmp_path / "work")
+    parts = {scene.id: keys.trace_parts(scene)}
+
+    def trace(*_: object) -> None:
+        with (place / "own.ply").open("a") as file:
+            file.write("\n")
+
+    monkeypatch.setattr("raywalk.work.tracing.TRACE", trace)
+    with pytest.raises(Edited, match=r"own\.ply of ball was edited while trace of 01-ball"):
+        trace_into(store, parts, scene, lambda: 1, say_nothing)
+    assert not list(store.folder.iterdir())
 
 
 def test_work_of_sources_that_stand_is_kept(tmp_path, edited):

@@ -155,14 +155,17 @@ def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
     from raywalk.slide_pipeline import Source
     from raywalk.words.catalogue import DEFAULT
     from raywalk.work.digests import key_of
-    from raywalk.work.keys import PAGE_DATA, TRACE, page_data_parts, trace_parts
+    from raywalk.work.keys import PAGE_DATA, page_data_parts, trace_parts
     from raywalk.work.making import made
     from raywalk.work.pool import cores
+    from raywalk.work.progress import say_nothing
+    from raywalk.work.tracing import trace_into
 
     parts = trace_parts(scene)
     if not store.find(key_of(parts)):
         yield f"tracing {scene.id}"
-    trace = made(store, parts, partial(TRACE, scene, threads=cores()))
+    trace_into(store, {scene.id: parts}, scene, cores, say_nothing)
+    trace = store.get(key_of(parts))
     parts = page_data_parts(scene, key_of(parts))
     data = made(store, parts, partial(PAGE_DATA, scene, trace.folder))
     return Source(scene, DEFAULT, trace, data)

@@ -32,8 +32,14 @@ def made(store: Store, parts: Parts, make: Callable[[Path], object]) -> Entry:
 
 def refuse_edited(parts: Parts) -> None:
     """Raises Edited if code is no longer what the parts say."""
-    for name, hash in parts["code"].items():
-        if digest_or_missing(OURS.place(name)) != hash:
+    now = {name: digest_or_missing(OURS.place(name)) for name in parts["code"]}
+    refuse_changed(parts, parts["code"], now)
+
+
+def refuse_changed(parts: Parts, before: dict[str, str], now: dict[str, str]) -> None:
+    """Raises Edited for the first hash that is another now."""
+    for name, hash in before.items():
+        if now[name] != hash:
             raise Edited(
                 f"{name} was edited while {parts['what']} of {parts['of']} was made, which is not "
                 "kept\n  build again; of our Python, `raywalk serve` takes note when started anew"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 
 from raywalk.scene.model import Scene
-from raywalk.work.keys import TRACE, Parts
-from raywalk.work.making import made
+from raywalk.work.keys import TRACE, Parts, models_of
+from raywalk.work.making import made, refuse_changed
 from raywalk.work.pool import Threads
 from raywalk.work.progress import Report
 from raywalk.work.store import Store
@@ -16,6 +17,11 @@ def trace_into(
     store: Store, parts: dict[str, Parts], scene: Scene, threads: Threads, report: Report
 ) -> float:
     """Traces a scene into the store, under its key; returns the seconds it took."""
-    begun = time.monotonic()
-    made(store, parts[scene.id], lambda folder: TRACE(scene, folder, threads, report))
+    begun, made_from = time.monotonic(), parts[scene.id]
+
+    def trace(folder: Path) -> None:
+        TRACE(scene, folder, threads, report)
+        refuse_changed(made_from, made_from["models"], models_of(scene))
+
+    made(store, made_from, trace)
     return time.monotonic() - begun
