@@ -17,7 +17,7 @@ PACKAGE = ROOT / "build" / "raywalk"
 VIEWER = ROOT / "site_src" / "viewer"
 
 # What each folder may import of the package, besides itself; folders not listed are free:
-# __main__ and its commands, work and bench tie the others together.
+# __main__ and its commands, pipeline and bench tie the others together.
 MAY_IMPORT = {
     "optics": set(),
     "words": {"work.snapshot"},
@@ -26,13 +26,13 @@ MAY_IMPORT = {
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "stops": {"words", "errors"},
-    "slides": {"scene", "trace.kinds", "words", "lesson_text", "errors"},
+    "work": {"errors"},
+    "slides": {"scene", "trace.kinds", "words", "errors"},
     "site": {
         "scene",
         "trace.kinds",
         "trace_file",
         "words",
-        "lesson_text",
         "errors",
         "work.snapshot",
     },
@@ -195,5 +195,7 @@ def test_trace_and_state_know_no_browser(folder: str) -> None:
 
 def test_who_reads_a_trace_never_imports_numba() -> None:
     """A build with nothing to trace, and what reads its files, never pays for the compiler."""
-    command = "import sys, raywalk.trace_file, raywalk.pipeline; sys.exit('numba' in sys.modules)"
+    command = (
+        "import sys, raywalk.trace_file, raywalk.pipeline.site; sys.exit('numba' in sys.modules)"
+    )
     assert subprocess.run([sys.executable, "-c", command], check=False).returncode == 0

@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
-from raywalk import products
 from raywalk.bench.speed_floor import GOAL, as_table, floor_cases, floors
 from raywalk.geometry.compiled import CompiledScene
+from raywalk.pipeline import trace_products as products
 from raywalk.scene.read import read_scene
 
 FOLDER = Path(__file__).parents[2] / "scenes"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.scene.read import read_scenes
-from raywalk.site.figures import has_glass, scene_figures
+from raywalk.site.figures import scene_figures
 from raywalk.site.pages import write_pages
 from raywalk.words import read_words
 
@@ -28,8 +28,8 @@ def test_a_scanned_model_is_credited_on_its_scenes_page(key):
 def test_every_scene_with_glass_names_its_shadow_model_as_a_simplification(key):
     """And a scene without glass says nothing of it."""
     figures = dict(scene_figures(SCENES[key], FACTS, read_words()))
-    assert ("Shadow rays at glass" in figures) == has_glass(SCENES[key])
-    if has_glass(SCENES[key]):
+    assert ("Shadow rays at glass" in figures) == SCENES[key].has_glass
+    if SCENES[key].has_glass:
         assert "a simplification" in figures["Shadow rays at glass"]
 
 
@@ -54,4 +54,4 @@ def test_the_model_page_lists_every_scene_with_glass_and_its_shadow_model(tmp_pa
     write_pages(tmp_path, ROOT / "site_src" / "templates", scenes, figures, assets)
     page = (tmp_path / "model" / "index.html").read_text(encoding="utf-8")
     for scene in scenes:
-        assert (f"scenes/{scene.id}/index.html" in page) == has_glass(scene)
+        assert (f"scenes/{scene.id}/index.html" in page) == scene.has_glass

@@ -10,9 +10,9 @@ from typing import TypeVar, cast
 import pytest
 
 from raywalk.commands.slides import traced
+from raywalk.pipeline.slides import plans_of, sources_of
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene
-from raywalk.slide_pipeline import plans_of, sources_of
 from raywalk.slides.deck import Sources, scene_deck
 from raywalk.slides.figure import Deck
 from raywalk.slides.layout import LAYOUTS

@@ -11,7 +11,7 @@ import pytest
 from pptx import Presentation
 from pypdf import PdfReader
 
-from raywalk.slide_products import deck_files
+from raywalk.pipeline.slide_products import deck_files
 from raywalk.slides.figure import Deck, Text
 from raywalk.slides.formats import FORMATS, PER_SHEET
 from raywalk.slides.handout import handout_pdf

@@ -9,7 +9,7 @@ import pytest
 from pptx import Presentation
 from pypdf import PdfReader
 
-from raywalk.slide_products import write_files
+from raywalk.pipeline.slide_products import write_files
 from raywalk.slides.blocks import flow
 from raywalk.slides.figure import (
     Deck,

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from conftest import Made
 
+from raywalk.pipeline.slide_products import deck_files
 from raywalk.scene.read import read_scene
-from raywalk.slide_products import deck_files
 from raywalk.slides.deck import scene_deck
 from raywalk.slides.formats import FORMATS
 from raywalk.slides.layout import WIDE

@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from raywalk.pipeline.parts import TRACE, trace_parts
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import plan_of
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
-from raywalk.work.keys import TRACE, trace_parts
 
 FOLDER = Path(__file__).parents[2] / "scenes"
 SCENES = {scene.id: scene for scene in read_scenes(FOLDER)}

@@ -14,8 +14,7 @@ import pytest
 
 from raywalk.__main__ import main
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene.read import read_scene
-from raywalk.work.cluster import (
+from raywalk.pipeline.cluster import (
     ClusterError,
     made_by,
     mesh_files,
@@ -23,6 +22,7 @@ from raywalk.work.cluster import (
     trace_there,
     with_meshes,
 )
+from raywalk.scene.read import read_scene
 
 SCENES = Path(__file__).parents[2] / "scenes"
 # A mesh, glass and mirrors: what is sent, and what takes a while.
@@ -144,7 +144,7 @@ def test_a_scene_that_cannot_be_traced_is_told_as_it_is_here(folder, cluster, tm
 
 def test_a_scheduler_that_is_not_there_is_told_with_what_helps(folder, capsys, monkeypatch):
     """Nothing listens on port 1; the site is left as it was."""
-    monkeypatch.setattr("raywalk.work.cluster.PATIENCE", 0.5)
+    monkeypatch.setattr("raywalk.pipeline.cluster.PATIENCE", 0.5)
     assert site(folder, "nowhere", "--scheduler", "tcp://127.0.0.1:1") == 1
     error = capsys.readouterr().err
     assert "--scheduler tcp://127.0.0.1:1: cannot be reached" in error

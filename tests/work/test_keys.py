@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from raywalk import slide_pipeline
-from raywalk.work import keys
+from raywalk.pipeline import parts as keys
+from raywalk.pipeline import slides as slide_pipeline
 from raywalk.work.closure import PACKAGE, Sources
 from raywalk.work.digests import key_of
+from raywalk.work.maker import OURS, Maker
 
 ROOT = PACKAGE.parents[1]
 # Maker, what it leaves out, whose sentences it says.
@@ -126,13 +127,13 @@ def test_what_writes_a_scenes_data_is_in_its_key(copy):
 
 def test_a_page_or_a_sentence_traces_nothing():
     """Neither pages, words, slides nor the viewer are behind a trace; sights hold no sentence."""
-    traced = parts(keys.OURS, "trace")
+    traced = parts(OURS, "trace")
     assert not [
         name for name in traced["code"] if name.split("/")[0] in ("site", "words", "slides")
     ]
     assert not traced["read"]
-    assert not parts(keys.OURS, "sights")["read"]
-    assert not parts(keys.OURS, "page data")["read"]
+    assert not parts(OURS, "sights")["read"]
+    assert not parts(OURS, "page data")["read"]
 
 
 def test_slides_are_keyed_by_the_languages_that_they_say():
@@ -145,16 +146,16 @@ def test_slides_are_keyed_by_the_languages_that_they_say():
 
 def test_packages_are_those_behind_the_imports_by_the_names_they_are_installed_under():
     """With what they require, and what decides on bytes besides: Python and zlib."""
-    slides, traced = parts(keys.OURS, "slides")["packages"], parts(keys.OURS, "trace")["packages"]
+    slides, traced = parts(OURS, "slides")["packages"], parts(OURS, "trace")["packages"]
     assert {"pillow", "python-pptx", "python-bidi", "reportlab", "lxml", "python", "zlib"} <= {
         *slides
     }
     assert slides["npm @expo-google-fonts/arimo"] not in ("", "none")
     assert {"numpy", "numba", "llvmlite", "trimesh", "embreex"} <= {*traced}
-    assert not {"trimesh", "embreex"} & {*parts(keys.OURS, "trace without a mesh")["packages"]}
+    assert not {"trimesh", "embreex"} & {*parts(OURS, "trace without a mesh")["packages"]}
     assert "none" not in {*slides.values(), *traced.values()}
 
 
 def test_a_maker_whose_module_is_gone_is_refused():
     with pytest.raises(KeyError, match=r"no module raywalk.moved_away"):
-        keys.Maker("raywalk.moved_away", "write").parts()
+        Maker("raywalk.moved_away", "write").parts()

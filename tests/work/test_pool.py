@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 
 from raywalk.bench.speed_cores import GOAL, as_table, core_cases
-from raywalk.products import write_products
+from raywalk.pipeline.trace_products import write_products
 from raywalk.scene.read import read_scene
 from raywalk.trace.wavefront import in_order
 from raywalk.work import pool

@@ -12,16 +12,17 @@ from pathlib import Path
 import pytest
 
 from raywalk.__main__ import main
+from raywalk.pipeline import parts as keys
+from raywalk.pipeline import snapshot
+from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.read import read_scene
-from raywalk.work import keys, snapshot
 from raywalk.work.closure import Sources
 from raywalk.work.digests import key_of
 from raywalk.work.making import Edited, made
 from raywalk.work.progress import say_nothing
 from raywalk.work.store import Store
-from raywalk.work.tracing import trace_into
 
-ROOT = keys.OURS.root
+ROOT = OURS.root
 SCENE = """
 version = 1
 key = "1"
@@ -94,7 +95,7 @@ def edited(tmp_path, monkeypatch):
     (package / "writer.py").write_text("ONE = 1\n")
     sources = Sources(package)
     monkeypatch.setattr("raywalk.work.making.OURS", sources)
-    own = keys.Maker("raywalk.writer", "write").parts(sources=sources)
+    own = Maker("raywalk.writer", "write").parts(sources=sources)
     return package / "writer.py", {"what": "page", "of": "it", **own}
 
 
@@ -128,7 +129,7 @@ def test_a_trace_whose_mesh_was_saved_while_it_was_traced_is_not_kept(tmp_path, 
         with (place / "own.ply").open("a") as file:
             file.write("\n")
 
-    monkeypatch.setattr("raywalk.work.tracing.TRACE", trace)
+    monkeypatch.setattr("raywalk.pipeline.trace_task.TRACE", trace)
     with pytest.raises(Edited, match=r"own\.ply of ball was edited while trace of 01-ball"):
         trace_into(store, parts, scene, lambda: 1, say_nothing)
     assert not list(store.folder.iterdir())

@@ -10,16 +10,17 @@ from pathlib import Path
 
 import pytest
 
-from raywalk import slide_pipeline
 from raywalk.commands.slides import traced
+from raywalk.pipeline import parts as keys
+from raywalk.pipeline import slides as slide_pipeline
 from raywalk.scene.read import read_scene
 from raywalk.slides.files import ASKED, KEPT
 from raywalk.stops.process import Stops
-from raywalk.work import keys
+from raywalk.work.maker import OURS
 from raywalk.work.scripts import npm_package
 from raywalk.work.store import Store
 
-ROOT = keys.OURS.root
+ROOT = OURS.root
 SCENE = """
 version = 1
 key = "1"
@@ -124,4 +125,4 @@ def test_what_a_piece_of_work_imports_and_opens_is_in_its_key(work, piece):
         if npm := npm_package(path):
             assert f"npm {npm}" in made_from["packages"], path
         elif ".venv" not in path.parts and not path.is_relative_to(ROOT / "models"):
-            assert keys.OURS.name(path) in behind, path
+            assert OURS.name(path) in behind, path

@@ -31,9 +31,9 @@ if __name__ == "__main__":
 
 def traced(work: Path, folders: Sequence[str]) -> None:
     """Traces the scenes of these folders into an empty store, as a build does."""
-    from raywalk.pipeline import trace_all
+    from raywalk.pipeline.parts import trace_parts
+    from raywalk.pipeline.tracing import trace_all
     from raywalk.scene.read import read_scene
-    from raywalk.work.keys import trace_parts
     from raywalk.work.store import Store
 
     scenes = [read_scene(Path(folder)) for folder in folders]

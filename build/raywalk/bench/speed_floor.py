@@ -16,7 +16,7 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.geometry.compiled import CompiledScene
-from raywalk.products import write_products
+from raywalk.pipeline.trace_products import write_products
 from raywalk.scene.model import Scene
 from raywalk.trace_file.png import LEVEL
 

@@ -33,7 +33,7 @@ def make(path: Path, times: int) -> None:
     """All files of a scene with a picture so many times as wide, into a folder that goes."""
     import tempfile
 
-    from raywalk.products import write_products
+    from raywalk.pipeline.trace_products import write_products
 
     scene = read_scene(path)
     wide = replace(scene.render, size=times * scene.render.size)

@@ -1,4 +1,4 @@
-"""raywalk site: scene files in, site out. What it does stands in raywalk/pipeline.py."""
+"""raywalk site: scene files in, site out. What it does stands in raywalk/pipeline/site.py."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def _run(chosen: Namespace) -> Iterator[str | Message]:
         traced, size = f"{count} scenes: 0 traced, {count} unchanged", said["size"]
     else:
         # Only here: reading scenes and making pages needs more than looking whether to.
-        from raywalk.pipeline import build
+        from raywalk.pipeline.site import build
 
         done = yield from build(chosen, SITE_SOURCE)
         # The hashes from before the build: what was edited meanwhile is built next time.

@@ -10,7 +10,6 @@ from typing import Any
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
-from raywalk.scene.shapes import Mesh
 from raywalk.scene.translation import missing_translations, read_spoken
 from raywalk.words import languages, missing_sentences
 from raywalk.words.catalogue import DEFAULT
@@ -50,7 +49,7 @@ def check_geometry(scene: Scene) -> list[str]:
     """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
     and buried cameras; returns warnings of overlapping glass."""
     clear = [obj for obj in scene.objects if scene.materials[obj.material].transmit > 0]
-    if len(clear) < 2 and not any(isinstance(obj.shape, Mesh) for obj in scene.objects):
+    if len(clear) < 2 and not scene.has_mesh:
         return []
     # numba and Embree: only where needed
     from raywalk.geometry.overlap import overlap_warnings

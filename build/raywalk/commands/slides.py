@@ -20,7 +20,7 @@ from raywalk.slides.layout import LAYOUTS, WIDE
 from raywalk.slides.palette import PALETTES
 
 if TYPE_CHECKING:
-    from raywalk.slide_pipeline import Source
+    from raywalk.pipeline.slides import Source
     from raywalk.slides.deck import Sources
     from raywalk.slides.layout import Layout
     from raywalk.work.store import Store
@@ -50,7 +50,7 @@ def run(chosen: Namespace) -> Iterator[str]:
     scenes = _scenes(chosen)
     _refuse_steps(chosen, scenes)
     # Only now: what is wrong is told before anything heavy is imported.
-    from raywalk.slide_products import missing_letters, write_files
+    from raywalk.pipeline.slide_products import missing_letters, write_files
     from raywalk.slides.deck import course_of, lesson_slides, scene_deck
     from raywalk.slides.pdf import MissingGlyphs
 
@@ -138,7 +138,7 @@ def _prepared(
     chosen: Namespace, scenes: list[Scene], layout: Layout
 ) -> Generator[str, None, list[Sources]]:
     """What the scenes' slides are made from, by way of the store; tells what has to be traced."""
-    from raywalk.slide_pipeline import plans_of, sources_of
+    from raywalk.pipeline.slides import plans_of, sources_of
     from raywalk.stops.process import Stops
     from raywalk.work.store import Store
 
@@ -152,14 +152,14 @@ def _prepared(
 
 def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
     """A scene's trace and page data, made if they are not kept."""
-    from raywalk.slide_pipeline import Source
+    from raywalk.pipeline.parts import PAGE_DATA, page_data_parts, trace_parts
+    from raywalk.pipeline.slides import Source
+    from raywalk.pipeline.trace_task import trace_into
     from raywalk.words.catalogue import DEFAULT
     from raywalk.work.digests import key_of
-    from raywalk.work.keys import PAGE_DATA, page_data_parts, trace_parts
     from raywalk.work.making import made
     from raywalk.work.pool import cores
     from raywalk.work.progress import say_nothing
-    from raywalk.work.tracing import trace_into
 
     parts = trace_parts(scene)
     if not store.find(key_of(parts)):

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.scene.shapes import Shape, Triple
+from raywalk.scene.shapes import Mesh, Shape, Triple
 
 
 @dataclass(frozen=True)
@@ -111,3 +111,12 @@ class Scene:
     objects: tuple[SceneObject, ...]
     lights: tuple[Light, ...]
     lesson: tuple[LessonStep, ...]
+
+    @property
+    def has_glass(self) -> bool:
+        """Whether light goes through any object."""
+        return any(self.materials[obj.material].transmit > 0 for obj in self.objects)
+
+    @property
+    def has_mesh(self) -> bool:
+        return any(isinstance(obj.shape, Mesh) for obj in self.objects)

@@ -33,7 +33,7 @@ def scene_figures(scene: Scene, facts: dict[str, Any], words: Words) -> Figures:
             say("pages.figures.thingsAre", objects=len(scene.objects), lights=len(scene.lights)),
         ),
     ]
-    if has_glass(scene):
+    if scene.has_glass:
         at_glass = {"opaque": "glassOpaque", "pass": "glassPass"}[scene.render.glass_shadows]
         figures.append((say("pages.figures.glassShadows"), say(f"pages.figures.{at_glass}")))
     figures += [
@@ -51,11 +51,6 @@ def left_out(dropped: dict[str, dict[str, int]]) -> Figures:
         (name, ", ".join(f"{count} {reason}" for reason, count in reasons.items()))
         for name, reasons in dropped.items()
     ]
-
-
-def has_glass(scene: Scene) -> bool:
-    """Whether light goes through any object."""
-    return any(scene.materials[obj.material].transmit > 0 for obj in scene.objects)
 
 
 def model_credits(scene: Scene, words: Words) -> list[str]:

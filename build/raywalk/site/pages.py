@@ -10,15 +10,15 @@ from typing import Any
 from jinja2 import BytecodeCache, Environment, FunctionLoader, StrictUndefined, select_autoescape
 from jinja2.bccache import Bucket
 
-from raywalk.lesson_text import lesson_html
 from raywalk.scene.model import Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
-from raywalk.site.figures import Figures, has_glass
+from raywalk.site.figures import Figures
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
+from raywalk.words.lesson_text import lesson_html
 from raywalk.work.snapshot import text_of
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root
@@ -58,7 +58,7 @@ def write_pages(
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
-        glass_scenes=[_glass(scene, home) for scene in scenes if has_glass(scene)],
+        glass_scenes=[_glass(scene, home) for scene in scenes if scene.has_glass],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     if decks:

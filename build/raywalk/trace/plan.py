@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from raywalk.scene.model import Scene
-from raywalk.scene.shapes import Mesh
 
 # A ray with a smaller share in its pixel is not followed in pictures: it could change the
 # 8-bit colour by 0.06 of a step. Clear glass splits every ray in two and would otherwise
@@ -55,7 +54,7 @@ def plan_of(scene: Scene, depth: int | None = None) -> Plan:
     has_own_colour = any(m.reflect + m.transmit < 1 for m in materials)
     bounces = scene.render.depth if depth is None else depth
     return Plan(
-        meshes=any(isinstance(obj.shape, Mesh) for obj in scene.objects),
+        meshes=scene.has_mesh,
         mirrors=mirrors,
         glass=glass,
         highlights=any(any(m.specular) for m in materials) and bool(scene.lights),

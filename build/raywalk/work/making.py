@@ -7,7 +7,7 @@ from pathlib import Path
 
 from raywalk.errors import UserError
 from raywalk.work.digests import digest_or_missing, key_of
-from raywalk.work.keys import OURS, Parts
+from raywalk.work.maker import OURS, Parts
 from raywalk.work.store import Entry, Store
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
+from raywalk.pipeline.parts import TRACE, models_of
 from raywalk.scene.model import Scene
-from raywalk.work.keys import TRACE, Parts, models_of
+from raywalk.work.maker import Parts
 from raywalk.work.making import made, refuse_changed
 from raywalk.work.pool import Threads
 from raywalk.work.progress import Report

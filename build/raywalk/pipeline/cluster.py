@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import UserError
+from raywalk.pipeline.parts import TRACE
 from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Mesh
-from raywalk.work.keys import TRACE, Parts
+from raywalk.work.maker import Parts
 from raywalk.work.making import refuse_edited
 from raywalk.work.pool import Finished
 from raywalk.work.progress import Progress

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from raywalk.pipeline.parts import plain, shut_for
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.site.scene_data import scene_words
@@ -21,7 +22,7 @@ from raywalk.stops.process import Stops
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT, FOLDER
 from raywalk.work.digests import digest, key_of
-from raywalk.work.keys import Maker, Parts, plain, shut_for
+from raywalk.work.maker import Maker, Parts
 from raywalk.work.making import made
 from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.progress import Report
@@ -34,9 +35,9 @@ if TYPE_CHECKING:
 # Asks the viewer's modules; its own code is little, the scripts that it runs are much.
 ASK = Maker("raywalk.stops.process", "Stops")
 # Where the tracer is asked: a lesson's words are not in it, so a change of words traces nothing.
-SEE = Maker("raywalk.sight_products", "write_sights")
-WRITE = Maker("raywalk.slide_products", "write_scene_slides")
-WRITE_COURSE = Maker("raywalk.slide_products", "write_course_slides")
+SEE = Maker("raywalk.pipeline.sight_products", "write_sights")
+WRITE = Maker("raywalk.pipeline.slide_products", "write_scene_slides")
+WRITE_COURSE = Maker("raywalk.pipeline.slide_products", "write_course_slides")
 PUBLISHED = WIDE
 
 
@@ -198,10 +199,10 @@ def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list
         scenes = len({each.scene.id for each in plans})
         yield f"slides of {len(missing)} of {scenes} scenes on {cores()} cores"
     number = 0
-    for told in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
-        if isinstance(told, Finished):
+    for message in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
+        if isinstance(message, Finished):
             number += 1
-            yield f"[{number}/{len(missing)}] {told.task[0].scene.id}: {told.result:.1f} s"
+            yield f"[{number}/{len(missing)}] {message.task[0].scene.id}: {message.result:.1f} s"
     courses = _by_language(plans)
     lost = [of for of in courses if not store.find(key_of(course_parts(of)))]
     for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
@@ -256,13 +257,13 @@ def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Repo
 
 def slide_remarks(decks: list[MadeDeck]) -> list[str]:
     """What could not be written, and why."""
-    told = []
+    remarks = []
     for deck in decks:
         place = deck.entry.folder / REMARKS
         if place.is_file():
             lost = place.read_text(encoding="utf-8")
-            told.append(f"{_of(deck.id, deck.language)}: not all PDFs were made: {lost}")
-    return told
+            remarks.append(f"{_of(deck.id, deck.language)}: not all PDFs were made: {lost}")
+    return remarks
 
 
 def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict[str, int]]]:

@@ -1,0 +1,110 @@
+"""What was made, written into the site's folder: all of it, or none."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from argparse import Namespace
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from raywalk.pipeline.slides import MadeDeck, publish_slides
+from raywalk.scene.model import Scene
+from raywalk.scene.translation import Spoken
+from raywalk.site import sizes
+from raywalk.site.assets import write_assets, write_words
+from raywalk.site.figures import scene_figures
+from raywalk.site.licences import write_licences
+from raywalk.site.offline import write_icons, write_manifest, write_worker
+from raywalk.site.pages import face_of, write_pages, write_sizes
+from raywalk.site.reports import publish_reports
+from raywalk.site.savings import savings_lines
+from raywalk.site.scene_data import scene_words
+from raywalk.site.sitemap import write_sitemap
+from raywalk.trace_file.script import write_script
+from raywalk.words import read_words
+from raywalk.words.catalogue import DEFAULT
+from raywalk.work.publish import staged
+from raywalk.work.store import Entry
+
+# Of an entry, what stays behind: the pages are made from these.
+NOT_PUBLISHED = ("facts.json", "display.npz")
+
+
+@dataclass(frozen=True)
+class Made:
+    """Scenes by language, and the entries of the store that the site is put together from."""
+
+    spoken: dict[str, list[Spoken]]
+    facts: dict[str, Any]  # by scene, as are the next three
+    viewer: Entry
+    traces: dict[str, Entry]
+    data: dict[str, Entry]
+    previews: dict[str, Entry]
+    decks: list[MadeDeck]
+
+    @property
+    def scenes(self) -> list[Scene]:
+        """In the default language."""
+        return [each.scene for each in self.spoken[DEFAULT]]
+
+    def entries(self) -> Iterator[Entry]:
+        """All that are used."""
+        yield self.viewer
+        for kind in (self.traces, self.data, self.previews):
+            yield from kind.values()
+        yield from (deck.entry for deck in self.decks)
+
+
+def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> None:
+    """Writes the site, unless something in it outgrew its budget. Raises UserError."""
+    budgets = sizes.read_budgets(chosen.budgets)
+    templates, scenes = site_source / "templates", made.scenes
+    with staged(chosen.out) as out:
+        assets = write_assets(out, site_source, made.viewer.folder)
+        for scene in scenes:
+            entries = [kind[scene.id] for kind in (made.traces, made.data, made.previews)]
+            publish_scene(out / "scenes" / scene.id, entries)
+        if scenes:
+            assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
+        published = publish_slides(out, made.decks)
+        publish_reports(out, templates, assets, scenes, chosen.work)
+        for code, translated in made.spoken.items():
+            said = [each.scene for each in translated]
+            downloads = published.get(DEFAULT, {}) | published.get(code, {})
+            write_edition(out, site_source, said, made.facts, assets, downloads, code, base)
+        weights = sizes.measured(out, scenes, made.facts)
+        sizes.check(chosen.out, weights, budgets)
+        sizes.keep(out, weights)
+        write_sizes(out, templates, weights, budgets, assets)
+        write_licences(out, scenes, made.viewer.folder, bool(made.decks))
+        write_sitemap(out, base)
+        write_worker(out, site_source)
+
+
+def write_edition(
+    out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
+    assets: dict[str, str], downloads: dict[str, dict[str, int]], code: str, base: str,
+) -> None:  # fmt: skip
+    """The site in one language: its sentences, the scenes' words, its pages."""
+    words = read_words(code)
+    for scene in scenes if code != DEFAULT else []:
+        path = out / "scenes" / scene.id / f"words-{code}.js"
+        text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
+        write_script(path, f"{scene.id}/words-{code}", text.encode())
+    figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
+    savings = {scene.id: savings_lines(facts[scene.id], words) for scene in scenes}
+    written_by = assets | write_words(out, words)
+    templates = site_source / "templates"
+    write_pages(out, templates, scenes, figures, written_by, words, savings, downloads, base)
+    write_manifest(out, words, assets)
+
+
+def publish_scene(folder: Path, made: list[Entry]) -> None:
+    """Copies a scene's files into the site."""
+    folder.mkdir(parents=True)
+    for path in [path for entry in made for path in entry.files()]:
+        if path.name not in NOT_PUBLISHED:
+            shutil.copyfile(path, folder / path.name)
