@@ -2,7 +2,7 @@
 
 import pytest
 
-from raywalk.words.lesson_text import lesson_html
+from raywalk.scene.lesson_text import lesson_html
 
 
 def test_markdown_formats_the_text():

@@ -13,11 +13,12 @@ import pytest
 
 from raywalk.__main__ import main
 from raywalk.pipeline import parts as keys
-from raywalk.pipeline import snapshot
 from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.read import read_scene
+from raywalk.work import snapshot
 from raywalk.work.closure import Sources
 from raywalk.work.digests import key_of
+from raywalk.work.maker import OURS, Maker
 from raywalk.work.making import Edited, made
 from raywalk.work.progress import say_nothing
 from raywalk.work.store import Store

@@ -10,6 +10,7 @@ from typing import Any
 from jinja2 import BytecodeCache, Environment, FunctionLoader, StrictUndefined, select_autoescape
 from jinja2.bccache import Bucket
 
+from raywalk.scene.lesson_text import lesson_html
 from raywalk.scene.model import Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
 from raywalk.site.figures import Figures
@@ -18,7 +19,6 @@ from raywalk.site.saying import sayings
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
-from raywalk.words.lesson_text import lesson_html
 from raywalk.work.snapshot import text_of
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root

@@ -7,6 +7,7 @@ from typing import cast
 
 import numpy as np
 
+from raywalk.scene.lesson_text import lesson_html
 from raywalk.scene.model import Camera, LessonStep, Light, Material, Scene, SceneObject
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
@@ -23,7 +24,6 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
-from raywalk.words.lesson_text import lesson_html
 
 
 @dataclass(frozen=True, eq=False)

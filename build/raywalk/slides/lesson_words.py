@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from html.parser import HTMLParser
 
+from raywalk.scene.lesson_text import lesson_html
 from raywalk.slides.figure import Run
-from raywalk.words.lesson_text import lesson_html
 
 LONGEST_TITLE = 74  # characters: two lines on a slide
 BLOCKS = {"p", "li", "h1", "h2", "h3", "h4", "h5", "h6", "pre", "blockquote", "td", "th"}
