@@ -1,22 +1,22 @@
 /**
- * node site_src/bundle.mjs --out DIR: the viewer as one classic script, DIR/viewer.js, and what only
- * a kiosk loads, DIR/kiosk.js; DIR/packages.json names the npm packages that are in them.
- * Classic, not a module, because from file:// browsers refuse modules. Prints its size
- * gzipped; ends with 1 if ray code is left in it or it has outgrown its goal.
+ * node site_src/bundle.mjs --out DIR: the viewer as classic scripts. DIR/viewer.js is what a first view needs; each
+ * import() in the viewer becomes a part of its own, DIR/part-<module>.js (parts.mjs); DIR/kiosk.js is what only a kiosk
+ * loads; DIR/packages.json names the npm packages that are in them.
+ * Classic, not modules, because from file:// browsers refuse modules. Ends with 1 if ray code is left.
  */
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
+import { asOfferedPart, loadingParts, partsApart, sharedWith, sharing } from "./parts.mjs";
 import { tight } from "./slim/shaders.mjs";
 import { slimThree } from "./slim/three.mjs";
 import { raysLeftIn } from "./strip-rays.mjs";
 
-const GOAL_BYTES = 125 * 1024;
-const ENTRY = fileURLToPath(new URL("./viewer/main.ts", import.meta.url));
-const EXTRAS = { kiosk: "./viewer/kiosk/main.ts" };
+const HERE = fileURLToPath(new URL("./", import.meta.url));
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
+const BANNERS = { viewer: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */", other: "/* Raywalk, MIT */" };
 
 /** Our own shaders without comments and spaces, as three's: template texts with a shader's main in them. */
 const tightShaders = {
@@ -29,15 +29,42 @@ const tightShaders = {
   },
 };
 
-/** The viewer's script as text. `plugins` lets a test put in its own trace decoder. */
-export async function bundleViewer({ plugins = [], minify = true, noteParts = () => {} } = {}) {
-  const bundled = async (more) => {
-    const result = await build({ entryPoints: [ENTRY], bundle: true, write: false, metafile: true, target: TARGET, legalComments: "none", logLevel: "warning", ...more });
-    noteParts(result.metafile);
-    return result.outputFiles[0].text;
-  };
-  const own = await bundled({ format: "esm", external: ["three"], plugins: [...plugins, tightShaders] });
-  const three = await slimThree(own, TARGET, noteParts);
+/** contents: of a module in this folder. Gives { text, inputs, imports }: esbuild's, with paths below it. */
+async function bundled(contents, { noteInputs, ...more }) {
+  const result = await build({
+    stdin: { contents, resolveDir: HERE, loader: "ts" },
+    absWorkingDir: HERE,
+    bundle: true,
+    write: false,
+    metafile: true,
+    target: TARGET,
+    legalComments: "none",
+    logLevel: "warning",
+    ...more,
+  });
+  const [{ imports }] = Object.values(result.metafile.outputs);
+  const inputs = Object.keys(result.metafile.inputs).filter((path) => path !== "<stdin>");
+  noteInputs?.(inputs);
+  return { text: result.outputFiles[0].text, inputs, imports };
+}
+
+/** The viewer's script, its parts by name, and the modules in each: { viewer, parts, modules }. */
+export async function bundleViewer(noteInputs = () => {}) {
+  const first = { format: "esm", external: ["three"], plugins: [partsApart, tightShaders] };
+  const alone = await bundled('import "./viewer/main"', first);
+  const parts = new Map(alone.imports.filter(({ kind }) => kind === "dynamic-import").map(({ path }) => path.replace("part:", "")).map((path) => [path.split("/").at(-1), path]));
+  const shared = await sharedWith(parts, alone.inputs, (path, plugin) => bundled(`export * from "./${path}"`, { format: "esm", plugins: [plugin, tightShaders] }));
+  const modules = {};
+  const offered = {};
+  const asked = new Map();
+  for (const [name, path] of parts) {
+    const { text, inputs } = await bundled(`export * from "./${path}"`, { noteInputs, format: "esm", minify: true, plugins: [sharing(shared), tightShaders] });
+    modules[name] = inputs;
+    offered[name] = `${BANNERS.other}\n${asOfferedPart(name, text, asked)}`;
+  }
+  const entry = `import "./viewer/main";\n${loadingParts(asked)}`;
+  const own = await bundled(entry, first);
+  const three = await slimThree(own.text, TARGET, noteInputs);
   const slim = {
     name: "slim",
     setup(build) {
@@ -45,44 +72,29 @@ export async function bundleViewer({ plugins = [], minify = true, noteParts = ()
       build.onLoad({ filter: /./, namespace: "slim" }, () => ({ contents: three, loader: "js" }));
     },
   };
-  return bundled({
-    format: "iife",
-    minify,
-    banner: { js: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */" },
-    plugins: [...plugins, tightShaders, slim],
-  });
+  const whole = await bundled(entry, { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.viewer }, plugins: [partsApart, tightShaders, slim] });
+  modules.viewer = whole.inputs;
+  return { viewer: whole.text.replace(/\bimport\("part:(?:[\w-]+\/)*([\w-]+)"\)/g, 'raywalkParts.load("$1")'), parts: offered, modules };
 }
 
 /** The packages that esbuild took something from. */
-const packagesIn = (metafiles) => {
-  const names = metafiles.flatMap(({ inputs }) => Object.keys(inputs)).map((path) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]);
-  return [...new Set(names.filter(Boolean))].sort();
-};
-
-/** A script of its own, beside the viewer's. */
-async function bundleExtra(path, noteParts) {
-  const entry = fileURLToPath(new URL(path, import.meta.url));
-  const result = await build({ entryPoints: [entry], bundle: true, write: false, metafile: true, target: TARGET, legalComments: "none", logLevel: "warning", format: "iife", minify: true, banner: { js: "/* Raywalk, MIT */" } });
-  noteParts(result.metafile);
-  return result.outputFiles[0].text;
-}
+const packagesIn = (paths) => [...new Set(paths.map((path) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]).filter(Boolean))].sort();
 
 async function main() {
   const at = process.argv.indexOf("--out");
   const folder = process.argv[at + 1];
   if (at < 0 || !folder) throw new Error("--out: no folder is named\n  usage: node site_src/bundle.mjs --out DIR");
-  const metafiles = [];
-  const noteParts = (metafile) => metafiles.push(metafile);
-  const script = await bundleViewer({ noteParts });
-  const left = raysLeftIn(script);
+  const paths = [];
+  const noteInputs = (inputs) => paths.push(...inputs);
+  const { viewer, parts } = await bundleViewer(noteInputs);
+  const left = raysLeftIn(viewer);
   if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
-  const size = gzipSync(script, { level: 9 }).length;
-  if (size > GOAL_BYTES) throw new Error(`viewer.js is ${size} bytes gzipped; its goal is ${GOAL_BYTES}`);
+  const kiosk = await bundled('import "./viewer/kiosk/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.other } });
+  const scripts = { viewer, kiosk: kiosk.text, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
   await mkdir(folder, { recursive: true });
-  await writeFile(join(folder, "viewer.js"), script);
-  for (const [name, path] of Object.entries(EXTRAS)) await writeFile(join(folder, `${name}.js`), await bundleExtra(path, noteParts));
-  await writeFile(join(folder, "packages.json"), JSON.stringify(packagesIn(metafiles)));
-  console.log(`viewer.js ${(size / 1024).toFixed(1)} KB gzip`);
+  for (const [name, text] of Object.entries(scripts)) await writeFile(join(folder, `${name}.js`), text);
+  await writeFile(join(folder, "packages.json"), JSON.stringify(packagesIn(paths)));
+  for (const [name, text] of Object.entries(scripts)) console.log(`${name}.js ${(gzipSync(text, { level: 9 }).length / 1000).toFixed(1)} KB gzip`);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url))

@@ -41,8 +41,9 @@ VIEWER_MAY_IMPORT = {
     "trace": {"trace"},
     "state": {"state", "trace"},
     "stage": {"stage", "state", "trace"},
-    # event-words holds the sentences for the state's events, which only panels show.
-    "panels": {"panels", "state", "trace", "event-words"},
+    # event-words holds the sentences for the state's events, which only panels show; what a panel
+    # shows later is asked of on-demand.
+    "panels": {"panels", "state", "trace", "event-words", "on-demand"},
     # Files beside the folders: what is listed knows nothing of who ties it together.
     "palette.ts": {"trace"},
     "event-words.ts": {"state", "trace"},

@@ -21,9 +21,9 @@ const slimming = (names) => ({
 
 const importsOf = (script) => new Set([...script.matchAll(/import \{([^}]*)\} from "three"/g)].flatMap(([, names]) => names.split(",").map((name) => name.trim().split(" as ")[0])).filter(Boolean));
 
-/** own: the viewer's script with its imports of three left in. target: as esbuild takes it. noteParts: told esbuild's
- *  metafile, which names all that went into it. */
-export async function slimThree(own, target, noteParts = () => {}) {
+/** own: the viewer's script with its imports of three left in. target: as esbuild takes it. noteInputs: told the
+ *  files that went into it. */
+export async function slimThree(own, target, noteInputs = () => {}) {
   const names = namesIn(own);
   const tidy = { format: "esm", target, minifySyntax: true, treeShaking: true, legalComments: "none" };
   const whole = await build({
@@ -35,7 +35,7 @@ export async function slimThree(own, target, noteParts = () => {}) {
     logLevel: "warning",
     plugins: [slimming(names)],
   });
-  noteParts(whole.metafile);
+  noteInputs(Object.keys(whole.metafile.inputs));
   let three = withShortMessages(whole.outputFiles[0].text);
   for (let round = 0, before = ""; before !== three && round < MOST_ROUNDS; round++) {
     before = three;

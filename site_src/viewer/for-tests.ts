@@ -4,6 +4,8 @@ import type { Shown } from "./state/shown";
 
 export interface Asked {
   ready: () => Promise<void>;
+  /** All parts have come, but for those that cannot be had. */
+  whole: Promise<void>;
   stats: () => object;
   loseContext: () => void;
   /** Time stands still from now on, and moves by so many seconds when asked to. */

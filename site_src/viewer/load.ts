@@ -16,7 +16,7 @@ export type Loss = "missing" | "damaged" | "other version" | "old browser";
 /** What could not be loaded, and why. */
 export class LoadError extends Error {
   constructor(
-    readonly what: string, // "<id>/scene", "<id>/<n>" or "<id>/sections"
+    readonly what: string, // "<id>/scene", "<id>/<n>", "<id>/sections" or a part's name
     readonly why: Loss,
   ) {
     super(`${what}: ${why}`);
@@ -34,29 +34,29 @@ const SCENE_FORMAT = 1;
 const KEPT_TRACES = 8; // a few megabytes each at most
 const KEPT_SCENES = 4;
 
+/** Runs a script. times: that it was asked for in vain, else a damaged copy would come back. Rejects with LoadError. */
+export function addScript(address: string, name: string, times = 0): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const element = document.createElement("script");
+    element.src = address + (times ? `?again=${times}` : "");
+    element.onload = () => (element.remove(), resolve());
+    element.onerror = () => (element.remove(), reject(new LoadError(name, "missing")));
+    document.head.append(element);
+  });
+}
+
 /** root: relative path from the page to the site's root, "" or ending in "/". */
 export function createLoader(root: string) {
   const arrived = new Map<string, string>();
   const failed = new Map<string, number>(); // times that this was asked for in vain
   window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
 
-  function script(name: string): Promise<string> {
-    return new Promise((resolve, reject) => {
-      const element = document.createElement("script");
-      const times = failed.get(name) ?? 0;
-      element.src = `${root}scenes/${name}.js${times ? `?again=${times}` : ""}`; // else a damaged copy would come back
-      element.onload = () => {
-        const text = arrived.get(name);
-        arrived.delete(name);
-        element.remove();
-        text === undefined ? reject(new LoadError(name, "damaged")) : resolve(text);
-      };
-      element.onerror = () => {
-        element.remove();
-        reject(new LoadError(name, "missing"));
-      };
-      document.head.append(element);
-    });
+  async function script(name: string): Promise<string> {
+    await addScript(`${root}scenes/${name}.js`, name, failed.get(name));
+    const text = arrived.get(name);
+    arrived.delete(name);
+    if (text === undefined) throw new LoadError(name, "damaged");
+    return text;
   }
 
   async function load<T>(name: string, read: (json: unknown, name: string) => T | Promise<T>): Promise<T> {

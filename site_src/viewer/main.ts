@@ -12,6 +12,7 @@ import { whenRefused } from "./panels/remember";
 import { createParts } from "./parts";
 import { createSession } from "./session";
 import { createModes } from "./modes";
+import { createOnDemand } from "./on-demand";
 import { readAddress } from "./state/address";
 import { createSupplies } from "./supplies";
 import { passTime } from "./time";
@@ -20,8 +21,8 @@ import { say } from "./words";
 
 const BLINK_UP_TO = 5000; // lines: more would be drawn anew twice a second for one blinking tile
 
-/** own: the address of this script. */
-function start(own: string) {
+/** own: this script. */
+function start(own: HTMLScriptElement) {
   const { body } = document;
   const find = (selector: string) => document.querySelector<HTMLElement>(selector)!;
   const root = body.dataset.root ?? "";
@@ -32,22 +33,23 @@ function start(own: string) {
 
   const session = createSession();
   const notice = createNotice(find("#notice"));
-  listenToErrors(own, notice);
+  listenToErrors(own.src, notice);
+  const onDemand = createOnDemand(own, notice);
   whenRefused(() => notice.say(say("trouble.storage")));
   const loader = createLoader(root);
-  const supplies = createSupplies(session, loader, notice, () => beat.draw());
+  const supplies = createSupplies(session, loader, onDemand, notice, () => beat.draw());
   const place = { home: body.dataset.scene ?? "", onDisk: location.protocol === "file:", links, withGl };
   const bar = createAddressBar(session, place);
   const navigation = createNavigation(session, place, { loader, bar, notice, loadTrace: supplies.trace });
   const acts = createActions(session, { draw: () => beat.draw(), turnScene: navigation.turn, sceneOfKey: navigation.ofKey });
-  const parts = createParts(session, acts, {
+  const parts = createParts(session, acts, onDemand, {
     home: find("#viewer"),
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
     pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
-  const modes = createModes(session, acts, { link: bar.link, snapshot: parts.snapshot, slide: parts.slide, recolour: parts.recolour, notify: notice.say });
+  const modes = createModes(session, acts, { link: bar.link, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });
   const beat = createBeat({
     draw() {
       modes.show();
@@ -72,9 +74,11 @@ function start(own: string) {
   reducedMotion.addEventListener("change", () => beat.draw());
 
   navigation.followPage();
+  const whole = navigation.ready().then(onDemand.bringAll);
   window.raywalkKiosk?.attach({ session, acts, begin: navigation.begin, ready: navigation.ready, ids: links.map((link) => link.dataset.scene!) });
   exposeSession(session, {
     ready: navigation.ready,
+    whole,
     stats: () => ({ ...parts.stats(), notice: notice.text(), kiosk: window.raywalkKiosk?.told() ?? null }),
     loseContext: parts.loseContext,
     hold: () => void (held = true),
@@ -86,4 +90,4 @@ function start(own: string) {
 }
 
 // Without its words the page stays as it was written; page/broken.js says so.
-if ("raywalkWords" in globalThis) start((document.currentScript as HTMLScriptElement).src);
+if ("raywalkWords" in globalThis) start(document.currentScript as HTMLScriptElement);

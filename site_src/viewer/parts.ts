@@ -1,7 +1,7 @@
 /** The page's parts, where they stand, and what each of them shows of the present. */
 import type { Actions } from "./actions";
+import type { OnDemand } from "./on-demand";
 import { contrastWith } from "./palette";
-import { createCode } from "./panels/code";
 import { createCard } from "./panels/card";
 import { createControls } from "./panels/controls";
 import { element } from "./panels/element";
@@ -14,14 +14,12 @@ import { createSpoken } from "./panels/spoken";
 import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
 import { createViewPad } from "./panels/view-pad";
+import { createViewSwitch } from "./panels/view-switch";
 import { createWhatIf } from "./panels/what-if";
 import type { Session } from "./session";
-import { createSlice } from "./stage/slice";
-import { createStage } from "./stage/stage";
-import { sectionOf } from "./state/section";
-import { snapshot } from "./stage/snapshot";
-import { isAsking, pixelIndex, tileColour } from "./state/view-state";
-import { createViewSwitch } from "./panels/view-switch";
+import type { SliceView } from "./stage/slice-sheet";
+import { createStage, type Stage } from "./stage/stage";
+import { isAsking } from "./state/view-state";
 import { say } from "./words";
 
 export interface Surroundings {
@@ -33,121 +31,112 @@ export interface Surroundings {
   simpler: (why: string) => void;
 }
 
-export function createParts(session: Session, acts: Actions, { home, page: pageParts, withGl, pictureFailed, simpler }: Surroundings) {
+const ON_STAGE = ".view-pad, .view-switch, .view-note, .stage-tools > *"; // what a label must not lie under
+
+function createPanels(stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
+  return {
+    pad: createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera }),
+    viewSwitch: createViewSwitch({ look: acts.look, slice: acts.slice }),
+    picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
+    card: createCard(acts, onDemand),
+    controls: createControls(acts),
+    legend: createLegend(),
+    lesson: createLesson(acts),
+    player: createPlayer(acts),
+    whatIf: createWhatIf(acts, onDemand),
+    tileColours: createTileColours(acts),
+    page: createPage(page),
+    savings: createSavings(),
+    spoken: createSpoken(),
+  };
+}
+type Panels = ReturnType<typeof createPanels>;
+
+function layOut(home: HTMLElement, stage: Stage, { pad, viewSwitch, picture, card, controls, legend, lesson, player, whatIf, tileColours, savings, spoken }: Panels) {
+  const tools = element("div", "stage-tools", whatIf.undo, whatIf.toggle, tileColours.element);
+  const space = element("section", "stage", stage.element, viewSwitch.element, viewSwitch.note, tools, legend.element, pad.element);
+  home.append(
+    element("div", "work", element("div", "stage-row", space), tileColours.legend, whatIf.element, lesson.element, player.element, controls.element),
+    element("div", "side", picture.element, card.head, card.element, savings.element),
+    spoken.element,
+  );
+}
+
+/** What a frame shows: the session's present, all of it there. */
+function presentOf(session: Session) {
+  const { state, scene, lit, missing } = session;
+  const now = session.switched();
+  const view = session.shown();
+  return state && scene && now && view && { state, lit, missing, ...now, view, event: session.told(), recombined: session.recombined(), traced: { scene, trace: session.traced() } };
+}
+type Present = NonNullable<ReturnType<typeof presentOf>>;
+
+function showPanels(panels: Panels, session: Session, { state, lit, missing, scene, trace, view, event, recombined, traced }: Present) {
+  const asking = isAsking(state, scene);
+  const last = view.timeline?.events.at(-1);
+  panels.viewSwitch.show(state);
+  panels.legend.show(view.kinds, view.left);
+  panels.picture.show(state, scene, trace, recombined);
+  panels.card.show(state, scene, trace, missing, lit, event);
+  panels.controls.show(state, scene);
+  panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null);
+  panels.player.show(state, asking && !event ? null : view.timeline); // its colours would give the answer away
+  panels.whatIf.show(state, traced.scene);
+  panels.tileColours.show(state, view, trace, session.pointed);
+  panels.page.show(traced.scene, traced.trace);
+  panels.savings.show(scene);
+  panels.spoken.show(state, scene, trace, asking);
+}
+
+export function createParts(session: Session, acts: Actions, onDemand: OnDemand, surroundings: Surroundings) {
+  const { home, page, withGl, simpler } = surroundings;
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
     simpler(why ? say(`trouble.${why}`) : "");
   };
-  const stage = createStage({ ...acts, move: acts.observer, flat }, pageParts.root, withGl, () => [...document.querySelectorAll(".view-pad, .view-switch, .view-note, .stage-tools > *")]);
-  const pad = createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera });
-  const slice = createSlice({ pick: acts.pickAlong });
-  const viewSwitch = createViewSwitch({ look: acts.look, slice: acts.slice });
-  const picture = createPicture(pageParts.root, { ...acts, failed: pictureFailed });
-  const code = createCode();
-  const card = createCard(acts, code.element);
-  const controls = createControls(acts);
-  const legend = createLegend();
-  const lesson = createLesson(acts);
-  const player = createPlayer(acts);
-  const whatIf = createWhatIf(acts);
-  const tileColours = createTileColours(acts);
-  const page = createPage(pageParts);
-  const savings = createSavings();
-  const spoken = createSpoken();
+  const stage = createStage({ ...acts, move: acts.observer, flat }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const panels = createPanels(stage, acts, onDemand, surroundings);
+  layOut(home, stage, panels);
+  const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {
+    const made = createSlice({ pick: acts.pickAlong });
+    stage.element.after(made.element);
+    return { ...made, sectionOf };
+  });
 
-  home.append(
-    element(
-      "div",
-      "work",
-      element(
-        "div",
-        "stage-row",
-        element(
-          "section",
-          "stage",
-          stage.element,
-          slice.element,
-          viewSwitch.element,
-          viewSwitch.note,
-          element("div", "stage-tools", whatIf.undo, whatIf.toggle, tileColours.element),
-          legend.element,
-          pad.element,
-        ),
-      ),
-      tileColours.legend,
-      whatIf.element,
-      lesson.element,
-      player.element,
-      controls.element,
-    ),
-    element("div", "side", picture.element, card.head, card.element, savings.element),
-    spoken.element,
-  );
-
-  /** What a saved view shows, in words; null before there is anything. */
-  function caption(): string | null {
-    const { state, scene } = session;
-    const trace = session.trace();
-    if (!state || !scene) return null;
-    const [column, row] = state.pixel;
-    const colour = trace ? tileColour(trace, pixelIndex(state)).join(", ") : "";
-    return say("tools.saved", { scene: scene.title, column, row, n: state.n, colour });
+  /** What is shown instead of the stage: a slice, once its outlines have come, and with them what draws it. */
+  function sliceOf({ state, scene, trace, view }: Present): SliceView | null {
+    const { sections } = session;
+    const isAsked = state.slice !== "none" && trace && sections?.scene === scene.id;
+    const section = isAsked ? slice.now()?.sectionOf(sections, state, scene, trace, view.plane) : null;
+    if (!section) return null;
+    return { section, scene, trace: trace!, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen };
   }
 
+  function showStage(present: Present, dark: boolean) {
+    const { state, lit, scene, trace, view, event, recombined, traced } = present;
+    const flat = sliceOf(present);
+    if (flat || shownSlice) slice.now()!.show(flat);
+    shownSlice = flat && slice.now()!.element;
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    stage.element.hidden = panels.pad.element.hidden = flat !== null;
+  }
+
+  let shownSlice: HTMLElement | null = null;
   let renders = 0;
   let drawn = { scene: "", n: 0, tiles: 0, lines: 0 }; // by the last render
   return {
     /** Shows the present. dark: the selected tile's ring blinks off. */
     render(dark: boolean) {
-      const { state, lit, missing } = session;
-      const now = session.switched();
-      const view = session.shown();
-      if (!state || !session.scene || !now || !view) return;
+      const present = presentOf(session);
+      if (!present) return;
       renders++;
-      const { scene, trace } = now; // as the switches make them
-      const traced = { scene: session.scene, trace: session.traced() };
-      const event = session.told();
-      const recombined = session.recombined();
-      const ring = dark ? null : contrastWith(view.ringOn);
-      const section = trace && session.sections?.scene === scene.id ? sectionOf(session.sections, state, scene, trace, view.plane) : null;
-      if (section) {
-        slice.show({ section, scene, trace: trace!, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen });
-      } else {
-        slice.show(null);
-        stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring });
-      }
-      stage.element.hidden = pad.element.hidden = section !== null;
-      viewSwitch.show(state);
-      legend.show(view.kinds, view.left);
-      picture.show(state, scene, trace, recombined);
-      card.show(state, scene, trace, missing);
-      card.light(lit, event);
-      controls.show(state, scene);
-      const last = view.timeline?.events.at(-1);
-      lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null);
-      player.show(state, isAsking(state, scene) && !event ? null : view.timeline); // its colours would give the answer away
-      code.show(event, trace, pixelIndex(state));
-      whatIf.show(state, traced.scene);
-      tileColours.show(state, view, trace, session.pointed);
-      page.show(traced.scene, traced.trace);
-      savings.show(scene);
-      spoken.show(state, scene, trace, isAsking(state, scene));
+      showStage(present, dark);
+      showPanels(panels, session, present);
+      const { state, scene, trace, view } = present;
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
-    /** What the stage shows, as a picture with a line under it; null before there is anything. */
-    snapshot(): HTMLCanvasElement | null {
-      const told = caption();
-      if (told === null) return null;
-      const flat = slice.element.hidden ? null : slice.element;
-      const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
-      return snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), told);
-    },
-    /** The same as an SVG whose rays and words can be edited; null where the stage is not what shows. */
-    slide(): string | null {
-      const told = caption();
-      return told === null || stage.element.hidden ? null : stage.slide(told);
-    },
+    views: { stage, slice: () => shownSlice },
     recolour: stage.recolour,
     linesDrawn: () => drawn.lines,
     /** For tests. */

@@ -1,5 +1,6 @@
 /** What a state needs beside its scene: a trace, and what only some states need, which comes when one of them does. */
 import type { Loader } from "./load";
+import type { OnDemand } from "./on-demand";
 import type { Notice } from "./panels/notice";
 import type { Session } from "./session";
 import { isSwitched } from "./state/switches";
@@ -37,11 +38,11 @@ function supply<K extends "sections" | "boxes" | "finest">(session: Session, dra
   };
 }
 
-export function createSupplies(session: Session, loader: Loader, notice: Notice, draw: () => void) {
+export function createSupplies(session: Session, loader: Loader, onDemand: OnDemand, notice: Notice, draw: () => void) {
   const supplies = [
     supply(session, draw, "sections", {
       isWanted: ({ slice }) => slice !== "none",
-      load: ({ id }) => loader.sections(id),
+      load: async ({ id }) => (await Promise.all([loader.sections(id), onDemand.come("slice")]))[0], // what draws it, too
       missing(_, { slice }) {
         session.set({ ...session.state!, slice: "none" });
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });

@@ -41,6 +41,9 @@ export const troubleOfNextScene = (title: string, page: string, again: () => voi
   { about: "scene", again, ways: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
 ];
 
+/** Of a part that comes when asked for: the rest goes on. Of an older build it may be gone for good. */
+export const troubleOfPart = (name: string, again: () => void): Trouble => [say("trouble.partMissing"), { about: `part ${name}`, again, ways: [reload()] }];
+
 /** What nobody foresaw: it is said, and the page goes on as far as it can. own: the address of the viewer's script;
  *  other scripts (a damaged trace is one) are told where they were asked for. */
 export function listenToErrors(own: string, notice: Notice) {

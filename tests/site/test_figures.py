@@ -50,6 +50,7 @@ def test_the_model_page_lists_every_scene_with_glass_and_its_shadow_model(tmp_pa
         "page_js": "assets/p.js",
         "kiosk_js": "assets/k.js",
         "style_css": "assets/s.css",
+        "parts": "{}",
     }
     write_pages(tmp_path, ROOT / "site_src" / "templates", scenes, figures, assets)
     page = (tmp_path / "model" / "index.html").read_text(encoding="utf-8")

@@ -17,7 +17,11 @@ ALL = Budget("trace", "trees", 2.0, "bytes a ray", "all", "another reason")
 
 def test_every_budget_has_a_limit_above_nothing_and_a_reason() -> None:
     budgets = read_budgets()
-    assert {budget.key for budget in budgets} == {"trace", "picture", "mesh", "viewer", "first"}
+    parts = [budget for budget in budgets if budget.key.startswith("part ")]
+    assert {budget.key for budget in budgets if budget not in parts} == {
+        "trace", "picture", "mesh", "viewer", "first",
+    }  # fmt: skip
+    assert parts and all(part.limit <= 15_000 for part in parts)
     for budget in budgets:
         assert budget.limit > 0 and len(budget.reason) > 20 and budget.counted in ("each", "all")
 
@@ -41,6 +45,12 @@ def test_files_over_their_budget_are_named_all_at_once_with_size_budget_and_reas
     assert "dist/b.png: 101.00 bytes of pictures; the budget is 100.00 bytes" in said
     assert "dist/c.png: 1,234 bytes" in said and "a reason" in said
     assert "a.png" not in said and "not changed" in said
+
+
+def test_a_part_of_the_viewer_without_a_budget_is_named() -> None:
+    weights = [Size("part help", "assets/part-help-1.js", 10)]
+    with pytest.raises(OverBudget, match=r"part-help-1\.js: no budget for part help"):
+        check(Path("dist"), weights, [EACH])
 
 
 def test_a_budget_for_all_divides_the_sum_so_one_dear_file_among_cheap_ones_passes() -> None:

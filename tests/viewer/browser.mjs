@@ -52,12 +52,13 @@ export async function newPage(browser, { worker = false, ...options } = {}) {
   return page;
 }
 
-/** Goes there and waits until the viewer has drawn. base: ON_DISK or a server's url. */
+/** Goes there and waits until the viewer has drawn and all its parts are here. base: ON_DISK or a server's url. */
 export async function open(page, base, path, hash = "") {
   page.home = base;
   await page.goto("about:blank");
   await page.goto(`${base}${path}${hash && `#${hash}`}`);
   await page.evaluate(() => window.raywalk?.ready);
+  await page.evaluate(() => window.raywalk?.whole);
   await settled(page);
 }
 

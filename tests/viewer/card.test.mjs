@@ -6,7 +6,7 @@ import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
 const { rayRows } = await load("state/ray-rows.ts");
-const { treeText, treeTable } = await load("panels/copy.ts");
+const { treeText, treeTable } = await load("panels/copies.ts");
 const rich = richScene();
 const glass = scenesOfSite().find(({ key }) => key === "8") ?? rich;
 const START = "still=1&gl=none&n=15&p=5,8";

@@ -21,7 +21,7 @@ from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
 
-# viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root
+# viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root; parts
 Assets = dict[str, str]
 FACE = "5"
 

@@ -14,6 +14,7 @@ from typing import Any
 
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
+from raywalk.site.assets import PART
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
 
@@ -57,7 +58,17 @@ class OverBudget(UserError):
 
 def read_budgets(path: Path = BUDGETS) -> list[Budget]:
     """The budgets of a file in the manner of budgets.toml."""
-    return [Budget(**each) for each in tomllib.loads(text_of(path))["budgets"]]
+    read = tomllib.loads(text_of(path))
+    parts = read.get("parts", {"limits": {}})
+    return [Budget(**each) for each in read["budgets"]] + [
+        Budget(_part(name), f"the part {name}", limit, "bytes", "each", parts["reason"])
+        for name, limit in parts["limits"].items()
+    ]
+
+
+def _part(name: str) -> str:
+    """The key of a part of the viewer that comes when asked for."""
+    return f"part {name}"
 
 
 def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]]) -> list[Size]:
@@ -67,6 +78,10 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
     styles = sum(sent(path) for path in assets if path.suffix == ".css")
     code = {name: size for name, size in scripts.items() if not name.startswith("words-")}
     sizes = [Size("viewer", f"assets/{name}", size) for name, size in code.items()]
+    for path in assets:
+        if path.name.startswith(PART):
+            name = path.stem.removeprefix(PART).rpartition("-")[0]
+            sizes.append(Size(_part(name), f"assets/{path.name}", sent(path)))
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
         finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
@@ -84,9 +99,9 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
 
 
 def _is_loaded(name: str) -> bool:
-    """A page loads the words of one language; that of the default one stands for all. A kiosk's
-    script comes in a kiosk only."""
-    if name.startswith("kiosk-"):
+    """A first view loads the words of one language; that of the default one stands for all. A
+    kiosk's script comes in a kiosk only, and parts when they are asked for."""
+    if name.startswith(("kiosk-", PART)):
         return False
     other = name.startswith("words-") and not name.startswith(f"words-{DEFAULT}-")
     return name.endswith(".js") and not other
@@ -108,8 +123,16 @@ def sent(path: Path) -> int:
 
 
 def check(out: Path, sizes: Sequence[Size], budgets: Iterable[Budget]) -> None:
-    """Raises OverBudget with every budget that is passed."""
+    """Raises OverBudget with every budget that is passed, and every part that has none."""
+    budgets = list(budgets)
+    known = {budget.key for budget in budgets}
     problems = [
+        f"{shown_path(out / size.file)}: no budget for {size.key}\n  budgets stand in "
+        f"{shown_path(BUDGETS)}"
+        for size in sizes
+        if size.key.startswith("part ") and size.key not in known
+    ]
+    problems += [
         f"{shown_path(out / name)}: {shown(value, budget)} of {budget.what}; the budget is "
         f"{shown(budget.limit, budget)}\n  why: {budget.reason}\n  budgets stand in "
         f"{shown_path(BUDGETS)}"

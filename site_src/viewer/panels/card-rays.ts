@@ -1,10 +1,28 @@
 /** The selected pixel's rays as an indented list: every number of every ray. */
 import { isGiving } from "../state/events";
+import type { RayEvent } from "../state/event-types";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
-import type { Vec3 } from "../trace/types";
+import type { SceneData, Trace, Vec3 } from "../trace/types";
 import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
 import { element, marked, swatch } from "./element";
+import { markRow } from "./lit-row";
+
+/** What the card is about. */
+export interface PixelRays {
+  rows: readonly RayRow[];
+  scene: SceneData;
+  trace: Trace;
+  pixel: number; // index into the trace
+}
+
+/** One of the ways in which the card shows a pixel's rays. */
+export interface RaysView {
+  element: HTMLElement;
+  show: (of: PixelRays) => void;
+  /** Marks what belongs to the line that is lit up on the stage, or else to the told event, which comes into sight. */
+  light: (line: LitLine | null, told: RayEvent | null) => void;
+}
 
 export interface LineActs {
   light: (line: LitLine | null) => void;
@@ -23,7 +41,7 @@ export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.h
 export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
   seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
 
-export function createRays(acts: LineActs) {
+export function createRays(acts: LineActs): RaysView {
   const list = element("ul", "rays");
 
   function item(kind: string, depth: number, line: LitLine, ...content: Node[]) {
@@ -70,11 +88,16 @@ export function createRays(acts: LineActs) {
 
   return {
     element: list,
-    show(rows: readonly RayRow[]) {
+    show({ rows }) {
       const made = rows.slice(0, MOST_ROWS).flatMap((row) => [rayItem(row), ...row.lights.map((light) => lightItem(row, light))]);
       const left = rows.length - MOST_ROWS;
       list.replaceChildren(...made, ...(left > 0 ? [element("li", "note", say("card.more", { count: left }))] : []));
       list.scrollTop = 0;
+    },
+    light(line, told) {
+      const lit = line ?? told;
+      const items = [...list.querySelectorAll<HTMLElement>("li.ray")];
+      markRow(list, items, items.find(({ dataset }) => dataset.ray === String(lit?.ray) && dataset.light === String(lit?.light)) ?? null, !line);
     },
   };
 }

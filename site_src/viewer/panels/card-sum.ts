@@ -1,10 +1,13 @@
 /** How the pixel's colour adds up: a formula a ray, with the numbers put in. */
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { RayEvent } from "../state/event-types";
+import { tileColour } from "../state/view-state";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
 import { fixed, number, phrases, say } from "../words";
+import type { RaysView } from "./card-rays";
 import { element, marked } from "./element";
+import { markRow } from "./lit-row";
 
 /** Colours of one formula: as columns as soon as one of them is not grey. */
 type Colours = (v: Vec3) => MathMLElement;
@@ -65,7 +68,7 @@ function bytesFormula({ colour, number }: RayRow, tile: Vec3) {
 
 type What = "local" | "gather" | "pixel" | "background" | "meets";
 
-export function createSums(acts: { tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void }) {
+export function createSums(acts: { tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void }): RaysView {
   const list = element("ol", "sums");
 
   function item(row: RayRow, whats: readonly What[], title: HTMLElement, formulas: readonly MathMLElement[][], ...more: HTMLElement[]) {
@@ -97,13 +100,14 @@ export function createSums(acts: { tell: (ray: number, light: number, ...whats: 
 
   return {
     element: list,
-    show(rows: readonly RayRow[], scene: SceneData, trace: Trace, tile: Vec3) {
-      list.replaceChildren(...rows.flatMap((row) => items(row, rows, scene, trace, tile)));
+    show({ rows, scene, trace, pixel }) {
+      list.replaceChildren(...rows.flatMap((row) => items(row, rows, scene, trace, tileColour(trace, pixel))));
       list.scrollTop = 0;
     },
-    /** The formula an event is about. */
-    lit: (event: RayEvent | null): HTMLElement | null =>
-      event && ([...list.children] as HTMLElement[]).find(({ dataset }) => dataset.ray === String(event.ray) && dataset.whats!.split(" ").includes(event.what)) || null,
-    items: () => [...list.children] as HTMLElement[],
+    /** Only an event has its formula. */
+    light(_, told) {
+      const all = [...list.children] as HTMLElement[];
+      markRow(list, all, (told && all.find(({ dataset }) => dataset.ray === String(told.ray) && dataset.whats!.split(" ").includes(told.what))) ?? null, true);
+    },
   };
 }

@@ -1,16 +1,15 @@
-/** The selected pixel's card: where it is, its colour, and its rays as a list, as a tree and as a sum. */
+/** The selected pixel's card: where it is, its colour, and its rays as a list, as a tree, as a sum and in the algorithm. */
+import type { OnDemand } from "../on-demand";
 import type { RayEvent } from "../state/event-types";
-import { rayRows, type RayRow } from "../state/ray-rows";
+import { rayRows } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import { isAsking, pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
-import { createRays } from "./card-rays";
-import { createSums } from "./card-sum";
-import { createTree } from "./card-tree";
-import { copy, treeTable, treeText } from "./copy";
-import { sayDone } from "./done";
-import { button, element, swatch } from "./element";
+import { createCardHead, type Copy } from "./card-head";
+import { createRays, type PixelRays, type RaysView } from "./card-rays";
+import { copy } from "./clipboard";
+import { element } from "./element";
 import { createTabs } from "./tabs";
 
 export interface CardActs {
@@ -20,94 +19,85 @@ export interface CardActs {
   tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void;
 }
 
-/** code: the algorithm, which has its tab here too. */
-export function createCard(acts: CardActs, code: HTMLElement) {
-  const chip = swatch("#000");
-  const pixel = element("span", "pixel-name");
-  const rgb = element("span", "pixel-colour numbers");
-  const moves = [["\u2190", "left", -1, 0], ["\u2191", "up", 0, -1], ["\u2193", "down", 0, 1], ["\u2192", "right", 1, 0]] as const;
-  const arrows = element("div", "joined arrows", ...moves.map(([sign, name, right, down]) => button(sign, say(`controls.moves.${name}`), () => acts.move(right, down), { className: "sign" })));
-  const copies = (["text", "table"] as const).map((what) => {
-    const made = button(say(`copy.${what}.word`), say(`copy.${what}.help`), () => {
-      if (!rows.length) return;
-      void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), () => sayDone(made, say(`copy.${what}.done`)));
-    });
-    return made;
-  });
-  const head = element("div", "card-head", chip, element("h2", "pixel", pixel, rgb), arrows, element("div", "copies", ...copies));
+const TABS = ["rays", "tree", "sum", "code"] as const;
+
+/** The tabs' panels and what is in them: all but the list comes when its tab is first chosen. */
+function createViews(acts: CardActs, onDemand: OnDemand) {
   const rays = createRays(acts);
-  const tree = createTree(acts);
-  const sums = createSums(acts);
-  const tabs = createTabs("card", say("card.tabs"), (["rays", "tree", "sum", "code"] as const).map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: element("div", "tab-panel", { rays, tree, sum: sums, code: { element: code } }[id].element) })), () => draw());
+  const panel = (...content: Node[]) => element("div", "tab-panel", ...content);
+  const panels = { rays: panel(rays.element), tree: panel(), sum: panel(), code: panel() };
+  const into = (of: HTMLElement, view: RaysView) => (of.append(view.element), view);
+  return {
+    panels,
+    views: {
+      rays: { now: () => rays, use: (act: (view: RaysView) => void) => act(rays) },
+      tree: onDemand.one("card-tree", ({ createTree }) => into(panels.tree, createTree(acts))),
+      sum: onDemand.one("card-sum", ({ createSums }) => into(panels.sum, createSums(acts))),
+      code: onDemand.one("code", ({ createCode }) => into(panels.code, createCode())),
+    },
+  };
+}
+
+export function createCard(acts: CardActs, onDemand: OnDemand) {
+  const { panels, views } = createViews(acts, onDemand);
+  const tabs = createTabs("card", say("card.tabs"), TABS.map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: panels[id] })), () => {
+    asked = "";
+    draw();
+  });
+  const head = createCardHead({ move: acts.move, copy: copyRays });
   const note = element("p", "note");
   const body = element("div", "card-body", ...tabs.panels);
   const root = element("section", "card", tabs.bar, note, body);
   root.setAttribute("aria-label", say("card.region"));
 
-  let rows: readonly RayRow[] = [];
   let heading = "";
-  let now: { state: ViewState; scene: SceneData; trace: Trace } | null = null;
+  let now: PixelRays | null = null;
+  let isCovered = true; // there are no rays yet, or they would give an answer away
   let shown: readonly unknown[] = [];
-  let bright: readonly unknown[] = [];
+  let asked = ""; // the tab whose view has been asked for: what failed is not asked for anew at every drawing
+  let lit: readonly [LitLine | null, RayEvent | null] = [null, null];
+
+  const copies = onDemand.one("copies", (part) => part);
+  function copyRays(what: Copy, done: () => void) {
+    if (isCovered) return;
+    const { rows } = now!;
+    copies.use(({ treeText, treeTable }) => void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), done));
+  }
 
   /** Only the panel that is seen is made. */
   function draw() {
-    bright = [];
-    body.hidden = !now && tabs.chosen() !== "code"; // the algorithm gives no answer away
+    const tab = tabs.chosen();
+    body.hidden = isCovered && tab !== "code"; // the algorithm gives no answer away
     note.hidden = !body.hidden;
-    if (!now) return;
-    const { state, scene, trace } = now;
-    if (tabs.chosen() === "rays") rays.show(rows);
-    else if (tabs.chosen() === "tree") tree.show(rows);
-    else if (tabs.chosen() === "sum") sums.show(rows, scene, trace, tileColour(trace, pixelIndex(state)));
-  }
-
-  /** Scrolls the list alone: the page stays where it is. */
-  function showRow(of: HTMLElement, row: HTMLElement) {
-    const [box, at] = [of.getBoundingClientRect(), row.getBoundingClientRect()];
-    if (at.top < box.top) of.scrollTop += at.top - box.top;
-    else if (at.bottom > box.bottom) of.scrollTop += Math.min(at.bottom - box.bottom, at.top - box.top);
-  }
-
-  function mark(of: HTMLElement, rows: readonly HTMLElement[], lit: HTMLElement | null, follow: boolean) {
-    for (const row of rows) row.classList.toggle("lit", row === lit);
-    if (lit && follow) showRow(of, lit);
+    if (body.hidden) return;
+    const view = views[tab].now();
+    if (view) {
+      if (now) view.show(now);
+      view.light(...lit);
+    } else if (asked !== tab) {
+      asked = tab;
+      views[tab].use(draw);
+    }
   }
 
   return {
     element: root,
-    /** Where the pixel is and what colour it has. */
-    head,
-    /** missing: this grid's rays could not be loaded. */
-    show(state: ViewState, scene: SceneData, trace: Trace | null, missing: boolean) {
-      const index = pixelIndex(state);
-      const asking = isAsking(state, scene);
-      const next = [trace, index, missing, asking];
-      if (trace && next.every((each, k) => each === shown[k])) return;
+    head: head.element,
+    /** missing: this grid's rays could not be loaded. line: what is lit up on the stage. told: the event the player is at. */
+    show(state: ViewState, scene: SceneData, trace: Trace | null, missing: boolean, line: LitLine | null, told: RayEvent | null) {
+      const [pixel, asking] = [pixelIndex(state), isAsking(state, scene)];
+      const next = [trace, pixel, missing, asking];
+      const isSame = trace && next.every((each, k) => each === shown[k]);
+      if (isSame && line === lit[0] && told === lit[1]) return;
+      lit = [line, told];
+      if (isSame) return body.hidden ? undefined : views[tabs.chosen()].now()?.light(line, told);
       shown = next;
+      isCovered = !trace || asking;
+      now = trace && { rows: asking ? [] : rayRows(trace, scene, pixel), scene, trace, pixel };
       heading = `${scene.title}, ${state.n} \u00d7 ${state.n}, ${say("card.pixel", { column: state.pixel[0], row: state.pixel[1] })}`;
-      pixel.textContent = say("card.pixel", { column: state.pixel[0], row: state.pixel[1] });
-      const isOpen = !!trace && !asking;
-      const colour = isOpen ? tileColour(trace, index) : null;
-      rgb.textContent = colour?.join(", ") ?? "";
-      chip.style.backgroundColor = colour ? `rgb(${colour.join()})` : "transparent";
-      for (const each of copies) each.setAttribute("aria-disabled", String(!isOpen));
-      now = isOpen ? { state, scene, trace } : null;
-      rows = isOpen ? rayRows(trace, scene, index) : [];
-      if (!isOpen) note.textContent = say(asking ? "card.covered" : missing ? "card.none" : "card.waiting");
+      head.show(state.pixel, isCovered ? null : tileColour(trace!, pixel));
+      if (isCovered) note.textContent = say(asking ? "card.covered" : missing ? "card.none" : "card.waiting");
       draw();
-    },
-    /** Marks what belongs to the ray that is lit up on the stage, or to the told event; follow: and brings it into sight. */
-    light(line: LitLine | null, told: RayEvent | null) {
-      const next = [line, told];
-      if (next.every((each, k) => each === bright[k])) return;
-      bright = next;
-      const lit = line ?? told;
-      const follow = !line;
-      if (tabs.chosen() === "tree") return tree.light(lit, follow);
-      if (tabs.chosen() === "sum") return mark(sums.element, sums.items(), sums.lit(told), true);
-      const items = [...rays.element.querySelectorAll<HTMLElement>("li.ray")];
-      mark(rays.element, items, items.find(({ dataset }) => dataset.ray === String(lit?.ray) && dataset.light === String(lit?.light)) ?? null, follow);
     },
   };
 }

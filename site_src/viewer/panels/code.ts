@@ -3,6 +3,7 @@ import type { RayEvent } from "../state/event-types";
 import { treeOf } from "../state/lines";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
+import type { PixelRays, RaysView } from "./card-rays";
 import { element } from "./element";
 
 type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | "mirror" | "clear" | "back", ...whats: RayEvent["what"][]];
@@ -28,7 +29,7 @@ const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], un
 
 const MOST_CALLS = 4; // told of a chain
 
-export function createCode() {
+export function createCode(): RaysView {
   const lines = LINES.map(([indent, name]) => {
     const line = element("li", "", say(`code.line.${name}`));
     line.dataset.indent = String(indent);
@@ -38,13 +39,12 @@ export function createCode() {
   const root = element("section", "code", calls, element("ol", "code-lines", ...lines));
   root.setAttribute("aria-label", say("code.title"));
   root.tabIndex = 0; // where it scrolls, by keyboard too
-  let shown: RayEvent | null | undefined;
+  let of: PixelRays | null = null;
 
   return {
     element: root,
-    show(told: RayEvent | null, trace: Trace | null, pixel: number) {
-      if (shown === told) return;
-      shown = told;
+    show: (next) => void (of = next),
+    light(_, told) {
       LINES.forEach(([, name, ...whats], k) => {
         const isHere = !!told && whats.includes(told.what);
         lines[k].classList.toggle("here", isHere);
@@ -52,7 +52,7 @@ export function createCode() {
         if (isHere) lines[k].setAttribute("aria-current", "step");
         else lines[k].removeAttribute("aria-current");
       });
-      calls.textContent = told && trace ? callsOf(told.ray, trace, pixel) : say("code.idle");
+      calls.textContent = told && of ? callsOf(told.ray, of.trace, of.pixel) : say("code.idle");
     },
   };
 }

@@ -76,13 +76,13 @@ export function createHelp() {
 const SEEN_FOR = 1600; // ms
 
 /** The last key and what it did, large, for those who watch a screen from afar. */
-export function createKeySign() {
+export function createKeySign(body: HTMLElement) {
   const root = element("div", "key-sign");
   root.setAttribute("aria-hidden", "true");
   root.hidden = true;
+  body.append(root);
   let timer = 0;
   return {
-    element: root,
     show(key: string) {
       const row = ROWS.find((each) => each && (each.keys as readonly string[]).includes(key));
       if (!row) return;

@@ -3,7 +3,7 @@ import { say } from "../words";
 import { button, element } from "./element";
 
 /** "act": what the person did last; every other subject has its sentence until it is put right. */
-export type Subject = "act" | "address" | "scene" | "trace" | "picture" | "stage" | "error";
+export type Subject = "act" | "address" | "scene" | "trace" | "picture" | "stage" | "error" | `part ${string}`;
 
 export interface Way {
   word: string;
@@ -37,7 +37,7 @@ export function createNotice(root: HTMLElement) {
   const areBoth = () => told.has("trace") && told.has("picture");
   function sentences() {
     const others = [...told].filter(([about]) => !areBoth() || (about !== "trace" && about !== "picture")).map(([, { sentence }]) => sentence);
-    return [...(areBoth() ? [say("trouble.raysAndPicture")] : []), ...others].join(" ");
+    return [...(areBoth() ? [say("trouble.raysAndPicture")] : []), ...new Set(others)].join(" ");
   }
 
   function show() {
@@ -46,7 +46,8 @@ export function createNotice(root: HTMLElement) {
     text.textContent = sentences(); // one text: it is read out as a whole
     const isRepeatable = all.some(({ again }) => again);
     const buttons = [...(isRepeatable ? [{ word: say("trouble.again"), go: tryAgain }] : []), ...all.flatMap((each) => each.ways)];
-    ways.replaceChildren(...buttons.map(({ word, go }) => button(word, word, go)));
+    const once = new Map(buttons.map((each) => [each.word, each]));
+    ways.replaceChildren(...[...once.values()].map(({ word, go }) => button(word, word, go)));
   }
 
   function hide(...about: Subject[]) {

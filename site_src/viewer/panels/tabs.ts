@@ -2,16 +2,16 @@
 import { button, element } from "./element";
 import { recall, remember } from "./remember";
 
-export interface Tab {
-  id: string;
+export interface Tab<Id extends string> {
+  id: Id;
   word: string;
   help: string;
   panel: HTMLElement;
 }
 
-export function createTabs(name: string, label: string, tabs: readonly Tab[], changed: () => void) {
+export function createTabs<Id extends string>(name: string, label: string, tabs: readonly Tab<Id>[], changed: () => void) {
   const kept = recall(name);
-  let chosen = tabs.some(({ id }) => id === kept) ? kept! : tabs[0].id;
+  let chosen = tabs.find(({ id }) => id === kept)?.id ?? tabs[0].id;
   const buttons = tabs.map(({ id, word, help, panel }) => {
     const made = button(word, help, () => choose(id), { className: "tab" });
     made.setAttribute("role", "tab");
@@ -41,7 +41,7 @@ export function createTabs(name: string, label: string, tabs: readonly Tab[], ch
       buttons[k].tabIndex = id === chosen ? 0 : -1;
     });
   }
-  function choose(id: string) {
+  function choose(id: Id) {
     chosen = id;
     remember(name, id);
     show();

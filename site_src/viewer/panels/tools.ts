@@ -1,6 +1,6 @@
 /** The page's own buttons: link, picture, full screen, projector, help; and embedded, the way to the whole page. */
 import { say } from "../words";
-import { copy } from "./copy";
+import { copy } from "./clipboard";
 import { sayDone } from "./done";
 import { button, element, pressed } from "./element";
 

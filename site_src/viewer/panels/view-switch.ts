@@ -3,8 +3,7 @@
  * row's or a column's rays drawn flat. Under it one sentence says what is seen.
  */
 import { LOOKS, type Look } from "../state/look";
-import { SLICES, type Slice } from "../state/section";
-import type { ViewState } from "../state/view-state";
+import { SLICES, type Slice, type ViewState } from "../state/view-state";
 import { say } from "../words";
 import { button, element, pressed } from "./element";
 

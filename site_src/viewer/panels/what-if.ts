@@ -1,119 +1,51 @@
-/** What-if switches: a panel that opens under the stage, and the button that undoes them all. */
-import { BRIGHTEST, bouncesOf, brightness, isSwitched, lampsOf, PARTS, partsOf, type Part } from "../state/switches";
+/** What if: the button that opens the switches, which come when first opened, under the stage, and the one that undoes them all. */
+import type { OnDemand } from "../on-demand";
+import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
-import { percent, say } from "../words";
+import { say } from "../words";
 import { button, element } from "./element";
+import type { WhatIfActs } from "./what-if-switches";
 
-export interface WhatIfActs {
-  bounces: (by: 1 | -1) => void;
-  lamp: (lamp: number, factor: number) => void;
-  stepLamp: (lamp: number, by: 1 | -1) => void;
-  turnLamp: (lamp: number) => void;
-  shadows: () => void;
-  part: (part: Part) => void;
-  asTraced: () => void;
-}
-
-/** A box to tick with its word, both of which press it. */
-function tick(word: string, help: string, turn: () => void) {
-  const box = element("input");
-  box.type = "checkbox";
-  box.addEventListener("change", turn);
-  const label = element("label", "tick", box, element("span", "", word));
-  label.title = help;
-  return { box, label };
-}
-
-function group(name: string, className: string, ...parts: HTMLElement[]) {
-  const whole = element("div", `group ${className}`, element("span", "group-name", name), ...parts);
-  whole.setAttribute("role", "group");
-  whole.setAttribute("aria-label", name);
-  return whole;
-}
-
-function createLamp(acts: WhatIfActs, name: string, lamp: number) {
-  const { box, label } = tick(name, say("whatIf.lamp", { light: name, key: (lamp + 1) % 10 }), () => acts.turnLamp(lamp));
-  const range = element("input", "brightness");
-  range.type = "range";
-  Object.assign(range, { min: "0", max: String(BRIGHTEST), step: "0.05" });
-  range.setAttribute("aria-label", say("whatIf.brightness", { light: name }));
-  range.addEventListener("input", () => acts.lamp(lamp, Number(range.value)));
-  const darker = button("\u2212", say("whatIf.darker", { light: name }), () => acts.stepLamp(lamp, -1), { className: "sign" });
-  const brighter = button("+", say("whatIf.brighter", { light: name }), () => acts.stepLamp(lamp, 1), { className: "sign" });
-  const share = element("output", "numbers");
-  return {
-    element: element("div", "lamp", label, darker, range, brighter, share),
-    show(factor: number) {
-      box.checked = factor > 0;
-      range.value = String(factor);
-      const text = percent(factor);
-      share.textContent = text;
-      range.setAttribute("aria-valuetext", text);
-      darker.setAttribute("aria-disabled", String(factor === 0));
-      brighter.setAttribute("aria-disabled", String(factor === BRIGHTEST));
-    },
-  };
-}
-
-export function createWhatIf(acts: WhatIfActs) {
-  const toggle = button(say("whatIf.open.word"), say("whatIf.open.help"), () => open(!!root.hidden), { className: "open-what-if" });
+export function createWhatIf(acts: WhatIfActs & { asTraced: () => void }, onDemand: OnDemand) {
+  const toggle = button(say("whatIf.open.word"), say("whatIf.open.help"), () => (root.hidden ? open() : close()), { className: "open-what-if" });
   const undo = button(say("whatIf.undo.word"), say("whatIf.undo.help"), acts.asTraced, { className: "undo-switches" });
-  const fewer = button("\u2212", say("whatIf.fewer"), () => acts.bounces(-1), { className: "sign" });
-  const more = button("+", say("whatIf.more"), () => acts.bounces(1), { className: "sign" });
-  const limit = element("output", "limit numbers");
-  const lampsBox = element("div", "lamps");
-  const shadows = tick(say("whatIf.shadows"), say("whatIf.shadowsHelp"), acts.shadows);
-  const parts = PARTS.map((part) => ({ part, ...tick(say(`whatIf.part.${part}`), say(`whatIf.partHelp.${part}`), () => acts.part(part)) }));
-  const root = element(
-    "section",
-    "what-if",
-    group(say("whatIf.bounces"), "bounces", element("div", "joined", fewer, limit, more)),
-    group(say("whatIf.lights"), "lamp-switches", lampsBox),
-    group(say("whatIf.parts"), "parts", shadows.label, ...parts.map(({ label }) => label)),
-  );
+  const root = element("section", "what-if");
   root.setAttribute("aria-label", say("whatIf.region"));
   root.id = "what-if";
   toggle.setAttribute("aria-controls", root.id);
-  let lamps: ReturnType<typeof createLamp>[] = [];
-  let shown: SceneData | null = null;
+  const switches = onDemand.one("what-if-switches", ({ createSwitches }) => {
+    const made = createSwitches(acts);
+    root.append(...made.groups);
+    return made;
+  });
+  let shown: readonly [ViewState, SceneData] | null = null; // the scene as it was traced
   let opened = false; // by an address or a lesson that sets switches: once, the person may close it
 
-  function open(on: boolean) {
-    root.hidden = !on;
-    toggle.setAttribute("aria-expanded", String(on));
+  const open = () =>
+    switches.use(({ show }) => {
+      if (shown) show(...shown);
+      root.hidden = false;
+      toggle.setAttribute("aria-expanded", "true");
+    });
+  function close() {
+    root.hidden = true;
+    toggle.setAttribute("aria-expanded", "false");
   }
-  open(false);
-
-  function showScene(scene: SceneData) {
-    shown = scene;
-    lamps = lampsOf(scene).map(({ name }, k) => createLamp(acts, name, k));
-    lampsBox.replaceChildren(...lamps.map((lamp) => lamp.element));
-    const here = partsOf(scene);
-    for (const { part, label } of parts) label.hidden = !here.includes(part);
-    shadows.box.disabled = !scene.shadows;
-    shadows.label.title = say(scene.shadows ? "whatIf.shadowsHelp" : "whatIf.noShadows");
-    const traced = scene.depth ? say("whatIf.traced", { count: scene.depth }) : say("whatIf.noneTraced");
-    limit.title = traced;
-    more.title = `${say("whatIf.more")}: ${traced}`;
-  }
+  close();
 
   return {
     element: root,
     toggle,
     undo,
-    /** scene: as it was traced. */
-    show({ switches, step }: ViewState, scene: SceneData) {
-      if (shown !== scene) showScene(scene);
-      const bounces = bouncesOf(switches, scene);
-      limit.textContent = String(bounces);
-      fewer.setAttribute("aria-disabled", String(bounces === 0));
-      more.setAttribute("aria-disabled", String(bounces === scene.depth));
-      for (const [k, lamp] of lamps.entries()) lamp.show(brightness(switches, k));
-      shadows.box.checked = scene.shadows && switches.shadows;
-      for (const { part, box } of parts) box.checked = !switches.without.includes(part);
-      undo.hidden = !isSwitched(switches);
-      if (isSwitched(switches) && !opened && step === null) open((opened = true)); // a lesson says what it switches, and its stage keeps still
+    show(...next: readonly [ViewState, SceneData]) {
+      shown = next;
+      if (!root.hidden) switches.now()?.show(...next);
+      const isAny = isSwitched(next[0].switches);
+      undo.hidden = !isAny;
+      if (!isAny || opened || next[0].step !== null) return; // a lesson says what it switches, and its stage keeps still
+      opened = true;
+      open();
     },
   };
 }

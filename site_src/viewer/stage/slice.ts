@@ -5,6 +5,8 @@ import { drawSlice } from "./slice-drawing";
 import { namesOf } from "./slice-names";
 import { sheetOf, type Sheet, type SliceView } from "./slice-sheet";
 
+export { sectionOf } from "../state/section";
+
 export function createSlice(acts: { pick: (along: number) => void }) {
   const canvas = document.createElement("canvas");
   const labels = createLabels();

@@ -10,7 +10,7 @@ import { createDrawing, type DrawingActs } from "./drawing";
 import { listenToGestures } from "./gestures";
 import { createLabels, strokesAlong, type Box } from "./labels";
 import type { Drawn, StageView } from "./renderer";
-import { slideSvg } from "./slide";
+import type { slideSvg } from "./slide";
 import { namesOf } from "./stage-names";
 import { createTracedPicture } from "./traced-picture";
 import { lineUnder, nearestTile, tileUnder, type Tile } from "./under";
@@ -92,14 +92,14 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
       redraw();
       return drawing.renderer().canvas;
     },
-    /** The view as an SVG with a line under it; null before there is anything. */
-    slide(caption: string): string | null {
+    /** The view as an SVG with a line under it, which `svg` makes; null before there is anything. */
+    slide(svg: typeof slideSvg, caption: string): string | null {
       if (!drawn) return null;
       const { view, projection } = drawn;
       drawing.renderer().draw({ ...drawn, view: { ...view, chosen: [], lit: null } });
       const picture = drawing.renderer().canvas.toDataURL(); // at once: later the browser may have cleared it
       redraw();
-      return slideSvg(picture, view.chosen, labels.element, caption, projection, view.scene.bounds.radius / 300);
+      return svg(picture, view.chosen, labels.element, caption, projection, view.scene.bounds.radius / 300);
     },
     /** For tests. */
     stats: () => ({ frames, renderer: drawing.renderer().isFlat ? "flat" : "webgl", ...size, gpu: drawing.renderer().held(), ...placesOf(drawn) }),
@@ -107,6 +107,8 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     loseContext: () => drawing.renderer().canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext(),
   };
 }
+
+export type Stage = ReturnType<typeof createStage>;
 
 function createElement(): HTMLElement {
   const element = document.createElement("div");

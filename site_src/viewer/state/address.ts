@@ -1,12 +1,11 @@
 /** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is as at the scene's start is
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
-import { applyView, goToStep, RAY_CHOICES, SPEEDS, startState, type RayChoice } from "./view-state";
+import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, type RayChoice } from "./view-state";
 import type { Kept, ViewState } from "./types";
 import { TILE_VIEWS } from "./costs";
 import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
-import { SLICES } from "./section";
 import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
 import { length, sub, type Vec3 } from "./vectors";
 

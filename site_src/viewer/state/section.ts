@@ -4,9 +4,6 @@ import { onPlane, type PicturePlane } from "./frustum";
 import { add, dot, length, scale, sub, triple, unit, type Vec3 } from "./vectors";
 import type { ViewState } from "./types";
 
-export type Slice = ViewState["slice"];
-export const SLICES: readonly Slice[] = ["none", "row", "column"];
-
 /** To the right and down; of a row: ahead of the eye and to its right. Of a column: ahead and below. */
 export type Flat = readonly [number, number];
 

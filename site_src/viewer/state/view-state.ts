@@ -3,7 +3,6 @@ import type { SceneData, Trace, View } from "../trace/types";
 import { NOT_TOLD } from "./play";
 import type { TileView } from "./costs";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
-import { SLICES, type Slice } from "./section";
 import type { Kept, ViewState } from "./types";
 
 export type { ViewState };
@@ -92,6 +91,8 @@ export function advance(state: ViewState, seconds: number): ViewState {
 export const tilesShown = ({ tiles, drawn, n }: ViewState): number =>
   tiles === "filled" ? n * n : tiles === "empty" ? 0 : Math.floor(drawn);
 
+export type Slice = ViewState["slice"];
+export const SLICES: readonly Slice[] = ["none", "row", "column"];
 export const nextSlice = (slice: Slice): Slice => SLICES[(SLICES.indexOf(slice) + 1) % SLICES.length];
 
 export const nextSpeed = (speed: number): number => SPEEDS[(SPEEDS.indexOf(speed) + 1) % SPEEDS.length];

@@ -1,11 +1,9 @@
-/** The ray tree as text and as a table for spreadsheets, into the clipboard or, where that is refused, to be copied by hand. */
+/** The ray tree as text and as a table for spreadsheets. */
 import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { Vec3 } from "../trace/types";
 import { list, number, percent, plain, say, tone, vector } from "../words";
 import { lightWords, rayWords } from "./card-rays";
-import { createDialog } from "./dialog";
-import { element } from "./element";
 
 const colour = (v: Vec3) => list(v.map(number));
 
@@ -62,18 +60,4 @@ export function treeTable(rows: readonly RayRow[]): string {
     ]).flat(),
   ];
   return [columns.map(([name]) => name), ...rows.map((row) => columns.map(([, of]) => quoted(of(row))))].map((line) => `${line.join(",")}\r\n`).join("");
-}
-
-/** done: the clipboard has it. */
-export async function copy(text: string, done: () => void) {
-  try {
-    await navigator.clipboard.writeText(text);
-    done();
-  } catch {
-    const area = element("textarea", "by-hand", text);
-    area.readOnly = true;
-    area.setAttribute("aria-label", say("copy.byHand"));
-    createDialog(say("copy.byHand"), area).open();
-    area.select();
-  }
 }

@@ -1,0 +1,104 @@
+/**
+ * What a first view does not show: each import() of this table becomes a classic script of its own (bundle.mjs), which
+ * is loaded when it is first used, or before, when the browser has nothing else to do.
+ */
+import { addScript, LoadError } from "./load";
+import type { Notice } from "./panels/notice";
+import { troubleOfPart } from "./trouble";
+
+const PARTS = {
+  slice: () => import("./stage/slice"),
+  "what-if-switches": () => import("./panels/what-if-switches"),
+  "card-tree": () => import("./panels/card-tree"),
+  "card-sum": () => import("./panels/card-sum"),
+  code: () => import("./panels/code"),
+  copies: () => import("./panels/copies"),
+  saving: () => import("./saving"),
+  help: () => import("./panels/help"),
+};
+type Parts = typeof PARTS;
+export type PartName = keyof Parts;
+type Part<K extends PartName> = Awaited<ReturnType<Parts[K]>>;
+type Make = (shared: object) => unknown;
+
+declare global {
+  interface Window {
+    /** Of the viewer's modules, what the parts import of them, by module: bundle.mjs puts it there. */
+    raywalkShared: object;
+    raywalkParts: {
+      /** What an import() is when it is bundled. */
+      load: (name: string) => Promise<unknown>;
+      /** A part's script calls this. */
+      offer: (name: string, make: Make) => void;
+    };
+  }
+}
+
+/** own: the viewer's script, which names its parts' files beside it. */
+export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
+  const files: Readonly<Record<string, string>> = JSON.parse(own.dataset.parts!);
+  const offered = new Map<string, Make>();
+  const failed = new Map<string, number>(); // times that this was asked for in vain
+  const coming = new Map<PartName, Promise<unknown>>();
+  const here = new Map<PartName, unknown>();
+
+  window.raywalkParts = {
+    offer: (name, make) => void offered.set(name, make),
+    async load(name) {
+      await addScript(new URL(files[name], own.src).href, name, failed.get(name));
+      const make = offered.get(name);
+      if (!make) throw new LoadError(name, "damaged");
+      return make(window.raywalkShared);
+    },
+  };
+
+  async function load(name: PartName) {
+    try {
+      here.set(name, await PARTS[name]());
+    } catch (error) {
+      failed.set(name, (failed.get(name) ?? 0) + 1);
+      coming.delete(name); // asked for anew the next time
+      throw error;
+    }
+  }
+  function come(name: PartName) {
+    const promise = coming.get(name) ?? load(name);
+    coming.set(name, promise);
+    return promise;
+  }
+
+  function want<K extends PartName>(name: K, act: (part: Part<K>) => void) {
+    const ready = () => act(here.get(name) as Part<K>);
+    if (here.has(name)) return ready(); // at once: what a click may do it may not do later
+    void come(name).then(ready, () => {
+      notice.say(...troubleOfPart(name, () => want(name, act)));
+    });
+  }
+
+  return {
+    /** Rejects if the part cannot be had. */
+    come,
+    /** Something that a part makes, once, when it is first used. */
+    one<K extends PartName, T>(name: K, make: (part: Part<K>) => T) {
+      let made: T | null = null;
+      const makeOnce = (part: Part<K>) => (made ??= make(part));
+      return {
+        /** null: its script has not come yet. */
+        now: () => (here.has(name) ? makeOnce(here.get(name) as Part<K>) : null),
+        /** Acts with it as soon as it is there; if its script does not come, that is said. */
+        use: (act: (thing: T) => void) => want(name, (part) => act(makeOnce(part))),
+      };
+    },
+    /** Brings the parts before they are asked for, one after the other; those that do not come are asked for when used. */
+    async bringAll() {
+      for (const name of Object.keys(PARTS) as PartName[]) {
+        await idle();
+        await come(name).catch(() => {});
+      }
+    },
+  };
+}
+
+export type OnDemand = ReturnType<typeof createOnDemand>;
+
+const idle = () => new Promise((done) => (window.requestIdleCallback ?? setTimeout)(done));

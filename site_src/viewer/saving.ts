@@ -1,0 +1,63 @@
+/** The view as a file: a picture of what is drawn, or an SVG for slides whose rays and words can be edited. */
+import type { Session } from "./session";
+import { slideSvg } from "./stage/slide";
+import { snapshot } from "./stage/snapshot";
+import type { Stage } from "./stage/stage";
+import { pixelIndex, tileColour } from "./state/view-state";
+import { say } from "./words";
+
+/** done: with the file's name. */
+type Done = (file: string) => void;
+
+export interface Views {
+  stage: Stage;
+  /** What is seen instead of the stage. */
+  slice: () => HTMLElement | null;
+}
+
+export function createSaving(session: Session, { stage, slice }: Views, notify: (sentence: string) => void) {
+  /** What a saved view shows, in words; null before there is anything. */
+  function caption(): string | null {
+    const { state, scene } = session;
+    if (!state || !scene) return null;
+    const trace = session.trace();
+    const [column, row] = state.pixel;
+    const colour = trace ? tileColour(trace, pixelIndex(state)).join(", ") : "";
+    return say("tools.saved", { scene: scene.title, column, row, n: state.n, colour });
+  }
+
+  function keep(blob: Blob | null, ending: string, done: Done) {
+    const { state } = session;
+    if (!blob || !state) return notify(say("tools.notSaved"));
+    const file = document.createElement("a");
+    file.href = URL.createObjectURL(blob);
+    file.download = `${state.scene}-${state.pixel.join("-")}.${ending}`;
+    file.click();
+    setTimeout(() => URL.revokeObjectURL(file.href), 1000);
+    done(file.download);
+  }
+  /** Browsers refuse for reasons of their own: no memory, a page in a frame without leave to. */
+  function trying(act: () => void) {
+    try {
+      act();
+    } catch {
+      notify(say("tools.notSaved"));
+    }
+  }
+
+  return {
+    save: (done: Done) =>
+      trying(() => {
+        const [says, flat] = [caption(), slice()];
+        if (says === null) return;
+        const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
+        snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), says).toBlob((blob) => trying(() => keep(blob, "png", done)));
+      }),
+    slide(done: Done) {
+      const says = caption();
+      const drawn = says === null || slice() ? null : stage.slide(slideSvg, says);
+      if (drawn === null) notify(say("tools.noSlide"));
+      else trying(() => keep(new Blob([drawn], { type: "image/svg+xml" }), "svg", done));
+    },
+  };
+}

@@ -1,0 +1,181 @@
+/** Parts of the viewer come when they are first used, or before, in idle time; where one cannot be had that is said. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { bundleViewer } from "../../site_src/bundle.mjs";
+import { asOfferedPart } from "../../site_src/parts.mjs";
+import { DIST, launch, newPage, ON_DISK, press, richScene, settled, state } from "./browser.mjs";
+import { serve } from "./server.mjs";
+
+const rich = richScene();
+const HASH = "#still=1&gl=none&n=15&p=5,8";
+let browser, server;
+before(async () => {
+  [browser, server] = await Promise.all([launch(), serve(DIST)]);
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const tab = (name) => (page) => page.locator(`#tab-card-${name}`).click();
+const tool = (name) => (page) => page.getByRole("button", { name }).click();
+const download = (name) => async (page) => {
+  const [file] = await Promise.all([page.waitForEvent("download"), tool(name)(page)]);
+  return file.suggestedFilename();
+};
+
+/** Part -> [what asks for it, what then is there]. */
+const PARTS = {
+  slice: [(page) => page.keyboard.press("x"), ".slice:not([hidden]) canvas"],
+  "what-if-switches": [(page) => page.locator(".open-what-if").click(), ".what-if:not([hidden]) .lamp"],
+  "card-tree": [tab("tree"), ".tree .node"],
+  "card-sum": [tab("sum"), ".sums .formula"],
+  code: [tab("code"), ".code-lines li"],
+  copies: [tool("Copy the pixel's rays as text"), "textarea.by-hand, button.done"],
+  saving: [download("Save this view"), "button.done"],
+  help: [(page) => page.keyboard.press("?"), "dialog[open] .keys"],
+};
+
+/** A page whose browser is never idle, or whose idle time comes when the test says so, and the parts it asks for. */
+async function pageAt(base, { idle = false, path = rich.path, hash = HASH } = {}) {
+  const page = await newPage(browser);
+  if (!idle) await page.addInitScript(() => (window.requestIdleCallback = () => 0));
+  page.home = base;
+  page.asked = [];
+  page.on("request", (request) => {
+    const name = /assets\/part-(.+)-\w+\.js/.exec(request.url())?.[1];
+    if (name) page.asked.push(name);
+  });
+  await page.goto(`${base}${path}${hash}`);
+  await page.evaluate(() => window.raywalk.ready);
+  await settled(page);
+  return page;
+}
+
+test("the bundle's parts are those that are tried here, each module stands in one script, and each part is at most 15 KB", async () => {
+  const { parts, modules } = await bundleViewer();
+  assert.deepEqual(Object.keys(parts).sort(), Object.keys(PARTS).sort());
+  const all = Object.values(modules).flat();
+  assert.deepEqual(all.filter((path, at) => all.indexOf(path) !== at), []);
+  for (const [name, text] of Object.entries(parts)) assert.ok(gzipSync(text, { level: 9 }).length <= 15_000, name);
+});
+
+test("a part takes from the viewer's script what both need, by name, and gives what it exports", () => {
+  const asked = new Map();
+  const script = asOfferedPart("sum", 'import{say as a,list}from"shared:words";function b(){return a(list)}export{b as sum};', asked);
+  assert.deepEqual([...asked.get("words")], ["say", "list"]);
+  const offered = {};
+  new Function("raywalkParts", script)({ offer: (name, make) => (offered[name] = make({ words: { say: (of) => `said ${of}`, list: 3 } })) });
+  assert.equal(offered.sum.sum(), "said 3");
+  assert.throws(() => asOfferedPart("all", 'import*as a from"shared:words";export{a};', new Map()), /imports or exports in a way/);
+});
+
+for (const [where, base] of [["a host", () => server.url], ["a disk", () => ON_DISK]])
+  test(`from ${where}: a first view asks for no part, each comes when it is first used, and what asked for it is done`, async () => {
+    const page = await pageAt(base());
+    assert.deepEqual(page.asked, []);
+    for (const [name, [act, shows]] of Object.entries(PARTS)) {
+      await act(page);
+      await page.locator(shows).first().waitFor();
+      assert.deepEqual(page.asked.splice(0), [name]);
+      await page.keyboard.press("Escape");
+    }
+    assert.deepEqual(page.faults, []);
+    await page.close();
+  });
+
+test("parts come in idle time, after the scene is there", async () => {
+  const page = await pageAt(server.url, { idle: true });
+  await page.evaluate(() => window.raywalk.whole);
+  assert.deepEqual(page.asked.sort(), Object.keys(PARTS).sort());
+  await tab("tree")(page);
+  assert.ok(await page.locator(".tree .node").first().isVisible(), "at once");
+  await page.close();
+});
+
+test("what was left open at the last visit, or is in the address, comes by itself", async () => {
+  const page = await pageAt(server.url, { hash: "#still=1&gl=none&n=15&p=5,8&slice=row&if=-shadows" });
+  for (const name of ["slice", "what-if-switches"]) await page.locator(PARTS[name][1]).first().waitFor();
+  await tab("tree")(page);
+  await page.reload();
+  await page.locator(".tree .node").first().waitFor();
+  assert.ok(!page.asked.includes("card-sum"));
+  await page.close();
+});
+
+test("several keys before a part is there all count, in their order", async () => {
+  const page = await pageAt(server.url);
+  let letGo;
+  const waits = new Promise((done) => (letGo = done));
+  await page.route("**/part-help-*", async (route) => (await waits, route.continue()));
+  await press(page, "?", "?", "?");
+  letGo();
+  await page.locator("dialog[open]").waitFor(); // opened, closed, opened
+  assert.equal(await page.locator("dialog").count(), 1);
+  await page.close();
+});
+
+test("a part that is late does not show where something else was asked for meanwhile", async () => {
+  const page = await pageAt(server.url);
+  let letGo;
+  const waits = new Promise((done) => (letGo = done));
+  await page.route("**/part-card-tree-*", async (route) => (await waits, route.continue()));
+  await tab("tree")(page);
+  await tab("rays")(page);
+  letGo();
+  await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /part-card-tree/.test(name)));
+  await settled(page);
+  assert.ok(await page.locator("li.ray").first().isVisible());
+  assert.ok(!(await page.locator(".tree").isVisible()));
+  await page.close();
+});
+
+const MISSING = /^A part of the page could not be loaded; everything else works\.$/;
+for (const [what, reply] of Object.entries({
+  "is not there": (route) => route.fulfill({ status: 404 }),
+  "is lost on its way": (route) => route.abort("connectionreset"),
+  "is a sign-in page": (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>Sign in</title>" }),
+  "is cut": (route) => route.fulfill({ contentType: "text/javascript", body: 'raywalkParts.offer("help",$shared=>{' }),
+  "is empty": (route) => route.fulfill({ contentType: "text/javascript", body: "" }),
+}))
+  test(`a part ${what}: said when it is used, not in idle time; the rest works; a second try does what was asked for`, async () => {
+    const page = await newPage(browser);
+    await page.route("**/part-help-*", reply);
+    page.home = server.url;
+    await page.goto(`${server.url}${rich.path}${HASH}`);
+    await page.evaluate(() => window.raywalk.whole);
+    assert.ok(!(await page.locator("#notice").isVisible()));
+    await press(page, "?");
+    await page.locator("#notice .notice-text").waitFor();
+    assert.match(await page.locator("#notice .notice-text").innerText(), MISSING);
+    await press(page, "ArrowRight");
+    assert.deepEqual((await state(page)).pixel, [6, 8]);
+    await tab("tree")(page);
+    assert.ok(await page.locator(".tree .node").first().isVisible());
+    await page.unrouteAll({ behavior: "ignoreErrors" });
+    await page.getByRole("button", { name: "Try again" }).click();
+    await page.locator("dialog[open] .keys").first().waitFor();
+    assert.ok(!(await page.locator("#notice").isVisible()));
+    await page.close();
+  });
+
+test("several parts that cannot be had are one sentence, and the network's return brings all that was asked for", async () => {
+  const page = await pageAt(server.url);
+  await page.context().setOffline(true);
+  await page.locator(".open-what-if").click();
+  await tab("tree")(page);
+  await press(page, "x");
+  await page.waitForFunction(() => document.querySelector("#notice .notice-text").textContent.includes("flat drawing"));
+  const said = await page.locator("#notice .notice-text").innerText();
+  assert.equal(said.match(/A part of the page could not be loaded/g).length, 1, said);
+  assert.equal(await page.getByRole("button", { name: "Try again" }).count(), 1);
+  for (const _ of "123") await press(page, "ArrowRight"); // drawn anew: not asked for anew each time
+  assert.ok(page.asked.filter((name) => name === "card-tree").length === 1, page.asked.join());
+  await page.context().setOffline(false);
+  await page.locator(".tree .node").first().waitFor();
+  await page.locator(PARTS["what-if-switches"][1]).first().waitFor();
+  await page.locator(PARTS.slice[1]).waitFor();
+  assert.ok(!(await page.locator("#notice").isVisible()));
+  await page.close();
+});
