@@ -12,12 +12,12 @@ import numpy as np
 
 from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
-from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
+from raywalk.scene.shapes import Canonical
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_file import Triangles
 
-ROUND = 96  # corners of a cylinder's outline
+ROUND = 96  # corners of a round outline
 AXES = np.eye(3)
 TOUCH = 1e-12  # radii: a plane this near to touching a sphere shows the point that its rays meet
 BOX_CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
@@ -55,7 +55,7 @@ class Sliced:
 
     def __init__(self, obj: SceneObject, triangles: Triangles | None = None):
         """triangles: of a mesh object."""
-        self._object, self._triangles = obj, triangles
+        self._canonical, self._triangles = obj.shape.canonical, triangles
         if triangles is None:
             self._linear, self._centre = placement(obj)
             self._smallest = float(np.linalg.svd(self._linear, compute_uv=False).min())
@@ -78,30 +78,35 @@ class Sliced:
             return []
         normal, offset = normal / length, offset / length
         reach = 2 * cut.reach / self._smallest
-        kind, corners = _canonical(self._object, normal, float(offset), reach)
+        kind, corners = _canonical(self._canonical, normal, float(offset), reach)
         return [Outline(_placed(each, kind, linear, centre, cut), kind) for each in corners]
 
 
 def _canonical(
-    obj: SceneObject, normal: np.ndarray, offset: float, reach: float
+    shape: Canonical, normal: np.ndarray, offset: float, reach: float
 ) -> tuple[str, list[np.ndarray]]:
-    match obj.shape:
-        case Sphere() | Ellipsoid():
+    if shape.ends is not None:
+        kind = "open" if shape.height is None else "closed"
+        halves = _turned(*shape.ends, normal, offset)
+        if halves is None:
+            return kind, []
+        half, other, on_cap = halves
+        if kind == "open":
+            return kind, list(_without_caps(half, other, on_cap))
+        return kind, [np.concatenate([half, other[::-1]])]
+    match shape.name:
+        case "sphere":
             return "ellipse", _sphere(normal, offset)
-        case Box():
+        case "box":
             return "closed", _box(normal, offset)
-        case Cylinder(capped=True):
-            return "closed", [section for section in [_cylinder(normal, offset)] if len(section)]
-        case Cylinder():
-            return "open", list(_without_caps(_cylinder(normal, offset)))
-        case Disc():
+        case "disc":
             return "open", _chord(normal, offset, np.array([0, 0, 1.0]), 1.0)
-        case Plane():
+        case "plane":
             return "open", _chord(normal, offset, np.array([0, 1.0, 0]), reach)
-        case Triangle():
+        case "triangle":
             corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
             return "open", _crossed(corners, [(0, 1), (1, 2), (2, 0)], normal, offset)
-    raise TypeError(f"no outline for {type(obj.shape).__name__}")
+    raise TypeError(f"no outline for a {shape.name}")
 
 
 def _placed(
@@ -130,50 +135,48 @@ def _box(normal: np.ndarray, offset: float) -> list[np.ndarray]:
     return [points[np.argsort(np.arctan2(from_middle @ v, from_middle @ u))]]
 
 
-def _cylinder(normal: np.ndarray, offset: float) -> np.ndarray:
-    """Corners of the section of x^2 + y^2 <= 1, |z| <= 1; (0, 3) if there is none."""
-    if abs(normal[2]) < 1e-9:  # along the axis: a rectangle
-        chord = _chord(normal, offset, np.array([0, 0, 1.0]), 1.0)
-        if not chord:
-            return np.empty((0, 3))
-        up = np.array([0, 0, 1.0])
-        return np.array([chord[0][0] - up, chord[0][1] - up, chord[0][1] + up, chord[0][0] + up])
-    angle = 2 * np.pi * np.arange(ROUND) / ROUND
-    x, y = np.cos(angle), np.sin(angle)
-    ring = np.column_stack([x, y, (offset - normal[0] * x - normal[1] * y) / normal[2]])
-    return _kept_below(_kept_below(ring, 1.0), -1.0)
+def _turned(
+    low: float, high: float, normal: np.ndarray, offset: float
+) -> tuple[np.ndarray, np.ndarray, list[bool]] | None:
+    """The section of what a straight line from radius `low` at z = -1 to `high` at z = 1 makes when
+    turned about z: both halves (k, 3), mirror images that begin and end together, and whether they
+    do so on a cap. None if the plane passes by.
+
+    The mirror plane holds the axis and the normal; in it the section is a line, cut to a trapezoid.
+    """
+    p, q = math.hypot(normal[0], normal[1]), float(normal[2])
+    ax, ay = (normal[0] / p, normal[1] / p) if p > 0 else (1.0, 0.0)
+    middle, slope = (low + high) / 2, (high - low) / 2
+    # Along the line (x, z) = offset (p, q) + s (-q, p); each limit is start + s * way >= 0.
+    x, z = offset * p, offset * q
+    radius, widens = middle + slope * z, slope * p
+    limits = [(1 - z, -p), (1 + z, p), (radius - x, widens + q), (radius + x, widens - q)]
+    if any(start < 0 for start, way in limits if way == 0):
+        return None
+    begin, starts_on = max((-start / way, k) for k, (start, way) in enumerate(limits) if way > 0)
+    end, ends_on = min((-start / way, k) for k, (start, way) in enumerate(limits) if way < 0)
+    if begin >= end:
+        return None
+    (a, b), (c, d) = limits[2:]
+    is_straight = abs(a * d - b * c) < 1e-9
+    turn = np.linspace(0.0, math.pi, 2 if is_straight else ROUND // 2 + 1)
+    s = (begin + end) / 2 - (end - begin) / 2 * np.cos(turn)
+    out, up = x - q * s, z + p * s
+    side = np.sqrt(np.maximum((a + b * s) * (c + d * s), 0.0))
+    half, other = (
+        np.column_stack([out * ax - y * ay, out * ay + y * ax, up]) for y in (side, -side)
+    )
+    return half, other, [starts_on < 2, ends_on < 2]
 
 
-def _kept_below(corners: np.ndarray, side: float) -> np.ndarray:
-    """A polygon cut at side * z <= 1 (Sutherland, Hodgman 1974)."""
-    above = side * corners[:, 2] - 1
-    if (above <= 0).all():
-        return corners
-    end, above_end = np.roll(corners, -1, axis=0), np.roll(above, -1)
-    crosses = above * above_end < 0
-    share = above[crosses] / (above[crosses] - above_end[crosses])
-    crossing = corners[crosses] + share[:, None] * (end[crosses] - corners[crosses])
-    crossing[:, 2] = side  # exactly: that is how an edge on a cap is known
-    # Each corner's crossing comes behind it.
-    both = np.concatenate([corners[above <= 0], crossing])
-    place = np.concatenate([np.flatnonzero(above <= 0), np.flatnonzero(crosses) + 0.5])
-    return np.asarray(both[np.argsort(place)])
-
-
-def _without_caps(section: np.ndarray) -> Iterator[np.ndarray]:
-    """The parts of a section's border that lie on the tube."""
-    if not len(section):
-        return
-    on_cap = np.abs(section[:, 2]) >= 1
-    is_cap_edge = on_cap & np.roll(on_cap, -1)
-    if not is_cap_edge.any():
-        yield np.vstack([section, section[:1]])
-        return
-    begin = int(np.flatnonzero(is_cap_edge)[0]) + 1
-    section, is_cap_edge = np.roll(section, -begin, axis=0), np.roll(is_cap_edge, -begin)
-    for part in np.split(section, np.flatnonzero(is_cap_edge) + 1):
-        if len(part) > 1:
-            yield part
+def _without_caps(half: np.ndarray, other: np.ndarray, on_cap: list[bool]) -> Iterator[np.ndarray]:
+    """The parts of a section's border that lie on the side."""
+    if all(on_cap):
+        yield from (half, other)
+    elif on_cap[1]:
+        yield np.concatenate([half[::-1], other[1:]])
+    else:
+        yield np.concatenate([half, other[-2::-1], *([] if on_cap[0] else [half[:1]])])
 
 
 def _chord(normal: np.ndarray, offset: float, axis: np.ndarray, radius: float) -> list[np.ndarray]:

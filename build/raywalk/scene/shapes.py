@@ -33,6 +33,8 @@ class Canonical(NamedTuple):
     reach: float = inf  # radius of a sphere round the origin that holds it
     volume: float = 0.0  # of what is closed
     height: Callable[..., Any] | None = None  # of what is closed: of (x, y, z), < 0 inside
+    # Radii at z = -1 and 1 of what a straight line makes that is turned about z.
+    ends: tuple[float, float] | None = None
 
 
 # The geometry's kernels are compiled from these.
@@ -54,8 +56,9 @@ def plane_height(x, y, z):  # type: ignore[no-untyped-def]
 
 SPHERE = Canonical("sphere", 1.0, 4.0 / 3.0 * pi, sphere_height)  # of radius 1
 BOX = Canonical("box", sqrt(3.0), 8.0, box_height)  # |x|, |y|, |z| <= 1
-CYLINDER = Canonical("cylinder", sqrt(2.0), 2.0 * pi, cylinder_height)  # x^2 + y^2 <= 1, |z| <= 1
-TUBE = Canonical("tube", sqrt(2.0))  # the same without its ends
+# x^2 + y^2 <= 1, |z| <= 1
+CYLINDER = Canonical("cylinder", sqrt(2.0), 2.0 * pi, cylinder_height, (1.0, 1.0))
+TUBE = Canonical("tube", sqrt(2.0), ends=(1.0, 1.0))  # the same without its ends
 PLANE = Canonical("plane", inf, inf, plane_height)  # y = 0 facing +y, the half-space behind it
 DISC = Canonical("disc", 1.0)  # z = 0, of radius 1, facing +z
 TRIANGLE = Canonical("triangle", 1.0)  # (0,0,0) (1,0,0) (0,1,0)

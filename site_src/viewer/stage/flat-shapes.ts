@@ -1,7 +1,7 @@
 /** The scene as flat pieces for the renderer without WebGL: polygons and ellipses, far ones first. */
-import { meshOf } from "../state/mesh";
 import { isWithin, planeOf, toWorld } from "../state/placing";
 import type { Projection } from "../state/projection";
+import { FORMS } from "../state/shapes";
 import { add, cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
 import type { MaterialData, ObjectData, SceneData } from "../trace/types";
 
@@ -15,7 +15,6 @@ interface Face {
   twoSided: boolean;
 }
 
-const MOST_FACES = 12000; // of a mesh; of a heavier one every k-th is drawn
 const WALL_CELLS = 22;
 const FINEST = 1 / 8; // of a cell, along another wall
 const WALL_REACH = 2.1; // of the scene's radius, as on the WebGL stage
@@ -28,43 +27,15 @@ export function bodyColour(material: MaterialData): { colour: Vec3; alpha: numbe
   return { colour: material.diffuse, alpha: 1 };
 }
 
-const BOX_FACES: readonly (readonly [Vec3, Vec3, Vec3])[] = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vec3[]).flatMap((n, k, all) =>
-  [1, -1].map((s) => [scale(n, s), all[(k + 1) % 3], all[(k + 2) % 3]] as const),
-);
-
-function faceOf(points: Vec3[], twoSided: boolean): Face {
-  const normal = cross(sub(points[1], points[0]), sub(points[2], points[0]));
-  const size = length(normal);
-  return { points, normal: size > 0 ? scale(normal, 1 / size) : [0, 0, 1], twoSided };
-}
-
-const ring = (count: number) => Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count);
-
 function facesOf(object: ObjectData, scene: SceneData): Face[] {
-  const world = (p: Vec3) => toWorld(object.transform, p);
-  if (object.type === "box")
-    return BOX_FACES.map(([n, u, v]) =>
-      faceOf([[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => world(add(n, add(scale(u, a), scale(v, b))))), true),
-    );
-  if (object.type === "triangle") return [faceOf(([[0, 0, 0], [1, 0, 0], [0, 1, 0]] as Vec3[]).map(world), true)];
-  const circle = (z: number) => ring(28).map((angle): Vec3 => [Math.cos(angle), Math.sin(angle), z]);
-  if (object.type === "disc") return [faceOf(circle(0).map(world), true)];
-  if (object.type === "cylinder") {
-    const [low, high] = [circle(-1), circle(1)];
-    const sides = low.map((_, k) => {
-      const next = (k + 1) % low.length;
-      return faceOf([low[k], low[next], high[next], high[k]].map(world), object.open === true);
-    });
-    return object.open ? sides : [...sides, faceOf([...low].reverse().map(world), false), faceOf(high.map(world), false)];
-  }
-  const data = object.mesh ? scene.meshes[object.mesh] : undefined;
-  if (!data) return [];
-  const { positions, indices } = meshOf(data);
-  const step = Math.ceil(indices.length / 3 / MOST_FACES);
-  const faces: Face[] = [];
-  for (let k = 0; k < indices.length; k += 3 * step)
-    faces.push(faceOf([0, 1, 2].map((c) => world(positions.subarray(3 * indices[k + c], 3 * indices[k + c] + 3) as unknown as Vec3)), false));
-  return faces;
+  const form = FORMS[object.type];
+  const twoSided = form.isOpen(object) && object.type !== "mesh"; // of a mesh half are too many
+  return form.faces(object, scene).map((own) => {
+    const points = own.map((p) => toWorld(object.transform, p));
+    const normal = cross(sub(points[1], points[0]), sub(points[2], points[0]));
+    const size = length(normal);
+    return { points, normal: size > 0 ? scale(normal, 1 / size) : [0, 0, 1], twoSided };
+  });
 }
 
 /** A wall as a patchwork that fades outwards and ends at the other walls. */

@@ -18,6 +18,7 @@ import {
 } from "three";
 import { meshOf } from "../state/mesh";
 import { isWithin, planeOf, toWorld } from "../state/placing";
+import { FORMS } from "../state/shapes";
 import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
@@ -28,25 +29,29 @@ const ROUND = 64; // segments round a sphere: no corner shows at full screen
 const EVERYWHERE = 0.22 * Math.PI; // strength of the light that comes from all sides
 const SHADOW_PIXELS = 512; // of each of a light's six sides
 
-function geometryOf(object: ObjectData, scene: SceneData): BufferGeometry {
-  if (object.type === "sphere") return new SphereGeometry(1, ROUND, ROUND / 2);
-  if (object.type === "cylinder") return new CylinderGeometry(1, 1, 2, ROUND, 1, object.open).rotateX(Math.PI / 2);
-  if (object.type === "box") return new BoxGeometry(2, 2, 2);
-  if (object.type === "disc") return new CircleGeometry(1, ROUND);
-  const geometry = new BufferGeometry();
-  if (object.type === "triangle") {
+const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneData) => BufferGeometry> = {
+  sphere: () => new SphereGeometry(1, ROUND, ROUND / 2),
+  cylinder: ({ open }) => new CylinderGeometry(1, 1, 2, ROUND, 1, open).rotateX(Math.PI / 2),
+  box: () => new BoxGeometry(2, 2, 2),
+  disc: () => new CircleGeometry(1, ROUND),
+  plane: () => new BufferGeometry(), // a wall, made by itself
+  triangle: () => {
+    const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), 3));
     geometry.computeVertexNormals();
     return geometry;
-  }
-  const data = object.mesh ? scene.meshes[object.mesh] : undefined;
-  if (!data) return geometry;
-  const { positions, normals, indices } = meshOf(data);
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setIndex(new BufferAttribute(indices, 1));
-  if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-  return geometry;
-}
+  },
+  mesh: ({ mesh }, { meshes }) => {
+    const geometry = new BufferGeometry();
+    const data = mesh ? meshes[mesh] : undefined;
+    if (!data) return geometry;
+    const { positions, normals, indices } = meshOf(data);
+    geometry.setAttribute("position", new BufferAttribute(positions, 3));
+    geometry.setIndex(new BufferAttribute(indices, 1));
+    if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+    return geometry;
+  },
+};
 
 /** Which faces to draw. A room round the camera shows its inside only, so that an observer outside
  *  looks in; a lone triangle is a piece of wall and turns towards the camera. */
@@ -57,7 +62,7 @@ function sideOf(object: ObjectData, scene: SceneData): Side {
     const [a, b, c] = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]] as const).map((p) => toWorld(object.transform, p));
     return dot(cross(sub(b, a), sub(c, a)), sub(eye, a)) < 0 ? BackSide : FrontSide;
   }
-  return object.type === "sphere" || object.type === "box" || (object.type === "cylinder" && !object.open) ? FrontSide : DoubleSide;
+  return FORMS[object.type].isOpen(object) ? DoubleSide : FrontSide;
 }
 
 function lightsOf(scene: SceneData, plain: boolean) {
@@ -95,7 +100,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
       object.add(createWall(each, scene, looks, walls.filter((other) => other !== each).map(planeOf)));
       continue;
     }
-    const geometry = geometryOf(each, scene);
+    const geometry = GEOMETRIES[each.type](each, scene);
     const mesh = new Mesh(geometry, looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal")));
     mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));
     mesh.castShadow = !looks.isClear(material);

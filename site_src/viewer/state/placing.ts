@@ -1,5 +1,6 @@
 /** Where objects stand: their transforms, the corners of their boxes. */
 import type { ObjectData, SceneData } from "../trace/types";
+import { FORMS } from "./shapes";
 import { add, cross, dot, scale, sub, triple, type Vec3 } from "./vectors";
 
 /** A point of the object's own space in the world. m: 16 numbers, column-major. */
@@ -18,20 +19,9 @@ export function toOwn(m: readonly number[], p: Vec3): Vec3 {
   return [dot(d, cross(y, z)) / volume, dot(d, cross(z, x)) / volume, dot(d, cross(x, y)) / volume];
 }
 
-const UNIT_BOX: readonly [Vec3, Vec3] = [[-1, -1, -1], [1, 1, 1]];
-
-/** Box round the object in its own space; null for a plane, which has none. */
-export function ownBox(object: ObjectData, scene: SceneData): readonly [Vec3, Vec3] | null {
-  if (object.type === "plane") return null;
-  if (object.type === "disc") return [[-1, -1, 0], [1, 1, 0]];
-  if (object.type === "triangle") return [[0, 0, 0], [1, 1, 0]];
-  if (object.type === "mesh") return (object.mesh && scene.meshes[object.mesh]?.box) || UNIT_BOX;
-  return UNIT_BOX;
-}
-
 /** The eight corners of the object's box in the world; none for a plane. */
 export function corners(object: ObjectData, scene: SceneData): Vec3[] {
-  const box = ownBox(object, scene);
+  const box = FORMS[object.type].box(object, scene);
   if (!box) return [];
   return Array.from({ length: 8 }, (_, k) =>
     toWorld(object.transform, [box[k & 1][0], box[(k >> 1) & 1][1], box[(k >> 2) & 1][2]]),
@@ -45,11 +35,7 @@ export function planeOf(object: ObjectData): { point: Vec3; normal: Vec3 } {
   return { point: m.slice(12, 15) as unknown as Vec3, normal: scale(n, 1 / Math.hypot(...n)) };
 }
 
-/** Is the point inside this closed box-like room (a box round the eye, say)? */
+/** Is the point inside of it, as in a room (a box round the eye, say)? */
 export function isWithin(object: ObjectData, point: Vec3): boolean {
-  if (object.type !== "box" && object.type !== "sphere" && object.type !== "cylinder") return false;
-  const p = toOwn(object.transform, point);
-  if (object.type === "sphere") return dot(p, p) < 1;
-  if (object.type === "cylinder") return p[0] * p[0] + p[1] * p[1] < 1 && Math.abs(p[2]) < 1;
-  return p.every((c) => Math.abs(c) < 1);
+  return FORMS[object.type].holds?.(toOwn(object.transform, point), object) ?? false;
 }

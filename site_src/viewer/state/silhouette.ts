@@ -3,20 +3,15 @@ import type { ObjectData, SceneData, Trace, Vec3 } from "../trace/types";
 import type { Line } from "./lines";
 import { meshOf } from "./mesh";
 import { toWorld } from "./placing";
+import { FORMS } from "./shapes";
 import { CURVE, type Curve, type Flat, type Section } from "./section";
 
-const ROUND = 32; // corners of a circle
 const MOST = 3000; // of a mesh's vertices: the outline of more looks the same
 
-/** Corners of an object in its own frame, whose hull is its outline; null where it has none. */
-function corners({ type, mesh }: ObjectData, { meshes }: SceneData): Vec3[] | null {
-  const circle = (z: number) => Array.from({ length: ROUND }, (_, k): Vec3 => [Math.cos((2 * Math.PI * k) / ROUND), Math.sin((2 * Math.PI * k) / ROUND), z]);
-  if (type === "disc") return circle(0);
-  if (type === "cylinder") return [...circle(-1), ...circle(1)];
-  if (type === "triangle") return [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
-  if (type === "box") return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1]);
-  const data = mesh ? meshes[mesh] : undefined;
-  if (!data) return null;
+/** Corners of an object in its own frame, whose hull is its outline. */
+function corners(object: ObjectData, scene: SceneData): Vec3[] {
+  const data = object.mesh ? scene.meshes[object.mesh] : undefined;
+  if (!data) return FORMS[object.type].faces(object, scene).flat();
   const { positions } = meshOf(data);
   const step = Math.ceil(positions.length / 3 / MOST);
   return Array.from({ length: Math.floor(positions.length / 3 / step) }, (_, k): Vec3 => [positions[3 * k * step], positions[3 * k * step + 1], positions[3 * k * step + 2]]);
@@ -51,7 +46,7 @@ export function silhouetteOf(index: number, scene: SceneData, flat: (point: Vec3
     return { object: index, kind: CURVE.ellipse, points: [centre, [wide, slope], [0, Math.sqrt(Math.max(0, sum(([, y]) => y * y) - slope ** 2))]] };
   }
   const all = corners(object, scene);
-  return all && { object: index, kind: CURVE.closed, points: hull(all.map(at)) };
+  return all.length > 0 ? { object: index, kind: CURVE.closed, points: hull(all.map(at)) } : null;
 }
 
 /** Outlines of what blocks a light on the chosen lines and does not reach into the section's plane. */
