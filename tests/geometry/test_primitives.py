@@ -1,4 +1,4 @@
-"""Every primitive against 50-digit truth (truth.py), for random and for awkward rays."""
+"""Every primitive against 50-digit truth (bench/truth.py), for random and for awkward rays."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from mpmath import mpf
 from tests.geometry.by_hand import SHAPES, random_affine, scene_of, unit
-from tests.geometry.truth import TrueHit, true_hits
 
+from raywalk.bench.truth import TrueHit, true_hits
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import SceneObject
 from raywalk.scene.shapes import Sphere

@@ -8,8 +8,8 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 import pytest
 from mpmath import mpf
-from tests.geometry.truth import _about, _product
 
+from raywalk.bench.truth import turned, vector
 from raywalk.scene.exact import DIGITS, cosine, rest_of, rounded, sine
 from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
@@ -44,10 +44,11 @@ def test_a_turned_ellipsoid_is_placed_to_the_last_digit() -> None:
     """Each entry of the matrix is the float64 next to the true one: half a step at most."""
     shape = Ellipsoid((0.1, 0.2, 0.3), (0.9, 0.5, 0.7), (20.0, 35.0, -50.0))
     linear, centre = placement(SceneObject("e", shape, 0))
-    x, y, z = (_about(k, shape.rotation[k]) for k in range(3))
-    true = _product(_product(z, y), x)
+    columns = [vector(axis) for axis in np.eye(3)]
+    for axis in range(3):
+        columns = [turned(column, axis, shape.rotation[axis]) for column in columns]
     for i in range(3):
         for j in range(3):
-            entry = mpf(true[i][j]) * mpf(shape.radii[j])
+            entry = mpf(columns[j][i]) * mpf(shape.radii[j])
             assert abs(entry - mpf(linear[i, j])) <= np.spacing(abs(linear[i, j])) / 2
     assert centre.tolist() == [0.1, 0.2, 0.3]

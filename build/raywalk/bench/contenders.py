@@ -13,8 +13,8 @@ from raywalk.bench.families import unit_rows
 from raywalk.bench.made_scenes import ball, compiled_mesh, scene_of
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.shapes import Sphere
+from raywalk.trace.wavefront import STRIP
 
-STRIP = 16_384  # our tracer's own; peers get all rays at once, as they like best
 LEVELS = (16, 32, 64, 128)
 
 

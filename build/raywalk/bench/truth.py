@@ -60,6 +60,17 @@ def all_hits(
     ]
 
 
+def true_hits(
+    obj: SceneObject, origin: np.ndarray, direction: np.ndarray, grown: float = 0.0
+) -> list[TrueHit]:
+    """What a ray meets of one object, nearest first; an edge, which is of two faces, once."""
+    kept: list[TrueHit] = []
+    for hit in sorted(all_hits(obj, origin, direction, grown), key=lambda hit: hit.t):
+        if hit.t > 0 and not (kept and kept[-1].t == hit.t):
+            kept.append(hit)
+    return kept
+
+
 def triangle_meets(
     corners: np.ndarray, origin: np.ndarray, direction: np.ndarray
 ) -> Fraction | None:

@@ -14,7 +14,7 @@ def finite_sphere(scene: Scene, compiled: CompiledScene) -> tuple[np.ndarray, fl
     points = [np.array([scene.camera.eye, scene.camera.target], float)]
     points += [np.array([light.position], float) for light in scene.lights]
     table = compiled.primitives
-    finite = table.shape != PLANE
+    finite = table.shape["code"] != PLANE
     half = np.abs(table.to_world[finite]).sum(axis=2)
     points += [table.centre[finite] - half, table.centre[finite] + half]
     for mesh in compiled.meshes:

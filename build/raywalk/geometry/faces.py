@@ -8,11 +8,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from raywalk.optics.compiled import kernel
 from raywalk.scene import shapes
 
 NAMES = ("sphere", "box", "cylinder", "tube", "plane", "disc", "triangle")
 SPHERE, BOX, CYLINDER, TUBE, PLANE, DISC, TRIANGLE = range(len(NAMES))
+# What a kernel is told of a shape.
+SHAPE = np.dtype([("code", np.int64), ("tip", np.float64)])
 # Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
 # (1e7 away, a hit point is off by 1e-9).
 EDGE = 1.0 - 1e-6
@@ -22,27 +26,32 @@ box_height = kernel(shapes.box_height)
 cylinder_height = kernel(shapes.cylinder_height)
 
 
+def shape_record(canonical: shapes.Canonical) -> tuple[int, float]:
+    """A row of SHAPE. tip: radius at z = -1 of what is turned about z, as that at z = 1 is 1."""
+    return NAMES.index(canonical.name), (canonical.ends or (1.0, 1.0))[0]
+
+
 @kernel
 def is_solid(shape):
     """Whether it is closed and finite."""
-    return shape < TUBE
+    return shape.code < TUBE
 
 
 @kernel
 def is_flat(shape):
     """Whether a line crosses it once."""
-    return shape >= PLANE
+    return shape.code >= PLANE
 
 
 @kernel
 def height(shape, x, y, z):
     """How far outside of a round or box shape's surface a point is, about twice over: > 0 outside,
     0 on it, < 0 inside."""
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         return sphere_height(x, y, z)
-    if shape == TUBE:
+    if shape.code == TUBE:
         return x * x + y * y - 1.0
-    if shape == CYLINDER:
+    if shape.code == CYLINDER:
         return cylinder_height(x, y, z)
     return box_height(x, y, z)
 
@@ -50,7 +59,7 @@ def height(shape, x, y, z):
 @kernel
 def is_near(shape, x, y, z, bound):
     """Whether a point is within `bound` of the surface, or of a flat shape's plane."""
-    if shape == PLANE:
+    if shape.code == PLANE:
         return abs(y) <= bound
     if is_flat(shape):
         return abs(z) <= bound
@@ -60,7 +69,7 @@ def is_near(shape, x, y, z, bound):
 @kernel
 def holds(shape, x, y, z):
     """Whether a point is strictly inside of a solid, or behind a plane."""
-    if shape == PLANE:
+    if shape.code == PLANE:
         return y < 0.0
     return is_solid(shape) and height(shape, x, y, z) < 0.0
 
@@ -71,17 +80,17 @@ def goes_in(shape, x, y, z, dx, dy, dz, bound):
 
     At an edge it must go inwards from every face there: a convex solid is on one side of each.
     """
-    if shape == PLANE:
+    if shape.code == PLANE:
         return dy < 0.0
-    if shape == BOX:
+    if shape.code == BOX:
         edge = 1.0 - 2.0 * bound
         into_x, into_y, into_z = x * dx < 0.0, y * dy < 0.0, z * dz < 0.0
         return (abs(x) < edge or into_x) and (abs(y) < edge or into_y) and (abs(z) < edge or into_z)
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         return x * dx + y * dy + z * dz < 0.0
     if x * x + y * y >= 1.0 - 2.0 * bound and x * dx + y * dy >= 0.0:
         return False
-    return not (shape == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
+    return not (shape.code == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
 
 
 @kernel
@@ -90,11 +99,11 @@ def face_normal(shape, x, y, z):
 
     Where faces meet, the face whose equation is closest to holding.
     """
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         return x, y, z
-    if shape == TUBE:
+    if shape.code == TUBE:
         return x, y, 0.0
-    if shape == CYLINDER:
+    if shape.code == CYLINDER:
         if 1.0 - abs(z) < 1.0 - math.sqrt(x * x + y * y):
             return 0.0, 0.0, math.copysign(1.0, z)
         return x, y, 0.0
@@ -114,7 +123,7 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
     and a ray that enters would be told that it leaves.
     """
     sense = 1.0 if leaves else -1.0
-    if shape == CYLINDER:
+    if shape.code == CYLINDER:
         side, cap = sense * (x * dx + y * dy), sense * z * dz
         if side > 0.0 and cap > 0.0:
             return face_normal(shape, x, y, z)
@@ -130,9 +139,9 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
 @kernel
 def is_at_edge(shape, x, y, z):
     """Whether a surface point is so close to an edge that rounding decides between its faces."""
-    if shape == CYLINDER:
+    if shape.code == CYLINDER:
         return min(math.sqrt(x * x + y * y), abs(z)) > EDGE
-    if shape == BOX:
+    if shape.code == BOX:
         ax, ay, az = abs(x), abs(y), abs(z)
         return max(min(ax, ay), min(max(ax, ay), az)) > EDGE  # the middle one of the three
     return False
@@ -142,10 +151,10 @@ def is_at_edge(shape, x, y, z):
 def onto_surface(shape, x, y, z, nx, ny, nz):
     """The nearest-by-scaling point of the face with this normal: takes out the rounding left
     by o + t d."""
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         length = math.sqrt(x * x + y * y + z * z)
         return x / length, y / length, z / length
-    if nz == 0.0 and (shape == TUBE or shape == CYLINDER):
+    if nz == 0.0 and (shape.code == TUBE or shape.code == CYLINDER):
         length = math.sqrt(x * x + y * y)
         return x / length, y / length, z
     return (nx if nx != 0.0 else x), (ny if ny != 0.0 else y), (nz if nz != 0.0 else z)
@@ -157,15 +166,15 @@ def on_surface(shape, x, y, z, dx, dy, dz, leaves):
 
     leaves: whether the ray comes out of the primitive there, if it is a solid.
     """
-    if shape == PLANE:
+    if shape.code == PLANE:
         return x, 0.0, z, 0.0, 1.0, 0.0
-    if shape == DISC or shape == TRIANGLE:
+    if shape.code == DISC or shape.code == TRIANGLE:
         return x, y, 0.0, 0.0, 0.0, 1.0
     if is_at_edge(shape, x, y, z):
         gx, gy, gz = passed_face(shape, x, y, z, dx, dy, dz, leaves)
     else:
         gx, gy, gz = face_normal(shape, x, y, z)
     x, y, z = onto_surface(shape, x, y, z, gx, gy, gz)
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         gx, gy, gz = x, y, z
     return x, y, z, gx, gy, gz

@@ -60,7 +60,7 @@ def roots(shape, ox, oy, oz, dx, dy, dz, own, inner, bound, least):
             return math.inf, math.inf
         # From an edge, or as flat as rounding, it comes out where it is; but it comes out.
         t_out = max(AT_ONCE, chord_exit(shape, ox, oy, oz, dx, dy, dz))
-        if shape == TUBE and not abs(oz + t_out * dz) <= 1.0:
+        if shape.code == TUBE and not abs(oz + t_out * dz) <= 1.0:
             t_out = math.inf
         return t_out, math.inf
     t_in, t_out = line_roots(shape, ox, oy, oz, dx, dy, dz)
@@ -97,7 +97,7 @@ def primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surfac
     m, shape = primitives.to_local, primitives.shape[k]
     ly = m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z
     ry = m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz
-    if shape == PLANE:  # of an endless plane only its height matters
+    if shape.code == PLANE:  # of an endless plane only its height matters
         return roots(shape, 0.0, ly, 0.0, 0.0, ry, 0.0, own, inner, bound, 0.0)
     lx = m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z
     lz = m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z

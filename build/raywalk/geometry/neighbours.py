@@ -34,11 +34,14 @@ def neighbours(primitives: Primitives, meshes: list[MeshTarget], clear: np.ndarr
     boxes[:, 1] += slack[:, None]
     met = np.asarray((boxes[:, None, 0] <= boxes[None, :, 1]).all(axis=2))
     met &= met.T
-    for row in np.flatnonzero(primitives.shape == PLANE):
+    is_plane = primitives.shape["code"] == PLANE
+    for row in np.flatnonzero(is_plane):
         k = primitives.object[row]
         met[k] = _meets_plane(boxes, primitives.centre[row], primitives.to_local[row, 1])
         met[:, k] = met[k]
-    both_planes = np.isin(np.arange(len(clear)), primitives.object[primitives.shape == PLANE])
+    both_planes = np.isin(
+        np.arange(len(clear)), primitives.object[primitives.shape["code"] == PLANE]
+    )
     met |= both_planes[:, None] & both_planes[None, :]
     np.fill_diagonal(met, False)
     return np.asarray(met & clear[None, :])

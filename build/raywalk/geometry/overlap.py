@@ -52,7 +52,7 @@ def surface_points(compiled: CompiledScene, k: int) -> np.ndarray:
             return np.asarray(mesh.centre + corners[:: max(1, len(corners) // SAMPLES)])
     table, row = compiled.primitives, compiled.primitives.row_of[k]
     shape, points = table.shape[row], _on_sphere(SAMPLES)
-    if shape == PLANE:
+    if shape["code"] == PLANE:
         return np.empty((0, 3))
     away = [solid_interval(shape, 0.0, 0.0, 0.0, *direction)[1] for direction in points]
     points = np.array(away)[:, None] * points
@@ -73,7 +73,7 @@ def levels(compiled: CompiledScene, k: int, points: np.ndarray) -> np.ndarray:
     table, row = compiled.primitives, compiled.primitives.row_of[k]
     shape, matrix = table.shape[row], table.to_local[row]
     local = [to_local(matrix, *(point - table.centre[row])) for point in points]
-    if shape == PLANE:
+    if shape["code"] == PLANE:
         return np.array([y for _, y, _ in local])
     return np.array([height(shape, x, y, z) for x, y, z in local])
 

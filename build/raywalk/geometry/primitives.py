@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.faces import NAMES
+from raywalk.geometry.faces import SHAPE, shape_record
 from raywalk.scene.exact import DIGITS, rest_of, rounded
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
@@ -21,7 +21,7 @@ class Primitives(NamedTuple):
     the order of the scene's objects.
     """
 
-    shape: np.ndarray  # (p,) int8: index into NAMES
+    shape: np.ndarray  # (p,) SHAPE: what kernels branch on
     object: np.ndarray  # (p,) int32: index into Scene.objects
     centre: np.ndarray  # (p, 3) world
     centre_rest: np.ndarray  # (p, 3) what float64 leaves over of it
@@ -45,7 +45,7 @@ def compile_primitives(scene: Scene) -> Primitives:
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
-        shape=np.array([NAMES.index(scene.objects[k].shape.canonical.name) for k in kept], np.int8),
+        shape=np.array([shape_record(scene.objects[k].shape.canonical) for k in kept], SHAPE),
         object=np.array(kept, np.int32),
         centre=rounded(middle),
         centre_rest=rest_of(middle),

@@ -87,10 +87,10 @@ def slab_interval(o, d):
 @kernel
 def solid_interval(shape, ox, oy, oz, dx, dy, dz):
     """[t_in, t_out] of the line in a sphere, box or capped cylinder; empty if t_in > t_out."""
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         return sphere_interval(ox, oy, oz, dx, dy, dz)
     t_in, t_out = slab_interval(oz, dz)
-    if shape == CYLINDER:
+    if shape.code == CYLINDER:
         a, b = tube_interval(ox, oy, dx, dy)
         return max(t_in, a), min(t_out, b)
     a, b = slab_interval(ox, dx)
@@ -102,7 +102,7 @@ def solid_interval(shape, ox, oy, oz, dx, dy, dz):
 @kernel
 def line_roots(shape, ox, oy, oz, dx, dy, dz):
     """Both parameters, of any sign, at which a line meets a round or box shape; else inf."""
-    if shape == TUBE:
+    if shape.code == TUBE:
         t_in, t_out = tube_interval(ox, oy, dx, dy)
         if not abs(oz + t_in * dz) <= 1.0:
             t_in = math.inf
@@ -121,15 +121,15 @@ def chord_exit(shape, ox, oy, oz, dx, dy, dz):
     circle is -2 o.d / d.d. With it, short chords would drown (at grazing angles of 1e-8 every
     fifth ray would find no way out).
     """
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         return -2.0 * (ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz)
-    if shape == BOX:
+    if shape.code == BOX:
         return min(slab_exit(ox, dx), min(slab_exit(oy, dy), slab_exit(oz, dz)))
-    end = math.inf if shape == TUBE else slab_exit(oz, dz)
+    end = math.inf if shape.code == TUBE else slab_exit(oz, dz)
     dd = dx * dx + dy * dy
     if dd == 0.0:
         return end
-    on_cap = shape == CYLINDER and face_normal(shape, ox, oy, oz)[2] != 0.0
+    on_cap = shape.code == CYLINDER and face_normal(shape, ox, oy, oz)[2] != 0.0
     if on_cap:
         return min(end, tube_interval(ox, oy, dx, dy)[1])
     return min(end, -2.0 * (ox * dx + oy * dy) / dd)
@@ -144,13 +144,13 @@ def slab_exit(o, d):
 @kernel
 def flat_root(shape, ox, oy, oz, dx, dy, dz):
     """(t, height of the origin) on a canonical plane, disc or triangle; t = inf if missed."""
-    if shape == PLANE:
+    if shape.code == PLANE:
         return (-oy / dy if dy != 0.0 else math.inf), oy
     if dz == 0.0:
         return math.inf, oz
     t = -oz / dz
     x, y = ox + t * dx, oy + t * dy
-    if shape == DISC:
+    if shape.code == DISC:
         return (t if x * x + y * y <= 1.0 else math.inf), oz
     return (t if x >= 0.0 and y >= 0.0 and x + y <= 1.0 else math.inf), oz
 
@@ -158,17 +158,17 @@ def flat_root(shape, ox, oy, oz, dx, dy, dz):
 @kernel
 def step_to_surface(shape, x, y, z, dx, dy, dz):
     """From a canonical point next to a surface, the parameter of the line's crossing with it."""
-    if shape == PLANE:
+    if shape.code == PLANE:
         return -y / dy
     if is_flat(shape):
         return -z / dz
-    if shape == SPHERE:
+    if shape.code == SPHERE:
         a, b, c = dx * dx + dy * dy + dz * dz, x * dx + y * dy + z * dz, x * x + y * y + z * z - 1.0
     elif is_at_edge(shape, x, y, z):
         return nearer_root(shape, x, y, z, dx, dy, dz)
     else:
         nx, ny, nz = face_normal(shape, x, y, z)
-        if shape == BOX or nz != 0.0:
+        if shape.code == BOX or nz != 0.0:
             # A face has one coordinate of +-1; the normal, of which the others are 0, picks it.
             away = nx * dx + ny * dy + nz * dz
             return (1.0 - (nx * x + ny * y + nz * z)) / away

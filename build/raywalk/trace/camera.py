@@ -7,15 +7,8 @@ import math
 import numpy as np
 
 from raywalk.optics.compiled import kernel
+from raywalk.scene.camera import camera_frame, half_width
 from raywalk.scene.model import Camera
-
-
-def camera_frame(camera: Camera) -> np.ndarray:
-    """(3, 3) rows right, up, forward: unit world vectors."""
-    eye, target, up = (np.array(v, float) for v in (camera.eye, camera.target, camera.up))
-    forward = _unit(target - eye)
-    right = _unit(np.cross(forward, up))
-    return np.array([right, np.cross(right, forward), forward])
 
 
 def camera_directions(camera: Camera, width: int, height: int, pixels: np.ndarray) -> np.ndarray:
@@ -24,9 +17,10 @@ def camera_directions(camera: Camera, width: int, height: int, pixels: np.ndarra
     pixels: (n,) row * width + column, row 0 on top. In the camera's frame the direction is
     ((2 (i + 0.5) / w - 1) tan(f/2) w/h, -(2 (j + 0.5) / h - 1) tan(f/2), 1), normalised.
     """
-    spread = float(np.tan(np.radians(camera.fov) / 2))
     given = np.asarray(pixels, np.int64)
-    return np.asarray(unit_directions(camera_frame(camera), spread, width, height, given))
+    return np.asarray(
+        unit_directions(camera_frame(camera), half_width(camera), width, height, given)
+    )
 
 
 @kernel
@@ -43,7 +37,3 @@ def unit_directions(frame, spread, width, height, pixels):
         length = math.sqrt(dx * dx + dy * dy + dz * dz)
         out[i, 0], out[i, 1], out[i, 2] = dx / length, dy / length, dz / length
     return out
-
-
-def _unit(vector: np.ndarray) -> np.ndarray:
-    return np.asarray(vector / np.sqrt(vector @ vector))

@@ -20,13 +20,12 @@ from raywalk.trace.bounce import Bounced
 from raywalk.trace.camera import unit_directions
 from raywalk.trace.media import stack_width, stacks_holding
 from raywalk.trace.tree import Kind
-from raywalk.trace.wavefront import Tracer, eight_bit
+from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 # An endless floor fades outwards between these distances from the scene's middle, in its radii.
 FADE_FROM, FADE_TO = 1.0, 2.1
 # A plane ends this share of the scene's radius beyond where another one crosses it: no gap.
 EDGE = 1e-6
-STRIP = 16_384  # rays at a time, as in wavefront.py
 SAMPLES = 48  # places along a line at which its visibility is asked
 HALVINGS = 14  # where it changes between two of them: to 1e-6 of the line
 # A point this share nearer than the surface in front of it counts as on it, so as visible.

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.geometry.cross_section import Cut, Outline, Sliced
-from raywalk.trace.camera import camera_frame
+from raywalk.scene.camera import camera_frame, half_width
 from raywalk.trace.record import kept_pixels
 from raywalk.trace.wavefront import Tracer
 
@@ -38,7 +38,7 @@ def sections_of(tracer: Tracer) -> Json:
     reach = REACH * tracer.scene_sphere[1]
     size = scene.render.size
     used = kept_pixels(size, scene.render.resolutions).reshape(size, size).any(axis=0)
-    spread = float(np.tan(np.radians(scene.camera.fov) / 2))
+    spread = half_width(scene.camera)
     meshes = {mesh.index: mesh.triangles for mesh in tracer.compiled.meshes}
     sliced = [Sliced(obj, meshes.get(k)) for k, obj in enumerate(scene.objects)]
 

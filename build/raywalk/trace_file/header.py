@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from raywalk.scene.camera import camera_frame, half_width
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file import rebuild, tables
@@ -29,7 +30,7 @@ def begin_header(
         **{f"visibility{l}": seen_of[:, l] for l in range(len(scene.lights))},
     }  # fmt: skip
     ended = np.unique(patch_of[tree.cameras :])
-    frame = camera_frame(scene)
+    frame = picture_vectors(scene)
     header: dict[str, Any] = {
         "format": FORMAT, "version": VERSION, "scene": scene.id, "n": n, "size": tree.size,
         "rays": len(tree.pixel), "hits": len(tree.hits_t), "camera": frame,
@@ -55,18 +56,14 @@ def begin_header(
     return header, symbols
 
 
-def camera_frame(scene: Scene) -> dict[str, Any]:
+def picture_vectors(scene: Scene) -> dict[str, Any]:
     """Eye and view as the scene gives them, and the vectors that span the picture."""
-    camera = scene.camera
-    eye, target, up = (np.array(v, float) for v in (camera.eye, camera.target, camera.up))
-    forward = (target - eye) / np.linalg.norm(target - eye)
-    right = np.cross(forward, up) / np.linalg.norm(np.cross(forward, up))
-    spread = np.tan(np.radians(camera.fov) / 2)
+    camera, spread = scene.camera, half_width(scene.camera)
+    right, up, forward = camera_frame(camera)
     return {
         "eye": list(camera.eye), "target": list(camera.target), "up": list(camera.up),
         "fov": camera.fov, "forward": (forward + 0.0).tolist(),
-        "right": (right * spread + 0.0).tolist(),
-        "down": (np.cross(forward, right) * spread + 0.0).tolist(),
+        "right": (right * spread + 0.0).tolist(), "down": (-up * spread + 0.0).tolist(),
     }  # fmt: skip
 
 
