@@ -10,11 +10,12 @@ from raywalk.bench.cases import Case, per_million
 from raywalk.bench.convex import wrong_verdicts
 from raywalk.bench.embree32 import Embree32, sphere32
 from raywalk.bench.families import around
+from raywalk.bench.glass_bodies import SOLIDS
 from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, placed, scene_of
 from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Light, SceneObject
-from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Shape, Sphere
+from raywalk.scene.shapes import Sphere
 from raywalk.trace.lighting import light_hits
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import Visibility
@@ -23,12 +24,7 @@ SCALES = (1e-6, 1e-3, 1.0, 1e3, 1e6)
 OFFSETS = (1e4, 1e5, 1e6, 1e7)
 # Where a ray meets the sphere flatter than this, a rounding of its input moves t by more.
 NOT_GRAZING = 0.1
-CONVEX: dict[str, Shape] = {
-    "sphere": Sphere((0.0, 0.0, 0.0), 1.0),
-    "ellipsoid": Ellipsoid((0.0, 0.0, 0.0), (1.0, 0.5, 0.8), (10.0, 20.0, 30.0)),
-    "cylinder": Cylinder((0.0, -0.7, 0.1), (0.1, 0.7, 0.0), 0.6),
-    "box": Box((-0.6, -0.5, -0.7), (0.5, 0.6, 0.7)),
-}
+CONVEX = {kind: make()[0] for kind, make in SOLIDS.items()}
 
 
 def cases(count: int, seed: int) -> Iterator[Case]:
@@ -64,7 +60,7 @@ def scaled_sphere(scale: float, count: int, seed: int) -> Case:
 
 def false_shadows(scale: float, count: int, seed: int) -> Case:
     """Convex bodies alone with a light: whatever faces it is lit, so each shadow is false."""
-    share, blocked, lit, blocked32, lit32 = count // 5, 0, 0, 0, 0
+    share, blocked, lit, blocked32, lit32 = count // (len(CONVEX) + 1), 0, 0, 0, 0
     light = Light("lamp", (4.0 * scale, 5.0 * scale, 3.0 * scale))
     solid = icosphere(3)
     for place in range(len(CONVEX) + 1):
@@ -86,7 +82,7 @@ def false_shadows(scale: float, count: int, seed: int) -> Case:
         if place == len(CONVEX):
             blocked32, lit32 = shadows32(solid * scale, hits.point, seen, light)
     return Case(
-        "scene scale", f"x {scale:g}, five convex bodies", "false shadows, ppm",
+        "scene scale", f"x {scale:g}, {len(CONVEX) + 1} convex bodies", "false shadows, ppm",
         0.0, per_million(blocked, blocked + lit), blocked + lit, seed,
         per_million(blocked32, blocked32 + lit32), "Embree, fixed offset 1e-4, mesh",
     )  # fmt: skip

@@ -82,7 +82,8 @@ class Shape:
 
     def drawn(self) -> dict[str, Any]:
         """What the viewer draws: a shape of viewer/state/shapes.ts."""
-        return {"type": self.canonical.name}
+        name = self.canonical.name
+        return {"type": "cylinder", "open": True} if name == "tube" else {"type": name}
 
     @property
     def word(self) -> str:
@@ -92,7 +93,7 @@ class Shape:
     @property
     def title(self) -> str:
         """What an error calls it."""
-        return self.word
+        return self.word if getattr(self, "capped", True) else f"{self.word} without caps"
 
 
 @dataclass(frozen=True)
@@ -157,15 +158,7 @@ class Cylinder(Shape):
         return linear, start + half
 
     def flaws(self) -> Iterator[Flaw]:
-        if self.start == self.end:
-            yield "end", f"{plain(self.end)} is also the start: the {self.word} has no length", ""
-
-    def drawn(self) -> dict[str, Any]:
-        return {"type": "cylinder"} | ({} if self.capped else {"open": True})
-
-    @property
-    def title(self) -> str:
-        return self.word if self.capped else f"{self.word} without caps"
+        yield from _without_length(self)
 
 
 @dataclass(frozen=True)
@@ -249,3 +242,8 @@ SHAPES: dict[str, type[Any]] = {each.__name__.lower(): each for each in Shape.__
 def _without_direction(normal: Triple) -> Iterator[Flaw]:
     if not any(normal):
         yield "normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]"
+
+
+def _without_length(shape: Cylinder) -> Iterator[Flaw]:
+    if shape.start == shape.end:
+        yield "end", f"{plain(shape.end)} is also the start: the {shape.word} has no length", ""

@@ -18,7 +18,7 @@ import {
 } from "three";
 import { meshOf } from "../state/mesh";
 import { isWithin, planeOf, toWorld } from "../state/placing";
-import { FORMS } from "../state/shapes";
+import { endsOf, FORMS } from "../state/shapes";
 import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
@@ -31,7 +31,10 @@ const SHADOW_PIXELS = 512; // of each of a light's six sides
 
 const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneData) => BufferGeometry> = {
   sphere: () => new SphereGeometry(1, ROUND, ROUND / 2),
-  cylinder: ({ open }) => new CylinderGeometry(1, 1, 2, ROUND, 1, open).rotateX(Math.PI / 2),
+  cylinder: (object) => {
+    const [low, high] = endsOf(object);
+    return new CylinderGeometry(high, low, 2, ROUND, 1, object.open).rotateX(Math.PI / 2);
+  },
   box: () => new BoxGeometry(2, 2, 2),
   disc: () => new CircleGeometry(1, ROUND),
   plane: () => new BufferGeometry(), // a wall, made by itself

@@ -25,11 +25,15 @@ function ring(radius: number, z: number): Vec3[] {
   return angles.map((angle) => [radius * Math.cos(angle), radius * Math.sin(angle), z]);
 }
 
-/** What a straight line turned about z makes, from z = -1 to 1: sides, and caps unless it is open. */
-function turned(low: number, high: number, isOpen: boolean): Vec3[][] {
+/** Radii at z = -1 and 1 of what a straight line makes that is turned about z. */
+export const endsOf = (_: ObjectData): readonly [number, number] => [1, 1];
+
+/** Its sides, and its caps unless it is open. */
+function turned(object: ObjectData): Vec3[][] {
+  const [low, high] = endsOf(object);
   const [from, to] = [ring(low, -1), ring(high, 1)];
   const sides = from.map((corner, k) => [corner, from[(k + 1) % ROUND], to[(k + 1) % ROUND], to[k]]);
-  return isOpen ? sides : [...sides, [...from].reverse(), to];
+  return object.open ? sides : [...sides, [...from].reverse(), to];
 }
 
 const boxFaces = [0, 1, 2].flatMap((axis) =>
@@ -57,7 +61,7 @@ export const FORMS: Record<ObjectData["type"], Form> = {
   box: { box: () => AROUND, faces: () => boxFaces, isOpen: () => false, holds: (p) => p.every((c) => Math.abs(c) < 1) },
   cylinder: {
     box: () => AROUND,
-    faces: ({ open }) => turned(1, 1, open === true),
+    faces: turned,
     isOpen: ({ open }) => open === true,
     holds: ([x, y, z]) => x * x + y * y < 1 && Math.abs(z) < 1,
   },
