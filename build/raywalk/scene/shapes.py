@@ -63,6 +63,8 @@ PLANE = Canonical("plane", inf, inf, plane_height)  # y = 0 facing +y, the half-
 DISC = Canonical("disc", 1.0)  # z = 0, of radius 1, facing +z
 TRIANGLE = Canonical("triangle", 1.0)  # (0,0,0) (1,0,0) (0,1,0)
 MESH = Canonical("mesh")  # in its file's coordinates; closed or not, as its triangles are
+# Those that the viewer draws: a tube is a cylinder that is open.
+DRAWN = tuple(each.name for each in (SPHERE, BOX, CYLINDER, PLANE, DISC, TRIANGLE, MESH))
 
 
 class Shape:

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, NotRequired
 from pydantic import WithJsonSchema
 from typing_extensions import TypedDict
 
-from raywalk.scene.schema_objects import SHAPES
+from raywalk.scene.shapes import DRAWN
 
 
 def _list_of(*parts: dict[str, str]) -> WithJsonSchema:
@@ -24,8 +24,7 @@ TwoVec3 = Annotated[list[list[float]], _list_of(_VECTOR, _VECTOR)]
 Pixel = Annotated[list[int], _list_of({"type": "integer"}, {"type": "integer"})]
 # As the scene's file has it: the schema's ViewTable without what it leaves out.
 View = Annotated[dict[str, Any], WithJsonSchema({"viewer": "View"})]
-# The canonical shapes; an ellipsoid is a sphere with a transform.
-Drawn = Annotated[str, WithJsonSchema({"enum": [word for word in SHAPES if word != "ellipsoid"]})]
+Drawn = Annotated[str, WithJsonSchema({"enum": DRAWN})]
 # Keys of words/<language>.json, below "savings".
 Stage = Literal["meshes", "shadows", "highlights", "reflection", "refraction"]
 Saving = Literal[
