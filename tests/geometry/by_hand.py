@@ -12,6 +12,7 @@ import numpy as np
 from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
 from raywalk.scene.shapes import (
     Box,
+    Cone,
     Cylinder,
     Disc,
     Ellipsoid,
@@ -106,11 +107,14 @@ SHAPES: dict[str, Shape] = {
     "plane": Plane((0.1, -0.4, 0.2), (0.3, 1.0, -0.2)),
     "capped cylinder": Cylinder((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.7),
     "open cylinder": Cylinder((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.7, capped=False),
+    "cone": Cone((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.9),
+    "frustum": Cone((-0.3, -1.0, 0.2), (0.4, 0.9, -0.1), 0.4, 0.8),
+    "open cone": Cone((0.4, 0.9, -0.1), (-0.3, -1.0, 0.2), 0.9, 0.2, capped=False),
     "box": Box((-1.0, -0.5, -0.7), (0.8, 0.9, 0.6)),
     "disc": Disc((0.1, 0.2, 0.3), (1.0, 2.0, -0.5), 1.1),
     "triangle": Triangle((-1.0, -0.8, 0.1), (1.2, -0.5, 0.3), (0.1, 1.1, -0.4)),
 }
-SOLIDS = ("sphere", "ellipsoid", "capped cylinder", "box")
+SOLIDS = ("sphere", "ellipsoid", "capped cylinder", "cone", "frustum", "box")
 
 
 def moved(shape: Shape, scale: float, offset: np.ndarray) -> Shape:
@@ -130,6 +134,9 @@ def moved(shape: Shape, scale: float, offset: np.ndarray) -> Shape:
             return Plane(at(shape.point), shape.normal)
         case Cylinder():
             return Cylinder(at(shape.start), at(shape.end), scale * shape.radius, shape.capped)
+        case Cone():
+            radii = scale * shape.radius, scale * shape.end_radius
+            return Cone(at(shape.start), at(shape.end), *radii, shape.capped)
         case Box():
             return Box(at(shape.minimum), at(shape.maximum))
         case Disc():

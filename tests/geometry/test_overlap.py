@@ -7,7 +7,7 @@ from tests.geometry.by_hand import CLEAR, scene_of
 
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.overlap import overlap_warnings
-from raywalk.scene.shapes import Box, Cylinder, Plane, Sphere
+from raywalk.scene.shapes import Box, Cone, Cylinder, Plane, Sphere
 
 BALL = Sphere((0.0, 0.0, 0.0), 1.0)
 PAIRS = {
@@ -21,6 +21,9 @@ PAIRS = {
     "a ball under water": (Plane((0.0, 2.0, 0.0), (0.0, 1.0, 0.0)), BALL, False),
     "balls that overlap": (BALL, Sphere((1.5, 0.0, 0.0), 1.0), True),
     "a rod through a ball": (BALL, Cylinder((-3.0, 0.0, 0.0), (3.0, 0.0, 0.0), 0.3), True),
+    "a cone that pierces a ball": (BALL, Cone((0.0, -0.5, 0.0), (0.0, 2.0, 0.0), 0.4), True),
+    "a cone in a ball": (BALL, Cone((0.0, -0.5, 0.0), (0.0, 0.9, 0.0), 0.4), False),
+    "a cone whose tip touches a ball": (BALL, Cone((0.0, 3.0, 0.0), (0.0, 1.0, 0.0), 1.0), False),
     "a ball half under water": (Plane((0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), BALL, True),
 }  # fmt: skip
 

@@ -10,7 +10,7 @@ from tests.geometry.by_hand import affine, scene_of, unit
 
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import SceneObject
-from raywalk.scene.shapes import Box, Cylinder, Disc, Plane, Shape, Triangle
+from raywalk.scene.shapes import Box, Cone, Cylinder, Disc, Plane, Shape, Triangle
 
 RAYS = 5000
 # All hold the square |x|, |z| <= 1 of the plane y = 0, from below.
@@ -20,6 +20,7 @@ COPLANAR: dict[str, Shape] = {
     "box": Box((-3.0, -1.0, -3.0), (2.7, 0.0, 2.3)),
     "triangle": Triangle((-3.0, 0.0, -2.0), (4.0, 0.0, -3.0), (0.3, 0.0, 5.0)),
     "cylinder": Cylinder((0.1, -2.0, 0.2), (0.1, 0.0, 0.2), 3.0),
+    "cone": Cone((0.1, 0.0, 0.2), (0.1, -2.0, 0.2), 3.0),
 }
 
 

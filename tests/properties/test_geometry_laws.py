@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from raywalk.bench.made_scenes import placed, scene_of
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
 from raywalk.scene.model import SceneObject
-from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Sphere
+from raywalk.scene.shapes import Box, Cone, Cylinder, Ellipsoid, Sphere
 
 ALWAYS_THE_SAME = settings(derandomize=True, deadline=None, max_examples=100)
 place = st.floats(-2.0, 2.0)
@@ -27,7 +27,7 @@ def solids(draw):
     """A convex solid somewhere in the middle."""
     centre = np.array(draw(triple))
     half = np.array([draw(size) for _ in range(3)])
-    kind = draw(st.sampled_from(["sphere", "ellipsoid", "box", "cylinder"]))
+    kind = draw(st.sampled_from(["sphere", "ellipsoid", "box", "cylinder", "cone", "frustum"]))
     if kind == "sphere":
         return Sphere(tuple(centre), half[0])
     if kind == "ellipsoid":
@@ -36,7 +36,10 @@ def solids(draw):
         return Box(tuple(centre - half), tuple(centre + half))
     axis = np.array(draw(triple))
     assume(np.linalg.norm(axis) > 0.1)
-    return Cylinder(tuple(centre - axis), tuple(centre + axis), half[0])
+    ends = tuple(centre - axis), tuple(centre + axis)
+    if kind == "cylinder":
+        return Cylinder(*ends, half[0])
+    return Cone(*ends, half[0], half[1] if kind == "frustum" else 0.0)
 
 
 def rays_of(seed: int) -> tuple[np.ndarray, np.ndarray]:

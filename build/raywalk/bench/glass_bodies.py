@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.bench.made_scenes import icosphere, placed, write_ply
-from raywalk.scene.shapes import Box, Cylinder, Ellipsoid, Mesh, Shape, Sphere
+from raywalk.scene.shapes import Box, Cone, Cylinder, Ellipsoid, Mesh, Shape, Sphere
 
 Depth = Callable[[np.ndarray], np.ndarray]  # (n, 3) own frame -> (n,) < 0 inside, own units
 CUBE = ((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))
@@ -90,6 +90,17 @@ def drum() -> tuple[Shape, Depth, np.ndarray]:
     )
 
 
+def spike() -> tuple[Shape, Depth, np.ndarray]:
+    rim = drum()[2][8:16]
+    return (
+        Cone((0.0, -1.0, 0.0), (0.0, 1.0, 0.0), 1.0),
+        lambda p: np.maximum(
+            0.9 * np.hypot(p[:, 0], p[:, 2]) - 0.45 * (1.0 - p[:, 1]), -1.0 - p[:, 1]
+        ),
+        np.concatenate([rim, rim * [0.5, 0.0, 0.5], [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]]),
+    )
+
+
 def block() -> tuple[Shape, Depth, np.ndarray]:
     points = np.unique(_boxed(*CUBE).reshape(-1, 3), axis=0)
     middles = np.array([(a + b) / 2 for a in points for b in points if np.sum(a != b) <= 2])
@@ -122,7 +133,7 @@ def corner_mesh() -> tuple[np.ndarray, Depth]:
     return np.array(corners), lambda p: np.minimum(upright(p), lying(p))
 
 
-SOLIDS = {"sphere": ball, "ellipsoid": egg, "cylinder": drum, "box": block}
+SOLIDS = {"sphere": ball, "ellipsoid": egg, "cylinder": drum, "cone": spike, "box": block}
 MESHES = {"mesh": block_mesh, "round mesh": ball_mesh, "L mesh": corner_mesh}
 FLAT = ("cylinder", "box", "mesh", "L mesh")  # y = -1 and y = 1 hold faces of these
 

@@ -16,7 +16,7 @@ import numpy as np
 from mpmath import mp, mpf  # type: ignore[import-untyped]
 
 from raywalk.scene.model import Scene, SceneObject
-from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
+from raywalk.scene.shapes import Box, Cone, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
 
 mp.dps = 50
 Vector = tuple[Any, Any, Any]
@@ -152,18 +152,28 @@ def _box(shape: Box, o: Vector, d: Vector, grow: Any) -> list[TrueHit]:
 
 
 def _cylinder(shape: Cylinder, o: Vector, d: Vector, grow: Any) -> list[TrueHit]:
-    start, end, radius = vector(shape.start), vector(shape.end), mpf(shape.radius) * grow
+    whole = Cone(shape.start, shape.end, shape.radius, shape.radius, shape.capped)
+    return _cone(whole, o, d, grow)
+
+
+def _cone(shape: Cone, o: Vector, d: Vector, grow: Any) -> list[TrueHit]:
+    """At height h over its middle, in shares of half its length, its radius is m + s h."""
+    start, end = vector(shape.start), vector(shape.end)
+    first, last = mpf(shape.radius) * grow, mpf(shape.end_radius) * grow
+    m, s = (first + last) / 2, (last - first) / 2
     middle: Any = tuple((x + y) / 2 for x, y in zip(start, end, strict=True))
     half: Any = tuple(grow * (y - x) / 2 for x, y in zip(start, end, strict=True))
     long_sq = inner(half, half)
     from_middle = minus(o, middle)
-    p = at(from_middle, half, -inner(from_middle, half) / long_sq)
-    q = at(d, half, -inner(d, half) / long_sq)
+    h, rise = inner(from_middle, half) / long_sq, inner(d, half) / long_sq
+    p, q, w, wider = at(from_middle, half, -h), at(d, half, -rise), m + s * h, s * rise
     found = []
-    for t in roots(inner(q, q), inner(p, q), inner(p, p) - radius**2):
-        if abs(inner(at(from_middle, d, t), half)) <= long_sq:
-            found.append(TrueHit(t, at(p, q, t)))
-    for sign in (-1, 1) if shape.capped else ():
+    a, b, c = (inner(one, two) for one, two in ((q, q), (p, q), (p, p)))
+    for t in roots(a - wider**2, b - w * wider, c - w**2):
+        if abs(h + t * rise) <= 1:
+            slant = -s * (w + t * wider) / long_sq
+            found.append(TrueHit(t, at(at(p, q, t), half, slant)))
+    for sign, radius in ((-1, first), (1, last)) if shape.capped else ():
         cap = at(middle, half, sign)
         outward: Any = tuple(sign * x for x in half)
         found += _flat(o, d, cap, outward, partial(within, centre=cap, radius=radius))
@@ -188,13 +198,16 @@ SOLVERS: dict[type, Callable[[Any, Vector, Vector, Any], list[TrueHit]]] = {
     Triangle: _triangle,
     Box: _box,
     Cylinder: _cylinder,
+    Cone: _cone,
 }
 
 
 def roots(a: Any, half_b: Any, c: Any) -> list[Any]:
     """Both roots of a t^2 + 2 half_b t + c, the smaller first; none if they are not real."""
     under = half_b * half_b - a * c
-    if a == 0 or under < 0:
+    if a == 0:
+        return [-c / (2 * half_b)] if half_b else []
+    if under < 0:
         return []
     root = mp.sqrt(under)
     return [(-half_b - root) / a, (-half_b + root) / a]

@@ -22,8 +22,12 @@ SHAPE = np.dtype([("code", np.int64), ("tip", np.float64)])
 EDGE = 1.0 - 1e-6
 
 sphere_height = kernel(shapes.sphere_height)
-box_height = kernel(shapes.box_height)
-cylinder_height = kernel(shapes.cylinder_height)
+box_height = kernel(
+    shapes.box_height
+)  # Nearer to its axis than this a cone is its tip: which side a point is on is rounding there.
+TIP = 1e-14
+
+side_height = kernel(shapes.side_height)
 
 
 def shape_record(canonical: shapes.Canonical) -> tuple[int, float]:
@@ -50,9 +54,9 @@ def height(shape, x, y, z):
     if shape.code == SPHERE:
         return sphere_height(x, y, z)
     if shape.code == TUBE:
-        return x * x + y * y - 1.0
+        return side_height(x, y, z, shape.tip)
     if shape.code == CYLINDER:
-        return cylinder_height(x, y, z)
+        return max(side_height(x, y, z, shape.tip), abs(z) - 1.0)
     return box_height(x, y, z)
 
 
@@ -75,6 +79,30 @@ def holds(shape, x, y, z):
 
 
 @kernel
+def side_width(shape, z):
+    """Radius of a cylinder's or cone's side at a height."""
+    return shape.tip + 0.5 * (1.0 - shape.tip) * (1.0 + z)
+
+
+@kernel
+def side_normal(shape, x, y):
+    """Outward gradient of a cylinder's or cone's side; of a tip, which has none, along the axis."""
+    if shape.tip == 1.0:
+        return x, y, 0.0
+    radius = math.sqrt(x * x + y * y)
+    if radius < TIP:
+        return 0.0, 0.0, -1.0
+    return x, y, -0.5 * (1.0 - shape.tip) * radius
+
+
+@kernel
+def is_on_cap(shape, x, y, z):
+    """Whether a surface point is closer to a cap than to the side."""
+    to_side = side_width(shape, z) - math.sqrt(x * x + y * y)
+    return shape.code == CYLINDER and 1.0 - abs(z) < to_side
+
+
+@kernel
 def goes_in(shape, x, y, z, dx, dy, dz, bound):
     """Whether a ray goes into a solid from a canonical point within `bound` of its surface.
 
@@ -88,8 +116,12 @@ def goes_in(shape, x, y, z, dx, dy, dz, bound):
         return (abs(x) < edge or into_x) and (abs(y) < edge or into_y) and (abs(z) < edge or into_z)
     if shape.code == SPHERE:
         return x * dx + y * dy + z * dz < 0.0
-    if x * x + y * y >= 1.0 - 2.0 * bound and x * dx + y * dy >= 0.0:
-        return False
+    if side_height(x, y, z, shape.tip) >= -2.0 * bound:
+        if z < 0.0 and side_width(shape, z) <= bound:  # at the tip: into the cone
+            return dz > 0.0 and dx * dx + dy * dy < 0.25 * dz * dz
+        nx, ny, nz = side_normal(shape, x, y)
+        if nx * dx + ny * dy + nz * dz >= 0.0:
+            return False
     return not (shape.code == CYLINDER and abs(z) >= 1.0 - 2.0 * bound and z * dz >= 0.0)
 
 
@@ -101,12 +133,10 @@ def face_normal(shape, x, y, z):
     """
     if shape.code == SPHERE:
         return x, y, z
-    if shape.code == TUBE:
-        return x, y, 0.0
-    if shape.code == CYLINDER:
-        if 1.0 - abs(z) < 1.0 - math.sqrt(x * x + y * y):
-            return 0.0, 0.0, math.copysign(1.0, z)
-        return x, y, 0.0
+    if is_on_cap(shape, x, y, z):
+        return 0.0, 0.0, math.copysign(1.0, z)
+    if shape.code == TUBE or shape.code == CYLINDER:
+        return side_normal(shape, x, y)
     ax, ay, az = abs(x), abs(y), abs(z)
     if ax >= ay and ax >= az:
         return math.copysign(1.0, x), 0.0, 0.0
@@ -124,10 +154,11 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
     """
     sense = 1.0 if leaves else -1.0
     if shape.code == CYLINDER:
-        side, cap = sense * (x * dx + y * dy), sense * z * dz
+        nx, ny, nz = side_normal(shape, x, y)
+        side, cap = sense * (nx * dx + ny * dy + nz * dz), sense * z * dz
         if side > 0.0 and cap > 0.0:
             return face_normal(shape, x, y, z)
-        return (x, y, 0.0) if side > cap else (0.0, 0.0, math.copysign(1.0, z))
+        return (nx, ny, nz) if side > cap else (0.0, 0.0, math.copysign(1.0, z))
     kx = x if sense * x * dx > 0.0 else 0.0
     ky = y if sense * y * dy > 0.0 else 0.0
     kz = z if sense * z * dz > 0.0 else 0.0
@@ -140,7 +171,9 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
 def is_at_edge(shape, x, y, z):
     """Whether a surface point is so close to an edge that rounding decides between its faces."""
     if shape.code == CYLINDER:
-        return min(math.sqrt(x * x + y * y), abs(z)) > EDGE
+        if shape.tip == 0.0 and z < 0.0:
+            return False
+        return min(math.sqrt(x * x + y * y) - side_width(shape, z) + 1.0, abs(z)) > EDGE
     if shape.code == BOX:
         ax, ay, az = abs(x), abs(y), abs(z)
         return max(min(ax, ay), min(max(ax, ay), az)) > EDGE  # the middle one of the three
@@ -154,9 +187,9 @@ def onto_surface(shape, x, y, z, nx, ny, nz):
     if shape.code == SPHERE:
         length = math.sqrt(x * x + y * y + z * z)
         return x / length, y / length, z / length
-    if nz == 0.0 and (shape.code == TUBE or shape.code == CYLINDER):
-        length = math.sqrt(x * x + y * y)
-        return x / length, y / length, z
+    if (nx != 0.0 or ny != 0.0) and (shape.code == TUBE or shape.code == CYLINDER):
+        length, width = math.sqrt(x * x + y * y), max(0.0, side_width(shape, z))
+        return width * (x / length), width * (y / length), z
     return (nx if nx != 0.0 else x), (ny if ny != 0.0 else y), (nz if nz != 0.0 else z)
 
 

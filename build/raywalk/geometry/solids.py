@@ -23,6 +23,8 @@ from raywalk.geometry.faces import (
     face_normal,
     is_at_edge,
     is_flat,
+    is_on_cap,
+    side_width,
 )
 from raywalk.optics.compiled import kernel
 
@@ -66,6 +68,45 @@ def tube_interval(ox, oy, dx, dy):
 
 
 @kernel
+def cone_interval(tip, ox, oy, oz, dx, dy, dz):
+    """Interval in the endless cone sqrt(x^2 + y^2) <= w, w = tip + k (1 + z), k = (1 - tip) / 2.
+
+    a t^2 + 2 b t + c <= 0 from the line's point nearest to the middle, where nothing is large. The
+    discriminant b^2 - a c is Lagrange's identity with a minus for w: like the sphere's, it does
+    not cancel what the rest of the line has in it.
+    """
+    k = 0.5 * (1.0 - tip)
+    shift = -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz)
+    x, y, z = ox + shift * dx, oy + shift * dy, oz + shift * dz
+    w, rise = tip + k * (1.0 + z), k * dz
+    a = dx * dx + dy * dy - rise * rise
+    b = x * dx + y * dy - w * rise
+    c = x * x + y * y - w * w
+    u, v, turn = x * rise - w * dx, y * rise - w * dy, x * dy - y * dx
+    under = u * u + v * v - turn * turn
+    if not under >= 0.0:
+        if not a < 0.0:
+            return math.inf, -math.inf
+        under = 0.0  # so steep a line always meets it: this one at the tip
+    q = -(b + math.copysign(math.sqrt(under), b))
+    if q == 0.0 and a == 0.0:  # along a line of the surface, or beside it
+        return (-math.inf, math.inf) if c <= 0.0 else (math.inf, -math.inf)
+    one, other = q / a, (c / q if q != 0.0 else 0.0)
+    near, far = min(one, other), max(one, other)
+    if a < 0.0:  # it stays in the half that it rises into, and comes from the mirrored one
+        near, far = (far, math.inf) if rise > 0.0 else (-math.inf, near)
+    return shift + near, shift + far
+
+
+@kernel
+def side_interval(shape, ox, oy, oz, dx, dy, dz):
+    """Interval in the endless cylinder or cone."""
+    if shape.tip == 1.0:
+        return tube_interval(ox, oy, dx, dy)
+    return cone_interval(shape.tip, ox, oy, oz, dx, dy, dz)
+
+
+@kernel
 def ordered_roots(middle, half, product):
     """Both roots middle -+ half in order; the one that cancels is product / other."""
     if middle > 0.0:
@@ -86,12 +127,12 @@ def slab_interval(o, d):
 
 @kernel
 def solid_interval(shape, ox, oy, oz, dx, dy, dz):
-    """[t_in, t_out] of the line in a sphere, box or capped cylinder; empty if t_in > t_out."""
+    """[t_in, t_out] of the line in a sphere, box, cylinder or cone; empty if t_in > t_out."""
     if shape.code == SPHERE:
         return sphere_interval(ox, oy, oz, dx, dy, dz)
     t_in, t_out = slab_interval(oz, dz)
     if shape.code == CYLINDER:
-        a, b = tube_interval(ox, oy, dx, dy)
+        a, b = side_interval(shape, ox, oy, oz, dx, dy, dz)
         return max(t_in, a), min(t_out, b)
     a, b = slab_interval(ox, dx)
     t_in, t_out = max(t_in, a), min(t_out, b)
@@ -103,7 +144,7 @@ def solid_interval(shape, ox, oy, oz, dx, dy, dz):
 def line_roots(shape, ox, oy, oz, dx, dy, dz):
     """Both parameters, of any sign, at which a line meets a round or box shape; else inf."""
     if shape.code == TUBE:
-        t_in, t_out = tube_interval(ox, oy, dx, dy)
+        t_in, t_out = side_interval(shape, ox, oy, oz, dx, dy, dz)
         if not abs(oz + t_in * dz) <= 1.0:
             t_in = math.inf
         if not abs(oz + t_out * dz) <= 1.0:
@@ -126,13 +167,14 @@ def chord_exit(shape, ox, oy, oz, dx, dy, dz):
     if shape.code == BOX:
         return min(slab_exit(ox, dx), min(slab_exit(oy, dy), slab_exit(oz, dz)))
     end = math.inf if shape.code == TUBE else slab_exit(oz, dz)
-    dd = dx * dx + dy * dy
-    if dd == 0.0:
-        return end
-    on_cap = shape.code == CYLINDER and face_normal(shape, ox, oy, oz)[2] != 0.0
-    if on_cap:
-        return min(end, tube_interval(ox, oy, dx, dy)[1])
-    return min(end, -2.0 * (ox * dx + oy * dy) / dd)
+    if is_on_cap(shape, ox, oy, oz):
+        along = shape.tip == 1.0 and dx == 0.0 and dy == 0.0
+        return end if along else min(end, side_interval(shape, ox, oy, oz, dx, dy, dz)[1])
+    rise = 0.5 * (1.0 - shape.tip) * dz
+    dd = dx * dx + dy * dy - rise * rise
+    if not dd > 0.0:  # steeper than the side: it rises to the end, or goes down outside at once
+        return end if rise >= 0.0 else 0.0
+    return min(end, -2.0 * (ox * dx + oy * dy - side_width(shape, oz) * rise) / dd)
 
 
 @kernel
@@ -168,11 +210,13 @@ def step_to_surface(shape, x, y, z, dx, dy, dz):
         return nearer_root(shape, x, y, z, dx, dy, dz)
     else:
         nx, ny, nz = face_normal(shape, x, y, z)
-        if shape.code == BOX or nz != 0.0:
+        if shape.code == BOX or (nx == 0.0 and ny == 0.0):
             # A face has one coordinate of +-1; the normal, of which the others are 0, picks it.
             away = nx * dx + ny * dy + nz * dz
             return (1.0 - (nx * x + ny * y + nz * z)) / away
-        a, b, c = dx * dx + dy * dy, x * dx + y * dy, x * x + y * y - 1.0
+        w, rise = side_width(shape, z), 0.5 * (1.0 - shape.tip) * dz
+        a, b = dx * dx + dy * dy - rise * rise, x * dx + y * dy - w * rise
+        c = x * x + y * y - w * w
     if abs(a * c) < SLIGHT * b * b:
         # a s^2 + 2 b s + c = 0: the small root, s = -c / 2b - a s^2 / 2b and one term more.
         half = 0.5 / b

@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from raywalk.scene.fields import (
     Allowed,
+    AtLeastZero,
     Colour,
     Flag,
     Maybe,
@@ -123,6 +124,17 @@ class CylinderTable(ObjectTable):
     capped: Flag = Field(default=True, description="closed by a disc at each end")
 
 
+class ConeTable(ObjectTable):
+    """A whole one, or one whose tip is cut off; with equal radii a cylinder."""
+
+    type: Literal["cone"]
+    start: Point = Field(description="centre of one end")
+    end: Point = Field(description="its tip, or centre of the other end")
+    radius: Positive = Field(description="at the start, in world units")
+    end_radius: AtLeastZero = Field(default=0.0, description="at the end; 0 makes that a tip")
+    capped: Flag = Field(default=True, description="closed by a disc at each end")
+
+
 class BoxTable(ObjectTable):
     type: Literal["box"]
     minimum: Point = Field(description="the corner of smallest x, y and z")
@@ -164,6 +176,7 @@ SHAPES: dict[str, type[ObjectTable]] = {
     "ellipsoid": EllipsoidTable,
     "plane": PlaneTable,
     "cylinder": CylinderTable,
+    "cone": ConeTable,
     "box": BoxTable,
     "disc": DiscTable,
     "triangle": TriangleTable,
@@ -177,8 +190,10 @@ def _with_known_type(value: Any) -> Any:
         raise refusal(f"{show(value)} is not a table")
     kind = value.get("type")
     if not isinstance(kind, str) or kind not in SHAPES:
-        message = "missing" if kind is None else f"{show(kind)} is not a shape"
         known = f"known: {joined(SHAPES)}"
+        if kind is None:
+            raise refusal("missing", at="type", allowed=known)
+        message = f"{show(kind)} is not a shape"
         raise refusal(message, at="type", allowed=known, hint=did_you_mean(kind, SHAPES))
     return value
 
@@ -189,6 +204,7 @@ AnyObject = Annotated[
         | Annotated[EllipsoidTable, Tag("as:ellipsoid")]
         | Annotated[PlaneTable, Tag("as:plane")]
         | Annotated[CylinderTable, Tag("as:cylinder")]
+        | Annotated[ConeTable, Tag("as:cone")]
         | Annotated[BoxTable, Tag("as:box")]
         | Annotated[DiscTable, Tag("as:disc")]
         | Annotated[TriangleTable, Tag("as:triangle")]

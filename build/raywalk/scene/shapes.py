@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import partial
 from math import inf, pi, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -46,8 +47,15 @@ def box_height(x, y, z):  # type: ignore[no-untyped-def]
     return max(abs(x), max(abs(y), abs(z))) - 1.0
 
 
-def cylinder_height(x, y, z):  # type: ignore[no-untyped-def]
-    return max(x * x + y * y - 1.0, abs(z) - 1.0)
+def side_height(x, y, z, tip):  # type: ignore[no-untyped-def]
+    """Of a cylinder's or cone's side."""
+    if tip == 1.0:
+        return x * x + y * y - 1.0
+    return 2.0 * (sqrt(x * x + y * y) - (tip + 0.5 * (1.0 - tip) * (1.0 + z)))
+
+
+def cylinder_height(x, y, z, tip=1.0):  # type: ignore[no-untyped-def]
+    return max(side_height(x, y, z, tip), abs(z) - 1.0)
 
 
 def plane_height(x, y, z):  # type: ignore[no-untyped-def]
@@ -56,7 +64,7 @@ def plane_height(x, y, z):  # type: ignore[no-untyped-def]
 
 SPHERE = Canonical("sphere", 1.0, 4.0 / 3.0 * pi, sphere_height)  # of radius 1
 BOX = Canonical("box", sqrt(3.0), 8.0, box_height)  # |x|, |y|, |z| <= 1
-# x^2 + y^2 <= 1, |z| <= 1
+# x^2 + y^2 <= w^2, |z| <= 1 with w = 1, or of a cone rising from ends[0] to 1
 CYLINDER = Canonical("cylinder", sqrt(2.0), 2.0 * pi, cylinder_height, (1.0, 1.0))
 TUBE = Canonical("tube", sqrt(2.0), ends=(1.0, 1.0))  # the same without its ends
 PLANE = Canonical("plane", inf, inf, plane_height)  # y = 0 facing +y, the half-space behind it
@@ -85,7 +93,9 @@ class Shape:
     def drawn(self) -> dict[str, Any]:
         """What the viewer draws: a shape of viewer/state/shapes.ts."""
         name = self.canonical.name
-        return {"type": "cylinder", "open": True} if name == "tube" else {"type": name}
+        kind = {"type": "cylinder", "open": True} if name == "tube" else {"type": name}
+        tip = (self.canonical.ends or (1.0, 1.0))[0]
+        return kind if tip == 1.0 else kind | {"tip": tip}
 
     @property
     def word(self) -> str:
@@ -152,12 +162,37 @@ class Cylinder(Shape):
         return CYLINDER if self.capped else TUBE
 
     def placement(self) -> Placement:
-        start, end = exact(self.start), exact(self.end)
-        half = (end - start) / 2
-        axis, radius = unit(half), Decimal(self.radius)
-        u, _ = axes_across(axis)
-        linear = np.column_stack([radius * u, radius * np.cross(axis, u), half])
-        return linear, start + half
+        return _between(self.start, self.end, self.radius)
+
+    def flaws(self) -> Iterator[Flaw]:
+        yield from _without_length(self)
+
+
+@dataclass(frozen=True)
+class Cone(Shape):
+    """A whole one, or what is left of one whose tip is cut off. With equal radii it is a cylinder,
+    to the last digit. At the tip itself, where no plane is tangent, the normal is the axis."""
+
+    start: Triple  # centre of one end
+    end: Triple  # the tip, or centre of the other end
+    radius: float  # at the start
+    end_radius: float = 0.0
+    capped: bool = True
+
+    @property
+    def canonical(self) -> Canonical:
+        small, big = sorted((self.radius, self.end_radius))
+        tip = small / big
+        solid, tube = CYLINDER._replace(ends=(tip, 1.0)), TUBE._replace(ends=(tip, 1.0))
+        volume = CYLINDER.volume * (1.0 + tip + tip * tip) / 3.0
+        height = partial(cylinder_height, tip=tip)
+        return solid._replace(volume=volume, height=height) if self.capped else tube
+
+    def placement(self) -> Placement:
+        """The canonical one is wider at z = 1."""
+        if self.radius > self.end_radius:
+            return _between(self.end, self.start, self.radius)
+        return _between(self.start, self.end, self.end_radius)
 
     def flaws(self) -> Iterator[Flaw]:
         yield from _without_length(self)
@@ -246,6 +281,16 @@ def _without_direction(normal: Triple) -> Iterator[Flaw]:
         yield "normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]"
 
 
-def _without_length(shape: Cylinder) -> Iterator[Flaw]:
+def _between(start: Triple, end: Triple, radius: float) -> Placement:
+    """z = -1 at the start and 1 at the end, where 1 across is the radius."""
+    foot = exact(start)
+    half = (exact(end) - foot) / 2
+    axis = unit(half)
+    u, _ = axes_across(axis)
+    wide = Decimal(radius)
+    return np.column_stack([wide * u, wide * np.cross(axis, u), half]), foot + half
+
+
+def _without_length(shape: Cylinder | Cone) -> Iterator[Flaw]:
     if shape.start == shape.end:
         yield "end", f"{plain(shape.end)} is also the start: the {shape.word} has no length", ""

@@ -60,9 +60,9 @@ class CheckerData(TypedDict):
 
 class ObjectData(TypedDict):
     """Canonical shapes, placed by `transform`, 16 numbers, column-major (as three's
-    Matrix4.fromArray): sphere of radius 1; plane y = 0 facing +y; cylinder x^2 + y^2 = 1,
-    |z| <= 1; box |x|,|y|,|z| <= 1; disc z = 0 of radius 1 facing +z; triangle (0,0,0) (1,0,0)
-    (0,1,0); a mesh in its own coordinates."""
+    Matrix4.fromArray): sphere of radius 1; plane y = 0 facing +y; cylinder x^2 + y^2 = w^2,
+    |z| <= 1 with w rising from `tip` to 1; box |x|,|y|,|z| <= 1; disc z = 0 of radius 1 facing +z;
+    triangle (0,0,0) (1,0,0) (0,1,0); a mesh in its own coordinates."""
 
     name: str
     type: Drawn
@@ -70,6 +70,7 @@ class ObjectData(TypedDict):
     material: int  # index into SceneData.materials
     transform: list[float]
     open: NotRequired[bool]  # a cylinder without caps
+    tip: NotRequired[float]  # of a cone: a cylinder's radius at z = -1, else 1
     mesh: NotRequired[str]  # key into SceneData.meshes
     checker: NotRequired[CheckerData]
 

@@ -26,14 +26,14 @@ function ring(radius: number, z: number): Vec3[] {
 }
 
 /** Radii at z = -1 and 1 of what a straight line makes that is turned about z. */
-export const endsOf = (_: ObjectData): readonly [number, number] => [1, 1];
+export const endsOf = ({ tip = 1 }: ObjectData): readonly [number, number] => [tip, 1];
 
 /** Its sides, and its caps unless it is open. */
 function turned(object: ObjectData): Vec3[][] {
   const [low, high] = endsOf(object);
   const [from, to] = [ring(low, -1), ring(high, 1)];
-  const sides = from.map((corner, k) => [corner, from[(k + 1) % ROUND], to[(k + 1) % ROUND], to[k]]);
-  return object.open ? sides : [...sides, [...from].reverse(), to];
+  const sides = from.map((corner, k) => [to[(k + 1) % ROUND], to[k], corner, from[(k + 1) % ROUND]]);
+  return object.open ? sides : [...sides, to, ...(low > 0 ? [[...from].reverse()] : [])];
 }
 
 const boxFaces = [0, 1, 2].flatMap((axis) =>
@@ -63,7 +63,7 @@ export const FORMS: Record<ObjectData["type"], Form> = {
     box: () => AROUND,
     faces: turned,
     isOpen: ({ open }) => open === true,
-    holds: ([x, y, z]) => x * x + y * y < 1 && Math.abs(z) < 1,
+    holds: ([x, y, z], { tip = 1 }) => Math.hypot(x, y) < tip + ((1 - tip) * (1 + z)) / 2 && Math.abs(z) < 1,
   },
   plane: { box: () => null, faces: () => [], isOpen: () => true },
   disc: { box: () => [[-1, -1, 0], [1, 1, 0]], faces: () => [ring(1, 0)], isOpen: () => true },
