@@ -15,7 +15,7 @@ from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import plan_of
-from raywalk.trace.tree import Visibility
+from raywalk.trace.tree import Kind, Visibility
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer, trace_picture
 
 FOLDER = Path(__file__).parents[2] / "scenes"
@@ -85,7 +85,7 @@ def test_a_scene_without_glass_never_runs_refraction(id, monkeypatch):
     for kernel in ("refracted_directions", "glass_shares"):
         monkeypatch.setattr(bounce, kernel, refuse)
     tally = traced(small(SCENES[id])).tally
-    assert tally.refracted == 0
+    assert tally.rays[Kind.REFRACTED] == 0
 
 
 @pytest.mark.parametrize("change", [{"intensity": 0.0}, {"colour": (0.0, 0.0, 0.0)}])
@@ -114,12 +114,12 @@ def test_the_tally_adds_up():
     scene = small(SCENES["05-many-bounces"])
     result = traced(scene)
     tally = result.tally
-    assert tally.pixels == 105 * 105 == tally.camera
+    assert tally.pixels == 105 * 105 == tally.rays[Kind.CAMERA]
     assert tally.kept_pixels == result.tree.cameras
     everywhere = replace(scene, render=replace(scene.render, resolutions=(105,)))
     every = traced(everywhere)
     tree, lights = every.tree, len(scene.lights)
-    assert every.tally.camera + every.tally.reflected + every.tally.refracted == len(tree.kind)
+    assert every.tally.rays.tolist() == np.bincount(tree.kind, minlength=len(Kind)).tolist()
     own = int(((tree.object >= 0) & (tree.local_weight > 0)).sum())
     assert every.tally.shadow + every.tally.turned == own * lights
     assert every.tally.tests + every.tally.tests_saved == len(tree.kind) * len(scene.objects)

@@ -10,6 +10,7 @@ import pytest
 from conftest import Encoded
 
 import raywalk.trace_file
+from raywalk.trace.tree import SENT_ON
 
 SCHEMA = json.loads((Path(raywalk.trace_file.__file__).parent / "trace.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -27,6 +28,13 @@ def test_the_json_is_canonical(encoded: Encoded) -> None:
     """Sorted keys, no spaces: the same content is the same bytes."""
     again = json.dumps(json.loads(encoded.json), sort_keys=True, separators=(",", ":"))
     assert again.encode() == encoded.json
+
+
+def test_a_material_has_a_share_for_each_kind_of_ray(encoded: Encoded) -> None:
+    """The schema lets kinds be added, and says nothing of which there are."""
+    named = set(SCHEMA["properties"]["materials"]["items"]["properties"])
+    for material in json.loads(encoded.json)["materials"]:
+        assert set(material) - named == {kind.name.lower() for kind in SENT_ON}
 
 
 @pytest.mark.parametrize("key", sorted(SCHEMA["properties"]))

@@ -44,11 +44,10 @@ def savings_lines(facts: dict[str, Any], words: Words) -> Figures:
 
 def as_table(scene_id: str, facts: dict[str, Any], words: Words) -> str:
     """The same for the command line, with the rays that were traced."""
-    tally = facts["tally"]
     rays = ", ".join(
-        f"{words.numbers.grouped(tally[kind])} {kind}"
-        for kind in ("camera", "reflected", "refracted")
-        if tally[kind]
+        f"{words.numbers.grouped(count)} {words.say(f'line.{kind}')}"
+        for kind, count in facts["tally"]["rays"].items()
+        if count
     )
     lines = [("Rays traced", rays), *savings_lines(facts, words)]
     width = max(len(label) for label, _ in lines)

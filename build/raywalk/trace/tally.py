@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -21,9 +21,7 @@ class Tally:
 
     pixels: int = 0
     kept_pixels: int = 0  # those that some frustum resolution uses: their trees are kept
-    camera: int = 0
-    reflected: int = 0
-    refracted: int = 0
+    rays: np.ndarray = field(default_factory=lambda: np.zeros(len(Kind), np.int64))  # by Kind
     faint: int = 0  # rays not sent on: their share in the pixel is too small
     shadow: int = 0  # shadow rays shot
     turned: int = 0  # not shot: the surface is turned away from the light
@@ -37,19 +35,19 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Counts another strip in."""
-        for field in fields(self):
-            setattr(self, field.name, getattr(self, field.name) + getattr(other, field.name))
+        for each in fields(self):
+            setattr(self, each.name, getattr(self, each.name) + getattr(other, each.name))
 
     def as_dict(self) -> dict[str, Any]:
-        return asdict(self)
+        """As JSON values; rays by the names of their kinds."""
+        return asdict(self) | {"rays": {kind.name.lower(): int(self.rays[kind]) for kind in Kind}}
 
 
 def tally_waves(scene: Scene, asked: tuple[bool, ...], waves: list[Wave]) -> Tally:
     """All rays of a strip's waves."""
     tally = Tally(pixels=len(waves[0].parent))
     for wave in waves:
-        tally.camera += int((wave.kind == Kind.CAMERA).sum())
-        tally.refracted += int((wave.kind == Kind.REFRACTED).sum())
+        tally.rays += np.bincount(wave.kind, minlength=len(Kind))
         tally.faint += wave.faint
         seen = wave.lighting.visibility
         tally.turned += int((seen == Visibility.BEHIND).sum())
@@ -61,8 +59,6 @@ def tally_waves(scene: Scene, asked: tuple[bool, ...], waves: list[Wave]) -> Tal
             tally.dark += int(own.sum()) * asked.count(False)
         else:
             tally.unshadowed += int(own.sum()) * len(asked)
-    rays = sum(len(wave.parent) for wave in waves)
-    tally.reflected = rays - tally.camera - tally.refracted
     return tally
 
 

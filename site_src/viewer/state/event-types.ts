@@ -1,6 +1,6 @@
 /** What can happen on a pixel's ray tree, with the numbers that a sentence about it needs. */
 import type { Vec3 } from "../trace/types";
-import type { LineKind } from "../trace/kinds";
+import type { LineKind, SentKind } from "../trace/kinds";
 
 export interface LightShare {
   name: string;
@@ -12,18 +12,30 @@ export interface LightShare {
 
 /** One term of a colour: share x colour. */
 export interface Term {
-  of: "local" | "background" | "reflected" | "refracted" | "total";
+  of: "local" | "background" | SentKind;
   share: number;
   colour: Vec3;
 }
 
 export type Degrees = number | null; // null: between points too close together to measure it
 
+/** A hit sends a ray on. */
+export interface Departure {
+  what: SentKind;
+  name: string; // of the object
+  share: number;
+  keeps: number; // share of the surface's own colour
+  clear: boolean; // it lets light through
+  enters: boolean; // or would, were it not reflected
+  from: number; // index of refraction on this side
+  to: number; // and on the other
+  angle: Degrees; // to the normal, as it came
+  bent: Degrees; // as it goes on
+}
+
 export type Happening =
   | { what: "camera"; pixel: readonly [number, number]; eye: Vec3 }
-  | { what: "reflected"; name: string; share: number; keeps: number; clear: boolean; angle: Degrees }
-  | { what: "refracted"; name: string; share: number; enters: boolean; from: number; to: number; angle: Degrees; bent: Degrees }
-  | { what: "total"; name: string; share: number; from: number; to: number; angle: Degrees }
+  | Departure
   | { what: "meets"; name: string; t: number; point: Vec3; hits: readonly { name: string; t: number }[] }
   | { what: "background"; colour: Vec3 }
   | { what: "reached" | "away" | "unasked" | "off"; name: string }

@@ -2,7 +2,7 @@
  * A pixel's ray tree as what happens one after the other, with the numbers each sentence needs. All of
  * them are the trace's: stored factors times stored colours, measured lengths and angles; nothing is traced.
  */
-import { RAY_KINDS } from "../trace/kinds";
+import { RAY_KINDS, type SentKind } from "../trace/kinds";
 import { VISIBILITY, type MaterialData, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
 import { originOf, treeOf } from "./lines";
@@ -56,19 +56,19 @@ function angleOf(trace: Trace, scene: SceneData, ray: number, normal: Vec3): Deg
   return length(run) < MEASURABLE * scene.bounds.radius ? null : TURN * Math.acos(Math.min(1, Math.abs(dot(unit(run), normal))));
 }
 
-/** How a ray starts. media: what its parent came through; after: what it travels in itself. */
-function departure(trace: Trace, scene: SceneData, ray: number, media: Media, after: Media): Happening {
+/** How a ray starts. media: what its parent came through. */
+function departure(trace: Trace, scene: SceneData, ray: number, media: Media): Happening {
   const parent = trace.parent[ray];
-  const kind = RAY_KINDS[trace.kind[ray]];
-  if (parent < 0) return { what: "camera", pixel: placeOf(trace, trace.pixel[ray]), eye: scene.camera.eye };
+  const what = RAY_KINDS[trace.kind[ray]];
+  if (what === "camera") return { what, pixel: placeOf(trace, trace.pixel[ray]), eye: scene.camera.eye };
   const material = scene.materials[trace.material[parent]];
   const normal = triple(trace.normal, parent);
-  const base = { name: nameOf(scene, trace.object[parent]), share: trace.weight[ray], angle: angleOf(trace, scene, parent, normal) };
-  const leaves = trace.inside[parent] === 1;
-  const from = leaves && !media.length ? material.ior : indexIn(media, scene);
-  if (kind === "refracted") return { what: kind, ...base, enters: !leaves, from, to: indexIn(after, scene), bent: angleOf(trace, scene, ray, normal) };
-  if (kind === "total") return { what: kind, ...base, from, to: indexIn(crossed(media, trace.object[parent], !leaves), scene) };
-  return { what: "reflected", ...base, keeps: trace.localWeight[parent], clear: material.transmit > 0 };
+  const enters = trace.inside[parent] === 0;
+  return {
+    what, name: nameOf(scene, trace.object[parent]), share: trace.weight[ray], keeps: trace.localWeight[parent], clear: material.transmit > 0, enters,
+    from: enters || media.length ? indexIn(media, scene) : material.ior, to: indexIn(crossed(media, trace.object[parent], enters), scene),
+    angle: angleOf(trace, scene, parent, normal), bent: angleOf(trace, scene, ray, normal),
+  };
 }
 
 function arrival(trace: Trace, scene: SceneData, ray: number): Happening {
@@ -96,7 +96,7 @@ function lighting(trace: Trace, scene: SceneData, ray: number): RayEvent[] {
 
 /** What a ray's colour is the sum of. sent: the rays it led to. */
 function termsOf(trace: Trace, scene: SceneData, ray: number, sent: readonly number[]): Term[] {
-  const brought = sent.map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as Term["of"], share: trace.weight[child], colour: triple(trace.colour, child) }));
+  const brought = sent.map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as SentKind, share: trace.weight[child], colour: triple(trace.colour, child) }));
   if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
   if (trace.localWeight[ray] === 0) return brought;
   const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
@@ -125,7 +125,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
     const line = RAY_KINDS[trace.kind[ray]];
     const object = trace.object[ray];
     const sent = children.get(ray) ?? [];
-    events.push(event(ray, departure(trace, scene, ray, before, media), { line, long: length(runOf(trace, scene, ray)) }), event(ray, arrival(trace, scene, ray), { line }));
+    events.push(event(ray, departure(trace, scene, ray, before), { line, long: length(runOf(trace, scene, ray)) }), event(ray, arrival(trace, scene, ray), { line }));
     if (object >= 0) events.push(...meeting(trace, scene, ray, !sent.length));
     for (const child of sent) walk(child, RAY_KINDS[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
     const sum = { terms: termsOf(trace, scene, ray, sent), colour: triple(trace.colour, ray) };

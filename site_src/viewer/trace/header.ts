@@ -1,9 +1,12 @@
 /** What stands in a trace file beside its columns. FORMAT.md in build/raywalk/trace_file explains
  *  it; trace.schema.json there is its schema. */
 import { TraceError, damaged } from "./errors";
-import type { Header } from "./pipeline-types";
+import type { SentKind } from "./kinds";
+import type { Header as Written } from "./pipeline-types";
 
-export type { Header };
+/** A material has a share for each kind of ray too. */
+type Material = Written["materials"][number] & Readonly<Record<SentKind, number>>;
+export type Header = Omit<Written, "materials"> & { readonly materials: readonly Material[] };
 export type Patch = Header["patches"][number];
 export type Predictor = Header["predictors"][string][string];
 

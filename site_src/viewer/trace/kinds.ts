@@ -2,6 +2,7 @@
 import { lines, rays } from "../../../build/raywalk/trace/ray_kinds.json";
 
 export type RayKind = keyof typeof rays;
+export type SentKind = Exclude<RayKind, "camera">; // by a hit
 export type LineKind = keyof typeof lines; // shadow rays too
 
 interface Drawn {
