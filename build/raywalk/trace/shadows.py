@@ -41,10 +41,7 @@ def cast_shadows(
     t, met, passed = found[0], found[1], np.ones(len(reach))
     if scene.render.glass_shadows == "pass":
         t, met = through_glass(compiled, materials, rays, reach, found, passed)
-    note_shadows(
-        cast, t, met, passed, k, out.visibility, out.blocker, out.blocked_at,
-        out.passed, out.diffuse, out.specular,
-    )  # fmt: skip
+    note_shadows(cast, t, met, passed, k, out)
 
 
 Found = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # as CompiledScene.nearest gives it
@@ -65,10 +62,7 @@ def through_glass(
     ahead = rows_of(found, going)
     while len(going):
         hits = compiled.surface(rays.take(going), *ahead)
-        going = cross_glass(
-            materials.transmit, hits.t, hits.object, hits.point, hits.inside, hits.triangle,
-            hits.material, going, reach, base, passed, *rays,
-        )  # fmt: skip
+        going = cross_glass(materials.transmit, hits, going, reach, base, passed, rays)
         further = compiled.nearest(rays.take(going), reach.take(going) - base.take(going))
         t[going], met[going] = base.take(going) + further[0], further[1]
         on = np.flatnonzero(further[1] != NOWHERE)
@@ -107,43 +101,39 @@ def start_to_light(cast, point, leaving, inner, triangle, share):
 
 
 @kernel
-def cross_glass(
-    transmit, hit_t, hit_object, hit_point, hit_inside, hit_triangle, hit_material,
-    going, reach, base, passed, origin, direction, leaving, inner, triangle,
-):  # fmt: skip
+def cross_glass(transmit, hits, going, reach, base, passed, rays):
     """Moves the rays `going` (g,) through the clear surfaces that they met before their ends;
     returns which those are. The hits are (g,), the others (n,)."""
     on, filled = np.empty_like(going), 0
     for g in range(going.shape[0]):
-        i, clear = going[g], transmit[hit_material[g]]
-        if not (clear > 0.0 and hit_t[g] < reach[i] - base[i]):
+        i, clear = going[g], transmit[hits.material[g]]
+        if not (clear > 0.0 and hits.t[g] < reach[i] - base[i]):
             continue
         passed[i] *= clear
-        base[i] += hit_t[g]
+        base[i] += hits.t[g]
         for c in range(3):
-            origin[i, c] = hit_point[g, c]
-        leaving[i], inner[i], triangle[i] = hit_object[g], not hit_inside[g], hit_triangle[g]
+            rays.origin[i, c] = hits.point[g, c]
+        rays.leaving[i], rays.triangle[i] = hits.object[g], hits.triangle[g]
+        rays.inner[i] = not hits.inside[g]
         on[filled] = i
         filled += 1
     return on[:filled]
 
 
 @kernel
-def note_shadows(
-    cast, t, met, passed, k, visibility, blocker, blocked_at, all_passed, diffuse, specular
-):
+def note_shadows(cast, t, met, passed, k, out):
     """Writes light k's columns (n, l): t, met and passed are of the rays that were shot."""
     ray = 0
     for r in range(cast.rows.shape[0]):
         i = cast.rows[r]
-        visibility[i, k] = BEHIND
+        out.visibility[i, k] = BEHIND
         if not cast.shot[r]:
             continue
         if met[ray] != NOWHERE:
-            blocked_at[i, k] = t[ray] / cast.distance[r]
+            out.blocked_at[i, k] = t[ray] / cast.distance[r]
         if cast.facing[r]:
-            visibility[i, k] = BLOCKED if met[ray] != NOWHERE else REACHED
-        blocker[i, k], all_passed[i, k] = met[ray], passed[ray]
-        diffuse[i, k] *= passed[ray]
-        specular[i, k] *= passed[ray]
+            out.visibility[i, k] = BLOCKED if met[ray] != NOWHERE else REACHED
+        out.blocker[i, k], out.passed[i, k] = met[ray], passed[ray]
+        out.diffuse[i, k] *= passed[ray]
+        out.specular[i, k] *= passed[ray]
         ray += 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,8 +11,7 @@ from raywalk.geometry.compiled import Hits, Rays
 from raywalk.optics.compiled import kernel
 
 
-@dataclass(eq=False)
-class Lighting:
+class Lighting(NamedTuple):
     """What the hits of a wave know of each light; columns as in RayTree."""
 
     visibility: np.ndarray  # (n, L) uint8
