@@ -28,9 +28,10 @@ from raywalk.slides.html import deck_html
 from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
-from raywalk.slides.palette import DASH_LENGTHS, KIND_DASH, PRINT, SCREEN
+from raywalk.slides.palette import DASH_LENGTHS, KINDS, PRINT, SCREEN
 from raywalk.slides.pdf import MissingGlyphs, deck_pdf
 from raywalk.slides.pptx import deck_pptx
+from raywalk.slides.pptx_shapes import PRESET_DASH
 from raywalk.slides.step_figure import CHOSEN_WIDTH
 from raywalk.slides.step_slide import SAMPLE
 from raywalk.slides.typeface import wrapped
@@ -249,7 +250,7 @@ def test_the_legend_names_the_lines_that_are_drawn(deck: Deck):
             i for i in slide.figure.items if isinstance(i, Group) and i.name == "Kinds of rays"
         ]
         rest = tuple(i for i in slide.figure.items if i not in legends)
-        drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KIND_DASH)
+        drawn = {i.colour for i in flat(rest) if isinstance(i, Line)} & set(KINDS)
         named = {i.colour for i in flat(tuple(legends)) if isinstance(i, Line)} - {"soft"}
         assert named == drawn, slide.title
 
@@ -311,19 +312,19 @@ def test_letters_of_titles_and_names_are_found_too(made, tmp_path, old, new, key
 def test_a_legends_samples_tell_the_kinds_apart_without_colour():
     """No two kinds share a dash, and each sample holds a dash whole, its gap and the next one's
     beginning, in PDF and SVG by our lengths, in PowerPoint by its own, in shares of the width."""
-    dashes = list(KIND_DASH.values())
-    assert len(set(dashes)) == len(dashes)
+    for dashes in (DASH_LENGTHS, PRESET_DASH):
+        assert len({dashes[kind] for kind in KINDS}) == len(KINDS)
     powerpoint = {
+        "solid": 0,
         "dash": 7,
-        "long": 11,
-        "short": 4,
-        "dots": 2,
-        "dashdot": 11,
+        "lgDash": 11,
+        "sysDash": 4,
+        "sysDot": 2,
+        "dashDot": 11,
     }  # ECMA-376, 20.1.10.48
-    for dash in dashes:
-        if dash != "solid":
-            assert sum(DASH_LENGTHS[dash]) < SAMPLE
-            assert powerpoint[dash] * CHOSEN_WIDTH < SAMPLE
+    for kind in KINDS:
+        assert sum(DASH_LENGTHS[kind]) < SAMPLE
+        assert powerpoint[PRESET_DASH[kind]] * CHOSEN_WIDTH < SAMPLE
 
 
 def test_a_walk_of_many_rays_still_fits(made):

@@ -62,7 +62,7 @@ def test_lines_and_samples_on_slides_stand_out_from_the_ground(palette) -> None:
 
 def test_on_paper_no_two_kinds_look_alike_without_their_hue() -> None:
     """Greyscale printing leaves the dash."""
-    dashes = [DASH_LENGTHS[row["dash"]] for row in SLIDES.values()]
+    dashes = [DASH_LENGTHS[kind] for kind in SLIDES]
     assert len(set(dashes)) == len(dashes)
     assert PRINT["total"] == PRINT["reflected"]  # one hue: both are mirrored
 

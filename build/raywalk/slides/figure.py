@@ -13,7 +13,6 @@ from raywalk.slides.layout import Box
 
 Point = tuple[float, float]
 # How a line is broken; each writer has its own words for these.
-DASHES = ("solid", "dash", "long", "short", "dots", "dashdot", "hidden")
 
 
 def hex_of(bytes_: Sequence[int]) -> str:

@@ -40,10 +40,9 @@ PRINT = Palette(
 )  # fmt: skip
 PALETTES = {palette.name: palette for palette in (SCREEN, PRINT)}
 
-# A kind of ray by its dash (see figure.DASHES).
-KIND_DASH: dict[str, str] = {kind: row["dash"] for kind, row in SLIDES.items()}
-# Drawn and empty lengths in points of lines 2 points wide; hidden stretches are thinner.
+KINDS = tuple(SLIDES)  # of rays and shadow rays, in the order of legends
+# Each kind has a dash of its own. Drawn and empty lengths in points of lines 2 points wide;
+# hidden stretches are thinner.
 DASH_LENGTHS: dict[str, tuple[float, ...]] = {
-    "solid": (), "dash": (8, 5), "long": (13, 4), "short": (4, 3), "dots": (2, 4),
-    "dashdot": (8, 4, 2, 4), "hidden": (3, 3),
+    "solid": (), "hidden": (3, 3), **{kind: tuple(row["dash"]) for kind, row in SLIDES.items()},
 }  # fmt: skip

@@ -20,10 +20,10 @@ from raywalk.slides.pptx_text import text_body, wider
 from raywalk.slides.pptx_xml import NAMESPACES, emu, place, preset, solid
 from raywalk.slides.svg import HEAD_LONG
 from raywalk.slides.table_parts import cell_parts
+from raywalk.trace.kinds import SLIDES
 
-PRESET_DASH = {
-    "solid": "solid", "dash": "dash", "long": "lgDash", "short": "sysDash", "dots": "sysDot",
-    "dashdot": "dashDot", "hidden": "sysDash",
+PRESET_DASH: dict[str, str] = {
+    "solid": "solid", "hidden": "sysDash", **{k: row["powerPoint"] for k, row in SLIDES.items()},
 }  # fmt: skip
 
 FINE = 20  # of an outline's own units in a point: short numbers, and no eye tells

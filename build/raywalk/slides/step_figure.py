@@ -13,7 +13,6 @@ from raywalk.slides.clip import clipped_area, clipped_line
 from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygon, flat, hex_of
 from raywalk.slides.labels import Label, Places
 from raywalk.slides.layout import Box
-from raywalk.slides.palette import KIND_DASH
 from raywalk.slides.pictures import tiles_picture, washed
 from raywalk.slides.stops import ChosenLine, Ends, Stop, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched, vector
@@ -229,7 +228,7 @@ def _pieces(drawing: Drawing, line: ThinLine, width: float) -> list[Line]:
                 end,
                 line.kind,
                 width * HIDDEN_SHARE if piece.hidden else width,
-                "hidden" if piece.hidden else KIND_DASH[line.kind],
+                "hidden" if piece.hidden else line.kind,
                 arrow=piece.arrives and bool(last == 1.0) and width > THIN_WIDTH,
                 name=say("slides.hidden" if piece.hidden else "slides.seen"),
             )

@@ -11,7 +11,7 @@ from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
 from raywalk.slides.notes import step_notes
-from raywalk.slides.palette import KIND_DASH
+from raywalk.slides.palette import KINDS
 from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
 from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
@@ -239,7 +239,7 @@ def legend(figure: Group, layout: Layout) -> list[Item]:
     outside its frame."""
     lines = [item for item in flat(figure.items) if isinstance(item, Line)]
     drawn = {line.colour for line in lines}
-    entries = [(kind_word(k), k, KIND_DASH[k], CHOSEN_WIDTH) for k in KIND_DASH if k in drawn]
+    entries = [(kind_word(k), k, k, CHOSEN_WIDTH) for k in KINDS if k in drawn]
     if any(line.dash == "hidden" for line in lines):
         entries.append((say("slides.hidden"), "soft", "hidden", CHOSEN_WIDTH * HIDDEN_SHARE * 1.2))
     items: list[Item] = []

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from raywalk.slides.figure import Cell, Item, Line, Polygon, Run, Table, Text
 from raywalk.slides.layout import Box
-from raywalk.slides.palette import KIND_DASH
 
 SAMPLE = 20.0  # of a ray's line
 SAMPLE_ROOM = 26.0
@@ -34,7 +33,7 @@ def cell_parts(cell: Cell, box: Box, align: str, size: float) -> list[Item]:
     left, middle = box.left, box.top + box.height / 2
     if cell.sample:
         ends = ((left, middle), (left + SAMPLE, middle))
-        items.append(Line(*ends, cell.sample, 2.2, KIND_DASH[cell.sample], name=cell.sample))
+        items.append(Line(*ends, cell.sample, 2.2, cell.sample, name=cell.sample))
         left += SAMPLE_ROOM
     if cell.swatch:
         x, y = box.right - SWATCH, middle - SWATCH / 2

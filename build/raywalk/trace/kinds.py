@@ -11,7 +11,8 @@
             light     colour on the projector's light page
     page    edge      beside its entry on the card, drawn and empty pixels
             dark, light   colour of its name in a sentence: at least 4.5:1 on the panels
-    slides  dash      by the name that slides/palette.py gives it
+    slides  dash      drawn and empty points of a line two points wide; [] is a solid line
+            powerPoint   the nearest that PowerPoint has (ECMA-376, 20.1.10.48)
             paper     colour in print
 
 A section is what one reader needs, so that the viewer carries no more than that.

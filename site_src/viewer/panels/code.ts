@@ -1,12 +1,14 @@
 /** The algorithm beside the player, as pseudo-code to read: the line that the told event belongs to is marked. Nothing here runs. */
 import type { RayEvent } from "../state/event-types";
 import { treeOf } from "../state/lines";
+import { BRANCHES, RAY_KINDS, RAYS, type SentKind } from "../trace/kinds";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
 import type { PixelRays, RaysView } from "./card-rays";
 import { element } from "./element";
 
-type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | "mirror" | "clear" | "back", ...whats: RayEvent["what"][]];
+type Sent = Exclude<SentKind, "total">; // in place of a reflected ray: the same line
+type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | Sent | "back", ...whats: RayEvent["what"][]];
 
 const LINES: readonly Line[] = [
   [0, "pixels"],
@@ -20,12 +22,17 @@ const LINES: readonly Line[] = [
   [3, "add"],
   [1, "share", "local"],
   [1, "left", "stops"],
-  [2, "mirror", "reflected", "total"],
-  [2, "clear", "refracted"],
+  ...sentLines(),
   [1, "back", "gather"],
 ];
 /** What else the event has come through. */
-const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], unasked: ["add"], local: ["ambient", "add"], reflected: ["trace"], refracted: ["trace"], total: ["trace"], camera: ["trace"] };
+const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], unasked: ["add"], local: ["ambient", "add"], ...Object.fromEntries(RAY_KINDS.map((kind) => [kind, ["trace"]])) };
+
+/** A line for each branch: a hit sends on at most one ray of it. */
+function sentLines(): Line[] {
+  const branches = Array.from({ length: BRANCHES }, (_, branch) => RAY_KINDS.filter((kind) => kind !== "camera" && RAYS[kind].branch === branch));
+  return branches.map((kinds) => [2, kinds[0] as Sent, ...kinds]);
+}
 
 const MOST_CALLS = 4; // told of a chain
 
