@@ -74,7 +74,7 @@ function burst({ numbers, scenes }) {
       return `slide ${slider.getAttribute("aria-label")} to ${slider.value}`;
     },
     drag() {
-      const on = document.querySelector(one([".stage-view", ".marks", ".slice", ".card", "body"]));
+      const on = document.querySelector(one([".stage-view", ".marks", ".slice", ".card", "body"])) ?? document.body; // a part may not be there yet
       const box = on.getBoundingClientRect();
       const fingers = random() < 0.2 ? 2 : 1;
       const place = () => ({ clientX: box.x + (1.2 * random() - 0.1) * box.width, clientY: box.y + (1.2 * random() - 0.1) * box.height });
