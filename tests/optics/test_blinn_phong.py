@@ -84,16 +84,21 @@ def test_no_falloff_gives_infinity(distance: float, falloff: tuple[float, ...]) 
     assert found == (min(1.0 / divisor, 1e300) if divisor else 0.0)
 
 
-def tables(*lights: Light) -> tuple[Materials, Lights]:
-    """One coloured material with a black channel, and these lights."""
-    material = Material("red", (0.1, 0.2, 0.3), (0.9, 0.0, 0.5), (1.0, 1.0, 0.0), 20.0)
+# With a black channel.
+RED = Material("red", (0.1, 0.2, 0.3), (0.9, 0.0, 0.5), (1.0, 1.0, 0.0), 20.0)
+
+
+def tables(material: Material, *lights: Light) -> tuple[Materials, Lights]:
+    """One material and these lights."""
     scene = scene_of([], [material], lights)
     return compile_materials(scene), compile_lights(scene)
 
 
-def shaded(light: Light, point: tuple[float, float, float]) -> np.ndarray:
+def shaded(
+    light: Light, point: tuple[float, float, float], material_of_floor: Material = RED
+) -> np.ndarray:
     """The local colour of a point on a floor, seen from straight above."""
-    materials, lights = tables(light)
+    materials, lights = tables(material_of_floor, light)
     at, normal = np.array([point]), np.array([UP])
     rows, material = np.zeros(1, np.int64), np.zeros(1, np.int32)
     to_light, distance, facing = towards_light(rows, at, normal, lights.position[0])
@@ -127,6 +132,16 @@ def test_a_light_straight_above_gives_all_it_has(away: float) -> None:
     reach = 2.0 / (1.0 + away)
     expected = [0.1 + reach * 1.9, 0.2 + reach * 1.0, 0.3 + reach * 0.5]
     np.testing.assert_allclose(shaded(lamp, (0.0, 0.0, 0.0)), expected, rtol=4e-16)
+
+
+@pytest.mark.parametrize("part", ["diffuse", "specular"])
+@pytest.mark.parametrize("channel", range(3))
+def test_one_channel_is_enough_to_be_lit(channel: int, part: str) -> None:
+    """What is black in all three is not worked out; a pure red, green or blue is."""
+    colour = tuple(float(c == channel) for c in range(3))
+    lamp = Light("lamp", (0.0, 2.0, 0.0))
+    found = shaded(lamp, (0.0, 0.0, 0.0), Material("pure", **{part: colour}))
+    assert found.tolist() == pytest.approx(colour, abs=1e-15)
 
 
 def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator) -> None:
