@@ -171,15 +171,15 @@ test("switches and tile view are in the address and come back after a reload", a
   assert.equal(await panel().isVisible(), true, "what is switched is there to be seen");
 });
 
-test("C goes round the six tile views; the menu does the same; legend and numbers follow", async () => {
+test("C goes round all tile views; the menu does the same; legend and numbers follow", async () => {
   await follow(page, START);
   const seen = [];
-  for (let k = 0; k < 6; k++) {
+  do {
     await press(page, "c");
     seen.push((await state(page)).colours);
     assert.equal(await page.locator(".tile-legend").isVisible(), seen.at(-1) !== "picture");
-  }
-  assert.deepEqual(seen, ["rays", "depth", "tests", "distance", "normal", "picture"]);
+  } while (seen.at(-1) !== "picture" && seen.length < 20);
+  assert.deepEqual(seen, ["rays", "depth", "tests", "distance", "shadow", "normal", "picture"]);
   await page.getByRole("combobox", { name: "Tiles show" }).selectOption("rays");
   await settled(page);
   const { lines } = await stats(page);

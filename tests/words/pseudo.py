@@ -14,7 +14,7 @@ from typing import Any
 
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scenes
-from raywalk.site.assets import write_words
+from raywalk.site.assets import PART, write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.pages import write_pages
 from raywalk.site.scene_data import scene_words
@@ -86,12 +86,16 @@ def write_site(dist: Path, out: Path, scenes_folder: Path) -> None:
     scenes = [
         scene for scene in read_scenes(scenes_folder) if (dist / "scenes" / scene.id).exists()
     ]
-    assets = {}
+    assets, parts = {}, {}
     (out / "assets").mkdir(parents=True)
     for path in (dist / "assets").iterdir():
         (out / "assets" / path.name).symlink_to(path.resolve())
-        stem, _, rest = path.name.partition("-")
-        assets[f"{stem}_{rest.rpartition('.')[2]}"] = f"assets/{path.name}"
+        stem = path.stem.rpartition("-")[0]
+        if stem.startswith(PART):
+            parts[stem.removeprefix(PART)] = path.name
+        else:
+            assets[f"{stem}_{path.suffix[1:]}"] = f"assets/{path.name}"
+    assets["parts"] = json.dumps(parts)
     for scene in scenes:
         (out / "scenes" / scene.id).mkdir(parents=True)
         for path in (dist / "scenes" / scene.id).iterdir():
