@@ -17,54 +17,51 @@ export interface Outside {
   sceneOfKey: (key: string) => void;
 }
 
-export function createActions(session: Session, outside: Outside) {
-  const doing = (act: (now: ViewState, scene: SceneData) => ViewState) => {
+/** Makes the next state; nothing while there is none. */
+type Doing = (act: (now: ViewState, scene: SceneData) => ViewState) => void;
+
+const tileActs = (session: Session, doing: Doing) => ({
+  render: () => doing((now) => (session.trace() ? change.pressRender(now) : now)),
+  speed: () => doing((now) => ({ ...now, speed: change.nextSpeed(now.speed) })),
+  rays: (choice: change.RayChoice) => doing((now) => change.toggleRays(now, choice)),
+  level: (by: 1 | -1) => doing((now, of) => change.stepLevel(now, of, by)),
+  move: (right: number, down: number) => doing((now) => change.move(now, right, down)),
+  pick: (column: number, row: number) => doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
+  pickAlong: (along: number) => doing((now) => change.select(now, now.slice === "column" ? now.pixel[0] : along, now.slice === "column" ? along : now.pixel[1])),
+  colours: (view: TileView) => doing((now) => change.setColours(now, view)),
+  nextColours: () => doing((now) => change.setColours(now, TILE_VIEWS[(TILE_VIEWS.indexOf(now.colours) + 1) % TILE_VIEWS.length])),
+});
+
+const viewActs = (doing: Doing) => ({
+  observer: (observer: ViewState["observer"]) => doing((now) => withObserver(now, observer)),
+  camera: () => doing((now) => ({ ...now, observer: "camera" })),
+  look: (look: Look) => doing((now) => withLook(now, look)),
+  nextLook: () => doing((now) => withLook(now, nextLook(now))),
+  slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice: now.slice === slice ? "none" : slice })),
+  nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
+  projector: () => doing((now) => ({ ...now, projector: !now.projector })),
+});
+
+const lessonActs = (session: Session, doing: Doing, turnScene: Outside["turnScene"]) => ({
+  step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
+  turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
+  /** As clickers turn pages: through the lesson that is given and on to the next one; else through the scenes. */
+  page(by: 1 | -1) {
     const { state, scene } = session;
-    if (state && scene) session.set(act(state, scene));
-  };
-  /** Of the player: without a timeline nothing can be told. */
+    if (!state || !scene) return;
+    const next = change.turnStep(scene, state, by);
+    if (next !== state) session.set(next);
+    else if (state.step === null || by > 0) turnScene(by, state.step !== null);
+  },
+});
+
+function playerActs(session: Session) {
+  /** Without a timeline nothing can be told. */
   const telling = (act: (now: ViewState, told: Timeline) => ViewState) => {
     const told = session.timeline();
     if (session.state && told) session.set(act(session.state, told));
   };
-  /** The player stays at what it tells, where that is still there. */
-  const switching = (make: (now: Switches, scene: SceneData) => Switches) => {
-    const told = session.told();
-    doing((now, of) => change.setSwitches(now, make(now.switches, of)));
-    const timeline = session.timeline();
-    if (!told || !timeline || !session.state) return;
-    const event = eventLike(timeline, told);
-    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NOT_TOLD } : { ...session.state, event });
-  };
-
   return {
-    render: () => doing((now) => (session.trace() ? change.pressRender(now) : now)),
-    speed: () => doing((now) => ({ ...now, speed: change.nextSpeed(now.speed) })),
-    rays: (choice: change.RayChoice) => doing((now) => change.toggleRays(now, choice)),
-    level: (by: 1 | -1) => doing((now, of) => change.stepLevel(now, of, by)),
-    move: (right: number, down: number) => doing((now) => change.move(now, right, down)),
-    pick: (column: number, row: number) =>
-      doing((now) => (now.pixel[0] === column && now.pixel[1] === row ? now : change.select(now, column, row))),
-    observer: (observer: ViewState["observer"]) => doing((now) => withObserver(now, observer)),
-    camera: () => doing((now) => ({ ...now, observer: "camera" })),
-    look: (look: Look) => doing((now) => withLook(now, look)),
-    nextLook: () => doing((now) => withLook(now, nextLook(now))),
-    slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice: now.slice === slice ? "none" : slice })),
-    nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
-    pickAlong: (along: number) =>
-      doing((now) => change.select(now, now.slice === "column" ? now.pixel[0] : along, now.slice === "column" ? along : now.pixel[1])),
-
-    step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
-    turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
-    /** As clickers turn pages: through the lesson that is given and on to the next one; else through the scenes. */
-    page(by: 1 | -1) {
-      const { state, scene } = session;
-      if (!state || !scene) return;
-      const next = change.turnStep(scene, state, by);
-      if (next !== state) session.set(next);
-      else if (state.step === null || by > 0) outside.turnScene(by, state.step !== null);
-    },
-
     play: () => telling(player.pressPlay),
     event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
     time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
@@ -76,7 +73,20 @@ export function createActions(session: Session, outside: Outside) {
         return at < 0 ? now : player.goToEvent(now, of, at);
       }),
     endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
+  };
+}
 
+function switchActs(session: Session, doing: Doing) {
+  /** The player stays at what it tells, where that is still there. */
+  const switching = (make: (now: Switches, scene: SceneData) => Switches) => {
+    const told = session.told();
+    doing((now, of) => change.setSwitches(now, make(now.switches, of)));
+    const timeline = session.timeline();
+    if (!told || !timeline || !session.state) return;
+    const event = eventLike(timeline, told);
+    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NOT_TOLD } : { ...session.state, event });
+  };
+  return {
     bounces: (by: 1 | -1) => switching((now, of) => switches.stepBounces(now, of, by)),
     lamp: (lamp: number, factor: number) => switching((now, of) => switches.setLamp(now, of, lamp, factor)),
     stepLamp: (lamp: number, by: 1 | -1) => switching((now, of) => switches.stepLamp(now, of, lamp, by)),
@@ -84,23 +94,36 @@ export function createActions(session: Session, outside: Outside) {
     shadows: () => switching((now, of) => (of.shadows ? switches.turnShadows(now, of) : now)),
     part: (part: switches.Part) => switching((now, of) => switches.turnPart(now, of, part)),
     asTraced: () => switching(() => switches.AS_TRACED),
-    colours: (view: TileView) => doing((now) => change.setColours(now, view)),
-    nextColours: () => doing((now) => change.setColours(now, TILE_VIEWS[(TILE_VIEWS.indexOf(now.colours) + 1) % TILE_VIEWS.length])),
-    point(tile: readonly [number, number] | null) {
-      if (tile?.join() === session.pointed?.join()) return;
-      session.pointed = tile;
-      if (session.state?.colours !== "picture") outside.draw();
-    },
+  };
+}
 
-    light(line: LitLine | null) {
-      if (line?.ray === session.lit?.ray && line?.light === session.lit?.light) return;
-      session.lit = line;
-      outside.draw();
-    },
+/** What the pointer is on: no state of the page's, only drawn. */
+const pointerActs = (session: Session, draw: () => void) => ({
+  point(tile: readonly [number, number] | null) {
+    if (tile?.join() === session.pointed?.join()) return;
+    session.pointed = tile;
+    if (session.state?.colours !== "picture") draw();
+  },
+  light(line: LitLine | null) {
+    if (line?.ray === session.lit?.ray && line?.light === session.lit?.light) return;
+    session.lit = line;
+    draw();
+  },
+});
 
-    projector: () => doing((now) => ({ ...now, projector: !now.projector })),
-
-    sceneKey: outside.sceneOfKey,
+export function createActions(session: Session, { draw, turnScene, sceneOfKey }: Outside) {
+  const doing: Doing = (act) => {
+    const { state, scene } = session;
+    if (state && scene) session.set(act(state, scene));
+  };
+  return {
+    ...tileActs(session, doing),
+    ...viewActs(doing),
+    ...lessonActs(session, doing, turnScene),
+    ...playerActs(session),
+    ...switchActs(session, doing),
+    ...pointerActs(session, draw),
+    sceneKey: sceneOfKey,
   };
 }
 

@@ -45,13 +45,15 @@ export function addScript(address: string, name: string, times = 0): Promise<voi
   });
 }
 
+type Read<T> = (json: unknown, name: string) => T | Promise<T>;
+
 /** root: relative path from the page to the site's root, "" or ending in "/". */
-export function createLoader(root: string) {
+function createScripts(root: string) {
   const arrived = new Map<string, string>();
   const failed = new Map<string, number>(); // times that this was asked for in vain
   window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
 
-  async function script(name: string): Promise<string> {
+  async function run(name: string): Promise<string> {
     await addScript(`${root}scenes/${name}.js`, name, failed.get(name));
     const text = arrived.get(name);
     arrived.delete(name);
@@ -59,9 +61,9 @@ export function createLoader(root: string) {
     return text;
   }
 
-  async function load<T>(name: string, read: (json: unknown, name: string) => T | Promise<T>): Promise<T> {
+  return async <T>(name: string, read: Read<T>): Promise<T> => {
     try {
-      const text = await script(name);
+      const text = await run(name);
       if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
       return await read(await unpack(text), name);
     } catch (error) {
@@ -69,26 +71,30 @@ export function createLoader(root: string) {
       if (error instanceof LoadError) throw error;
       throw new LoadError(name, error instanceof TraceError && error.code === "version" ? "other version" : "damaged");
     }
-  }
+  };
+}
 
-  /** Remembers the last few; what failed is asked for anew. */
-  function remembering<T>(size: number, read: (json: unknown, name: string) => T | Promise<T>) {
-    const known = new Map<string, Promise<T>>();
-    return (name: string): Promise<T> => {
-      const value = known.get(name) ?? load(name, read);
-      known.delete(name);
-      known.set(name, value);
-      value.catch(() => known.delete(name));
-      for (const old of known.keys()) if (known.size > size) known.delete(old);
-      return value;
-    };
-  }
+/** Remembers the last `size`; what failed is asked for anew. */
+function remembering<T>(size: number, load: (name: string) => Promise<T>) {
+  const known = new Map<string, Promise<T>>();
+  return (name: string): Promise<T> => {
+    const value = known.get(name) ?? load(name);
+    known.delete(name);
+    known.set(name, value);
+    value.catch(() => known.delete(name));
+    for (const old of known.keys()) if (known.size > size) known.delete(old);
+    return value;
+  };
+}
 
-  const scenes = remembering(KEPT_SCENES, sceneFrom);
-  const boxes = remembering(KEPT_SCENES, (json, name) => checkedBoxes(json, name.split("/")[0]));
-  const traces = remembering<Trace>(KEPT_TRACES, traceFrom);
-  const sections = remembering(KEPT_SCENES, sectionsFrom);
-  const words = remembering(KEPT_SCENES, wordsFrom);
+export function createLoader(root: string) {
+  const load = createScripts(root);
+  const kept = <T>(size: number, read: Read<T>) => remembering(size, (name) => load(name, read));
+  const scenes = kept(KEPT_SCENES, sceneFrom);
+  const boxes = kept(KEPT_SCENES, (json, name) => checkedBoxes(json, name.split("/")[0]));
+  const traces = kept(KEPT_TRACES, traceFrom);
+  const sections = kept(KEPT_SCENES, sectionsFrom);
+  const words = kept(KEPT_SCENES, wordsFrom);
   const spoken = async (id: string): Promise<SceneData> => {
     const [scene, said] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
     return said ? inWords(scene, said) : scene; // better told in its own language than not at all

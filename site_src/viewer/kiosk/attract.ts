@@ -6,21 +6,39 @@ const PLAYS_UP_TO = 3; // stops' times: then the next stop comes, whatever still
 const PATIENCE = 20; // seconds for a scene to come
 const RENEWED_AFTER = 6 * 3_600_000; // ms: then, between two rounds, the page is loaded anew; nothing can pile up for months
 
+/** A pause that can be cut short. */
+function createPause() {
+  let wake = () => {};
+  let timer = 0;
+  return {
+    wait: (seconds: number) =>
+      new Promise<void>((done) => {
+        wake = done;
+        timer = window.setTimeout(done, 1000 * seconds);
+      }),
+    cut() {
+      clearTimeout(timer);
+      wake();
+    },
+  };
+}
+
+/** false where it takes too long. */
+function inTime(what: Promise<boolean>): Promise<boolean> {
+  let timer = 0;
+  const late = new Promise<false>((done) => (timer = window.setTimeout(() => done(false), 1000 * PATIENCE)));
+  return Promise.race([what, late]).finally(() => clearTimeout(timer));
+}
+
 /** pace: seconds that a stop of a lesson is shown. */
 export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void; renew: () => void }) {
   const { session } = viewer;
   const reduced = matchMedia("(prefers-reduced-motion: reduce)");
+  const { wait, cut } = createPause();
   let running = false;
-  let wake = () => {};
-  let timer = 0;
   let stops = 0;
   let cycles = 0; // scenes shown to their end
 
-  const wait = (seconds: number) =>
-    new Promise<void>((done) => {
-      wake = done;
-      timer = window.setTimeout(done, 1000 * seconds);
-    });
   const tiles = () => session.state?.tiles;
   const moves = () => !reduced.matches && !session.state?.still;
 
@@ -53,10 +71,7 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
   }
 
   async function showScene(id: string): Promise<boolean> {
-    let patience = 0;
-    const late = new Promise<false>((done) => (patience = window.setTimeout(() => done(false), 1000 * PATIENCE)));
-    const isHere = await Promise.race([viewer.begin(id), late]);
-    clearTimeout(patience);
+    const isHere = await inTime(viewer.begin(id));
     if (!running || !isHere) return isHere;
     for (let isFirst = true; running && (isFirst || turn()); isFirst = false) await showStop(isFirst);
     if (running) cycles++;
@@ -83,8 +98,7 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
     },
     stop() {
       running = false;
-      clearTimeout(timer);
-      wake();
+      cut();
     },
     runs: () => running,
     scene: () => session.state?.scene ?? null,

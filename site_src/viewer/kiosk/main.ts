@@ -40,7 +40,7 @@ function start() {
   /** Nobody is here. */
   function showItself(viewer: KioskViewer) {
     begin.show();
-    attract = createAttract(viewer, settings.pace, { stuck: () => watchdog.fault("stuck"), renew: places.reset });
+    attract = createAttract(viewer, settings.pace, { stuck: watchdog.fault, renew: places.reset });
     void attract.run();
   }
 

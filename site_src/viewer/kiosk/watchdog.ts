@@ -18,25 +18,25 @@ export interface WatchdogActs {
 export function createWatchdog(hook: KioskHook, strikes: Strikes, { hasViewer, recover, isVisited }: WatchdogActs) {
   let isRecovering = false;
 
-  function fault(_why: string) {
+  function fault() {
     if (isRecovering) return;
     isRecovering = true;
     strikes.add();
     setTimeout(recover, strikes.isHopeless() ? LATER : SOON);
   }
 
-  window.addEventListener("error", (event) => event.error && fault(String(event.message)));
-  window.addEventListener("unhandledrejection", (event) => fault(String(event.reason)));
+  window.addEventListener("error", (event) => event.error && fault());
+  window.addEventListener("unhandledrejection", fault);
   // Somebody who is there goes on with the flat drawing; the start gets the drawing back.
   window.addEventListener(
     "webglcontextlost",
     () => {
       if (isVisited()) strikes.add();
-      else fault("lost");
+      else fault();
     },
     { capture: true },
   );
-  if (hasViewer) setTimeout(() => hook.viewer || fault("no viewer"), VIEWER_COMES);
-  if (hook.faults.length) fault(hook.faults[0]);
+  if (hasViewer) setTimeout(() => hook.viewer || fault(), VIEWER_COMES);
+  if (hook.faults.length) fault();
   return { fault };
 }

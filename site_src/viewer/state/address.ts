@@ -78,66 +78,82 @@ function readObserver(text: string, { center, radius }: SceneData["bounds"]): { 
   return length(arm) > NEAREST * radius && Math.hypot(arm[0], arm[2]) > NEAREST * radius ? { observer: { eye, target }, isMoved: near.join() !== v.join() } : null;
 }
 
+/** Reads an address's fields, and notes the keys that cannot be followed. */
+function createReader(fields: ReadonlyMap<string, string>) {
+  const damaged = new Set<string>();
+  const noting = <T>(key: string, found: T, asked: T): T => {
+    if (found !== asked) damaged.add(key);
+    return found;
+  };
+  return {
+    damaged,
+    /** undefined where it is not asked for, or not to be understood. */
+    read<T>(key: string, parse: (text: string) => T | null): T | undefined {
+      const text = fields.get(key);
+      const value = text === undefined ? undefined : parse(text);
+      if (value === null) damaged.add(key);
+      return value ?? undefined;
+    },
+    /** The whole number that is meant, at least `first` and at most `last`. */
+    within(key: string, text: string, first: number, last: number): number | null {
+      const asked = numberIn(text);
+      return Number.isNaN(asked) || last < first ? null : noting(key, Math.max(first, Math.min(last, Math.round(asked))), asked);
+    },
+    /** The nearest of those that there are. */
+    nearest(key: string, text: string, allowed: readonly number[]): number | null {
+      const asked = numberIn(text);
+      return Number.isNaN(asked) ? null : noting(key, nearestOf(asked, allowed), asked);
+    },
+  };
+}
+type Reader = ReturnType<typeof createReader>;
+
+const oneOf = <T extends string>(all: readonly T[]) => (text: string): T | null => all.find((each) => each === text) ?? null;
+
+/** told: the view of the lesson's step that is asked for. */
+function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, told: View): View {
+  const resolution = read("n", (text) => nearest("n", text, scene.levels)) ?? told.resolution;
+  const n = resolution ?? scene.start.resolution;
+  const pixel = read("p", (text) => {
+    const [column, row, ...more] = text.split(",").map((each) => within("p", each, 0, n - 1));
+    return column === null || row === null || row === undefined || more.length ? null : ([column, row] as const);
+  });
+  const rays = read("rays", (text) => {
+    const asked = text === "none" ? [] : text.split(",");
+    return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
+  });
+  const observer = read("cam", (text) => {
+    const found = readObserver(text, scene.bounds);
+    if (found?.isMoved) damaged.add("cam");
+    return found && found.observer;
+  });
+  return {
+    resolution,
+    pixel: pixel ?? (n === (told.resolution ?? scene.start.resolution) ? told.pixel : undefined),
+    rays: rays ?? told.rays,
+    tiles: read("tiles", oneOf(["empty", "filled"])) ?? told.tiles,
+    observer: observer ?? told.observer,
+    look: read("look", oneOf(LOOKS)) ?? told.look,
+    slice: read("slice", oneOf(SLICES)) ?? told.slice,
+    switches: told.switches,
+    colours: read("colours", oneOf(TILE_VIEWS)) ?? told.colours,
+  };
+}
+
 /** The state an address asks for, and the keys it names that cannot be followed: numbers are the nearest that
  *  there are, what is no number stays at the scene's start. */
-export function followAddress(
-  fields: ReadonlyMap<string, string>,
-  scene: SceneData,
-  kept: Kept,
-): { state: ViewState; damaged: string[] } {
+export function followAddress(fields: ReadonlyMap<string, string>, scene: SceneData, kept: Kept): { state: ViewState; damaged: string[] } {
+  const reader = createReader(fields);
+  const { read, within, nearest, damaged } = reader;
   const isKiosk = fields.get("kiosk") === "1";
-  const known = isKiosk ? [...KNOWN, ...KIOSK_KEYS] : KNOWN;
-  const damaged = new Set([...fields.keys()].filter((key) => !known.includes(key)));
-  if (isKiosk) kioskDamages(fields).forEach((key) => damaged.add(key));
-  const nearest = (key: string, asked: number, allowed: readonly number[]): number => {
-    const found = nearestOf(asked, allowed);
-    if (found !== asked) damaged.add(key);
-    return found;
-  };
-  const within = (key: string, text: string, first: number, last: number): number | null => {
-    const asked = numberIn(text);
-    if (Number.isNaN(asked) || last < first) return null;
-    const found = Math.max(first, Math.min(last, Math.round(asked)));
-    if (found !== asked) damaged.add(key);
-    return found;
-  };
-  const read = <T>(key: string, parse: (text: string) => T | null): T | undefined => {
-    const text = fields.get(key);
-    if (text === undefined) return undefined;
-    const value = parse(text);
-    if (value === null) damaged.add(key);
-    return value ?? undefined;
-  };
-  const asked = read("step", (text) => within("step", text, 1, scene.lesson.length)) ?? null;
-  const step = asked === null ? null : asked - 1;
+  for (const key of fields.keys()) if (!KNOWN.includes(key) && !(isKiosk && KIOSK_KEYS.includes(key))) damaged.add(key);
+  if (isKiosk) for (const key of kioskDamages(fields)) damaged.add(key);
+  const number = read("step", (text) => within("step", text, 1, scene.lesson.length)) ?? null;
+  const step = number === null ? null : number - 1;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
-  const told = step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view;
-  const resolution = read("n", (text) => (Number.isNaN(numberIn(text)) ? null : nearest("n", numberIn(text), scene.levels))) ?? told.resolution;
-  const n = resolution ?? scene.start.resolution;
-  const view: View = {
-    resolution,
-    pixel: read("p", (text) => {
-      const [column, row, ...more] = text.split(",").map((each) => within("p", each, 0, n - 1));
-      return column === null || row === null || row === undefined || more.length ? null : ([column, row] as const);
-    }) ?? (n === (told.resolution ?? scene.start.resolution) ? told.pixel : undefined),
-    rays: read("rays", (text) => {
-      const asked = text === "none" ? [] : text.split(",");
-      return asked.every((each) => RAY_CHOICES.includes(each as RayChoice)) ? (asked as RayChoice[]) : null;
-    }) ?? told.rays,
-    tiles: read("tiles", (text) => (text === "empty" || text === "filled" ? text : null)) ?? told.tiles,
-    observer: read("cam", (text) => {
-      const found = readObserver(text, scene.bounds);
-      if (found?.isMoved) damaged.add("cam");
-      return found && found.observer;
-    }) ?? told.observer,
-    look: read("look", (text) => LOOKS.find((each) => each === text) ?? null) ?? told.look,
-    slice: read("slice", (text) => SLICES.find((each) => each === text) ?? null) ?? told.slice,
-    switches: told.switches,
-    colours: read("colours", (text) => TILE_VIEWS.find((each) => each === text) ?? null) ?? told.colours,
-  };
-  // How many events there are is known with the trace.
-  const event = read("e", (text) => within("e", text, 1, MOST_EVENTS));
-  const speed = read("speed", (text) => (Number.isNaN(numberIn(text)) ? null : nearest("speed", numberIn(text), SPEEDS))) ?? kept.speed;
+  const view = viewOf(reader, scene, step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view);
+  const event = read("e", (text) => within("e", text, 1, MOST_EVENTS)); // how many there are is known with the trace
+  const speed = read("speed", (text) => nearest("speed", text, SPEEDS)) ?? kept.speed;
   const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
   const state = applyView(scene, startState(scene, { ...kept, speed, projector }), view);
   const switches = read("if", (text) => (text === "none" ? AS_TRACED : readSwitches(text, scene))) ?? state.switches;

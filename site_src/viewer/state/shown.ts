@@ -18,7 +18,7 @@ export interface Shown {
   chosen: readonly Line[]; // drawn thick: of the selected pixel, or of the tile being rendered
   thin: readonly Line[];
   left: number; // shadow rays that are not drawn because there are too many lines
-  kinds: ReadonlySet<LineKind>; // while lines grow: also of those to come, or the legend would flicker
+  kinds: Kinds; // while lines grow: also of those to come, or the legend would flicker
   ringOn: readonly [number, number, number] | null; // colour the selected tile shows; null while it is empty
   growing: Growing | null; // the tile being rendered
   timeline: Timeline | null; // the selected pixel's events; null without a trace
@@ -46,64 +46,67 @@ const linesFrom = (trace: Trace | null): unknown[] => (trace ? [trace.point, tra
 
 const range = (from: number, to: number) => Array.from({ length: to - from }, (_, k) => from + k);
 
+/** Each remembers, so that a row's lines are not made anew for every frame. */
+type Memo<T> = ReturnType<typeof memo<T>>;
+
+function thinLines(thin: Memo<Lines>, state: ViewState, scene: SceneData, trace: Trace | null): Lines {
+  const of = (pixels: readonly number[]) => (trace ? withoutCrowd(pixels.flatMap((pixel) => linesOf(trace, scene, pixel))) : withoutCrowd([]));
+  if (state.tiles === "filling") {
+    const [first, end] = glowing(state);
+    return thin([...linesFrom(trace), "glow", first, end], () => of(range(first, end)));
+  }
+  const across = state.rays.includes("row") ? state.pixel[1] : -1;
+  const downwards = state.rays.includes("column") ? state.pixel[0] : -1;
+  const needs = state.rays.includes("all") ? [...linesFrom(trace), "all"] : [...linesFrom(trace), across, downwards];
+  return thin(needs, () => of(thinPixels(state)));
+}
+
+function chosenLines(chosen: Memo<readonly Line[]>, state: ViewState, scene: SceneData, trace: Trace | null, told: Timeline | null): readonly Line[] {
+  const index = pixelIndex(state);
+  const growing = growingOf(state);
+  if (!trace) return chosen([trace], () => []);
+  if (growing) return chosen([...linesFrom(trace), state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
+  const { event, share } = state;
+  if (told && event !== null && event < told.events.length) return chosen([told, event, grownShare(told, event, share)], () => linesUpTo(told, trace, scene, index, event, share));
+  const pixel = state.rays.includes("pixel") ? index : -1;
+  return chosen([...linesFrom(trace), pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
+}
+
+type Kinds = ReadonlySet<LineKind>;
+function kindsOf(kinds: Memo<Kinds>, state: ViewState, scene: SceneData, trace: Trace | null, thick: readonly Line[], thin: readonly Line[]): Kinds {
+  if (trace && state.tiles === "filling") return kinds(linesFrom(trace), () => kindsIn(trace));
+  const isTold = trace && state.event !== null;
+  const index = pixelIndex(state);
+  const needs = isTold ? [...linesFrom(trace), index, thin] : [thick, thin];
+  return kinds(needs, () => new Set([...(isTold ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
+}
+
 export function createShown() {
   const plane = memo<PicturePlane>();
   const chosen = memo<readonly Line[]>();
   const thin = memo<Lines>();
-  const kinds = memo<ReadonlySet<LineKind>>();
+  const kinds = memo<Kinds>();
   const timeline = memo<Timeline | null>();
   const costs = memo<Costs | null>();
   const tested = memo<RayBoxes | null>();
   const boxes = memo<BoxLines>();
-
-  function thinLines(state: ViewState, scene: SceneData, trace: Trace | null): Lines {
-    const of = (pixels: readonly number[]) => (trace ? withoutCrowd(pixels.flatMap((pixel) => linesOf(trace, scene, pixel))) : withoutCrowd([]));
-    if (state.tiles === "filling") {
-      const [first, end] = glowing(state);
-      return thin([...linesFrom(trace), "glow", first, end], () => of(range(first, end)));
-    }
-    const across = state.rays.includes("row") ? state.pixel[1] : -1;
-    const downwards = state.rays.includes("column") ? state.pixel[0] : -1;
-    const needs = state.rays.includes("all") ? [...linesFrom(trace), "all"] : [...linesFrom(trace), across, downwards];
-    return thin(needs, () => of(thinPixels(state)));
-  }
-
-  function chosenLines(state: ViewState, scene: SceneData, trace: Trace | null, told: Timeline | null): readonly Line[] {
-    const index = pixelIndex(state);
-    const growing = growingOf(state);
-    if (!trace) return chosen([trace], () => []);
-    if (growing) return chosen([...linesFrom(trace), state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
-    const { event, share } = state;
-    if (told && event !== null && event < told.events.length) return chosen([told, event, grownShare(told, event, share)], () => linesUpTo(told, trace, scene, index, event, share));
-    const pixel = state.rays.includes("pixel") ? index : -1;
-    return chosen([...linesFrom(trace), pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
-  }
-
-  function kindsOf(state: ViewState, scene: SceneData, trace: Trace | null, thick: readonly Line[], thin: readonly Line[]): ReadonlySet<LineKind> {
-    if (trace && state.tiles === "filling") return kinds(linesFrom(trace), () => kindsIn(trace));
-    const isTold = trace && state.event !== null;
-    const index = pixelIndex(state);
-    const needs = isTold ? [...linesFrom(trace), index, thin] : [thick, thin];
-    return kinds(needs, () => new Set([...(isTold ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
-  }
-
   return {
     of(state: ViewState, scene: SceneData, trace: Trace | null, boxesOfScene: BoxesData | null = null): Shown {
       const index = pixelIndex(state);
       const tiles = tilesShown(state);
       const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
-      const thick = chosenLines(state, scene, trace, told);
+      const thick = chosenLines(chosen, state, scene, trace, told);
       const colours = costs([trace, scene, state.colours], () => trace && costsOf(trace, scene, state.colours));
       const data = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
       const rayBoxes = tested([data, state.n, index], () => data && boxesOf(data, state.n, index));
-      const { lines, left } = thinLines(state, scene, trace);
+      const { lines, left } = thinLines(thin, state, scene, trace);
       return {
         plane: plane([scene], () => picturePlane(scene)),
         tiles,
         chosen: thick,
         thin: lines,
         left,
-        kinds: kindsOf(state, scene, trace, thick, lines),
+        kinds: kindsOf(kinds, state, scene, trace, thick, lines),
         ringOn: colours && index < tiles ? triple(colours.colours, index) : null,
         growing: growingOf(state),
         timeline: told,
