@@ -1,6 +1,6 @@
 /** The finished picture with the tile grid and the selected pixel on it. */
 import { contrastWith } from "../palette";
-import { isAsking, tileColour, type ViewState } from "../state/view-state";
+import { isAsking, pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { createTilePicture, type TilePicture } from "../tile-picture";
@@ -9,6 +9,45 @@ import { element } from "./element";
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
 const COVER = "#39434F";
 const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
+
+interface Shown {
+  state: ViewState;
+  trace: Trace | null;
+  covered: boolean;
+}
+
+/** size: CSS pixels. */
+function drawMarks(brush: CanvasRenderingContext2D, size: number, { state, trace, covered }: Shown) {
+  brush.clearRect(0, 0, size, size);
+  const tile = size / state.n;
+  if (covered) {
+    brush.fillStyle = COVER;
+    brush.fillRect(0, 0, size, size);
+  }
+  if (tile >= GRID_FROM) drawGrid(brush, size, state.n);
+  const wide = Math.max(tile, LEAST_MARK);
+  const [x, y] = state.pixel.map((k) => (k + 0.5) * tile - wide / 2);
+  const inner = contrastWith(covered ? null : trace && tileColour(trace, pixelIndex(state)));
+  for (const [width, colour] of [[4, inner === "#000000" ? "#FFFFFF" : "#000000"], [2, inner]] as const) {
+    brush.lineWidth = width;
+    brush.strokeStyle = colour;
+    brush.strokeRect(x, y, wide, wide);
+  }
+}
+
+function drawGrid(brush: CanvasRenderingContext2D, size: number, n: number) {
+  brush.lineWidth = 1;
+  brush.strokeStyle = "rgba(255,255,255,.11)";
+  brush.beginPath();
+  for (let k = 1; k < n; k++) {
+    const at = Math.round((k * size) / n) + 0.5;
+    brush.moveTo(at, 0);
+    brush.lineTo(at, size);
+    brush.moveTo(0, at);
+    brush.lineTo(size, at);
+  }
+  brush.stroke();
+}
 
 export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; point: (tile: readonly [number, number] | null) => void; failed: (again: () => void) => void }) {
   const image = element("img");
@@ -20,44 +59,16 @@ export function createPicture(root: string, acts: { pick: (column: number, row: 
   const whole = element("section", "picture", frame);
   whole.setAttribute("aria-label", say("picture.region"));
   const brush = marks.getContext("2d")!;
-  let now: { state: ViewState; trace: Trace | null; covered: boolean } | null = null;
+  let now: Shown | null = null;
   let shownScene = "";
 
   function draw() {
     if (!now) return;
-    const { state, trace, covered } = now;
     const size = frame.clientWidth;
     const ratio = Math.min(2, window.devicePixelRatio);
     if (marks.width !== Math.round(size * ratio)) marks.width = marks.height = Math.round(size * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
-    brush.clearRect(0, 0, size, size);
-    const tile = size / state.n;
-    if (covered) {
-      brush.fillStyle = COVER;
-      brush.fillRect(0, 0, size, size);
-    }
-    if (tile >= GRID_FROM) {
-      brush.lineWidth = 1;
-      brush.strokeStyle = "rgba(255,255,255,.11)";
-      brush.beginPath();
-      for (let k = 1; k < state.n; k++) {
-        const at = Math.round(k * tile) + 0.5;
-        brush.moveTo(at, 0);
-        brush.lineTo(at, size);
-        brush.moveTo(0, at);
-        brush.lineTo(size, at);
-      }
-      brush.stroke();
-    }
-    const wide = Math.max(tile, LEAST_MARK);
-    const [x, y] = state.pixel.map((k) => (k + 0.5) * tile - wide / 2);
-    const inner = contrastWith(covered ? null : trace && tileColour(trace, state.pixel[1] * state.n + state.pixel[0]));
-    brush.lineWidth = 4;
-    brush.strokeStyle = inner === "#000000" ? "#FFFFFF" : "#000000";
-    brush.strokeRect(x, y, wide, wide);
-    brush.lineWidth = 2;
-    brush.strokeStyle = inner;
-    brush.strokeRect(x, y, wide, wide);
+    drawMarks(brush, size, now);
   }
 
   function pick(event: PointerEvent) {

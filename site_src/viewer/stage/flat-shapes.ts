@@ -1,9 +1,10 @@
 /** The scene as flat pieces for the renderer without WebGL: polygons and ellipses, far ones first. */
-import { isWithin, planeOf, toWorld } from "../state/placing";
+import { isWithin, toWorld } from "../state/placing";
 import type { Projection } from "../state/projection";
 import { FORMS } from "../state/shapes";
 import { add, cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
 import type { MaterialData, ObjectData, SceneData } from "../trace/types";
+import { otherWalls, wallSheet } from "./wall-sheet";
 
 export type Piece =
   | { kind: "polygon"; points: Vec3[]; colour: Vec3; alpha: number; depth: number }
@@ -17,7 +18,6 @@ interface Face {
 
 const WALL_CELLS = 22;
 const FINEST = 1 / 8; // of a cell, along another wall
-const WALL_REACH = 2.1; // of the scene's radius, as on the WebGL stage
 const CALM: Vec3 = [0.26, 0.28, 0.32];
 
 /** A body's colour on this stage: its own, or a steel and a pale blue for mirror and glass. */
@@ -40,42 +40,35 @@ function facesOf(object: ObjectData, scene: SceneData): Face[] {
 
 /** A wall as a patchwork that fades outwards and ends at the other walls. */
 function wallPieces(object: ObjectData, scene: SceneData, eye: Vec3): Piece[] {
-  const { point, normal } = planeOf(object);
-  const from = scene.camera.eye;
-  const facing = dot(sub(from, point), normal) < 0 ? scale(normal, -1) : normal;
-  if (dot(sub(eye, point), facing) <= 0) return [];
-  const { center, radius } = scene.bounds;
-  const middle = sub(center, scale(normal, dot(sub(center, point), normal)));
-  const across = unit(cross(Math.abs(facing[1]) < 0.9 ? [0, 1, 0] : [0, 0, 1], facing));
-  const down = cross(facing, across);
-  const others = scene.objects.filter((each) => each.type === "plane" && each !== object).map(planeOf);
-  const isSeen = (p: Vec3) =>
-    others.every((other) => dot(sub(p, other.point), other.normal) * dot(sub(from, other.point), other.normal) >= -1e-6);
-  const share = (k: number) => ((2 * k) / WALL_CELLS - 1) * WALL_REACH * radius;
-  const at = (u: number, v: number) => add(middle, add(scale(across, share(u)), scale(down, share(v))));
+  const sheet = wallSheet(object, scene);
+  if (dot(sub(eye, sheet.point), sheet.facing) <= 0) return [];
+  const others = otherWalls(object, scene);
+  const isSeen = (p: Vec3) => others.every(({ point, facing }) => dot(sub(p, point), facing) >= -1e-6);
+  const at = (u: number, v: number) => sheet.at((2 * u) / WALL_CELLS - 1, (2 * v) / WALL_CELLS - 1);
+  const shade = 0.82 + 0.18 * Math.abs(sheet.facing[1]); // upright walls a little darker than floors: paint, so that edges show
   const pieces: Piece[] = [];
   /** One patch; where another wall crosses it, in smaller patches. */
   function patch(u: number, v: number, wide: number) {
-    const corners = [at(u, v), at(u + wide, v), at(u + wide, v + wide), at(u, v + wide)];
-    const seen = corners.filter(isSeen).length;
+    const points = [at(u, v), at(u + wide, v), at(u + wide, v + wide), at(u, v + wide)];
+    const seen = points.filter(isSeen).length;
     if (seen === 0) return;
     if (seen < 4 && wide > FINEST) {
       for (const [a, b] of [[0, 0], [1, 0], [0, 1], [1, 1]]) patch(u + (a * wide) / 2, v + (b * wide) / 2, wide / 2);
       return;
     }
     const center = at(u + wide / 2, v + wide / 2);
-    const out = length(sub(center, middle)) / (WALL_REACH * radius);
-    const alpha = Math.min(1, Math.max(0, (1 - out) / 0.5));
-    if (alpha === 0) return;
-    const { checker } = object;
-    const square = checker && checker.axes.reduce((sum, axis) => sum + Math.floor(dot(sub(center, checker.origin), axis) / checker.size), 0);
-    const material = scene.materials[checker && square! % 2 !== 0 ? checker.material : object.material];
-    const shade = 0.82 + 0.18 * Math.abs(facing[1]); // upright walls a little darker than floors: paint, so that edges show
-    const colour = material.diffuse.map((c, k) => c * CALM[k] * shade) as unknown as Vec3;
-    pieces.push({ kind: "polygon", points: corners, colour, alpha, depth: Infinity });
+    const alpha = Math.min(1, Math.max(0, (1 - sheet.out(center)) / 0.5));
+    const colour = paintAt(center, object, scene).diffuse.map((c, k) => c * CALM[k] * shade) as unknown as Vec3;
+    if (alpha > 0) pieces.push({ kind: "polygon", points, colour, alpha, depth: Infinity });
   }
   for (let u = 0; u < WALL_CELLS; u++) for (let v = 0; v < WALL_CELLS; v++) patch(u, v, 1);
   return pieces;
+}
+
+/** The material of a wall's square. */
+function paintAt(point: Vec3, { checker, material }: ObjectData, { materials }: SceneData): MaterialData {
+  const square = checker ? checker.axes.reduce((sum, axis) => sum + Math.floor(dot(sub(point, checker.origin), axis) / checker.size), 0) : 0;
+  return materials[checker && square % 2 !== 0 ? checker.material : material];
 }
 
 /** Built once a scene: faces in the world. */

@@ -17,7 +17,7 @@ import {
   type Side,
 } from "three";
 import { meshOf } from "../state/mesh";
-import { isWithin, planeOf, toWorld } from "../state/placing";
+import { isWithin, toWorld } from "../state/placing";
 import { endsOf, FORMS } from "../state/shapes";
 import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
@@ -96,11 +96,10 @@ export function createSolids(scene: SceneData, plain: boolean) {
   const looks = createLooks(plain);
   const lights = lightsOf(scene, plain);
   object.add(lights.group);
-  const walls = scene.objects.filter((each) => each.type === "plane");
   for (const each of scene.objects) {
     const material = scene.materials[each.material];
     if (each.type === "plane") {
-      object.add(createWall(each, scene, looks, walls.filter((other) => other !== each).map(planeOf)));
+      object.add(createWall(each, scene, looks));
       continue;
     }
     const geometry = GEOMETRIES[each.type](each, scene);
