@@ -2,7 +2,7 @@
 import { isWithin, toWorld } from "../state/placing";
 import type { Projection } from "../state/projection";
 import { FORMS } from "../state/shapes";
-import { add, cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
+import { cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
 import type { MaterialData, ObjectData, SceneData } from "../trace/types";
 import { otherWalls, wallSheet } from "./wall-sheet";
 
