@@ -1,20 +1,21 @@
 /**
  * node site_src/bundle.mjs --out DIR: the viewer as classic scripts. DIR/viewer.js is what a first view needs; each
  * import() in the viewer becomes a part of its own, DIR/part-<module>.js (parts.mjs); DIR/kiosk.js is what only a kiosk
- * loads; DIR/packages.json names the npm packages that are in them.
+ * loads, DIR/page.js what every page does; DIR/packages.json names the npm packages that are in them.
  * Classic, not modules, because from file:// browsers refuse modules. Ends with 1 if ray code is left.
  */
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { build } from "esbuild";
-import { asOfferedPart, loadingParts, partsApart, sharedWith, sharing } from "./parts.mjs";
+import { build, transform } from "esbuild";
+import { asOfferedPart, handingOut, partsApart, sharedWith, sharing } from "./parts.mjs";
 import { tight } from "./slim/shaders.mjs";
 import { slimThree } from "./slim/three.mjs";
 import { raysLeftIn } from "./strip-rays.mjs";
 
 const HERE = fileURLToPath(new URL("./", import.meta.url));
+const PAGE = ["./page/broken.js", "./page/kiosk.js", "./page/language.js", "./page/offline.js"]; // in every page's head
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
 const BANNERS = { viewer: "/* Raywalk viewer, MIT. Holds three.js (MIT), https://threejs.org */", other: "/* Raywalk, MIT */" };
 
@@ -56,13 +57,13 @@ export async function bundleViewer(noteInputs = () => {}) {
   const shared = await sharedWith(parts, alone.inputs, (path, plugin) => bundled(`export * from "./${path}"`, { format: "esm", plugins: [plugin, tightShaders] }));
   const modules = {};
   const offered = {};
-  const asked = new Map();
+  const taken = [];
   for (const [name, path] of parts) {
     const { text, inputs } = await bundled(`export * from "./${path}"`, { noteInputs, format: "esm", minify: true, plugins: [sharing(shared), tightShaders] });
     modules[name] = inputs;
-    offered[name] = `${BANNERS.other}\n${asOfferedPart(name, text, asked)}`;
+    offered[name] = `${BANNERS.other}\n${asOfferedPart(name, text, taken)}`;
   }
-  const entry = `import "./viewer/main";\n${loadingParts(asked)}`;
+  const entry = `import "./viewer/main";\n${handingOut(taken)}`;
   const own = await bundled(entry, first);
   const three = await slimThree(own.text, TARGET, noteInputs);
   const slim = {
@@ -90,7 +91,8 @@ async function main() {
   const left = raysLeftIn(viewer);
   if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
   const kiosk = await bundled('import "./viewer/kiosk/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.other } });
-  const scripts = { viewer, kiosk: kiosk.text, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
+  const page = await Promise.all(PAGE.map((path) => readFile(join(HERE, path), "utf8")));
+  const scripts = { viewer, kiosk: kiosk.text, page: (await transform(page.join("\n"), { minify: true, target: TARGET })).code, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
   await mkdir(folder, { recursive: true });
   for (const [name, text] of Object.entries(scripts)) await writeFile(join(folder, `${name}.js`), text);
   await writeFile(join(folder, "packages.json"), JSON.stringify(packagesIn(paths)));

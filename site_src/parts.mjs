@@ -35,22 +35,21 @@ export async function sharedWith(parts, own, bundle) {
   return shared;
 }
 
-/** A part's bundled module as a call that offers it. asked: noted there is what it takes from the viewer's script, by module. */
-export function asOfferedPart(name, text, asked) {
+/** A part's bundled module as a call that offers it. taken: "<module> <name>" of all that parts take from the viewer's
+ *  script; what this one takes is added. */
+export function asOfferedPart(name, text, taken) {
+  const placeOf = (each) => (taken.includes(each) ? taken.indexOf(each) : taken.push(each) - 1);
   const taking = text.replace(/import\{([^}]*)\}from"shared:([^"]+)";/g, (_, names, from) => {
     const pairs = names.split(",").map((each) => each.split(" as "));
-    asked.set(from, new Set([...(asked.get(from) ?? []), ...pairs.map(([wanted]) => wanted)]));
-    return `const{${pairs.map((pair) => pair.join(":")).join()}}=$shared["${from}"];`;
+    return `const ${pairs.map(([wanted, here = wanted]) => `${here}=$shared[${placeOf(`${from} ${wanted}`)}]`).join()};`;
   });
   const giving = taking.replace(/export\{([^}]*)\};?\s*$/, (_, names) => `return{${names.split(",").map((each) => each.split(" as ").reverse().join(":")).join()}};`);
   if (giving === taking || /\bimport[{*"]|\bexport[{*]/.test(giving)) throw new Error(`the part ${name} imports or exports in a way that parts.mjs does not read`);
   return `raywalkParts.offer("${name}",$shared=>{"use strict";${giving.trim()}});\n`;
 }
 
-/** What the viewer's script has to hand out. */
-export function loadingParts(asked) {
-  const from = [...asked].map(([path, names], k) => [path, k, [...names].sort()]);
-  const imports = from.map(([path, k, names]) => `import { ${names.map((name) => `${name} as ${name}_${k}`).join(", ")} } from "./${path}";`);
-  const handed = from.map(([path, k, names]) => `"${path}": { ${names.map((name) => `${name}: ${name}_${k}`).join(", ")} }`);
-  return `${imports.join("\n")}\nwindow.raywalkShared = { ${handed.join(", ")} };`;
+/** What the viewer's script hands out: the same, in this order. */
+export function handingOut(taken) {
+  const imports = taken.map((each) => each.split(" ")).map(([path, name], k) => `import { ${name} as taken${k} } from "./${path}";`);
+  return `${imports.join("\n")}\nwindow.raywalkShared = [${taken.map((_, k) => `taken${k}`).join()}];`;
 }

@@ -127,33 +127,10 @@ const PARTS = [
     changes: [[/renderer\.debug\.checkShaderErrors/, "false"]],
   },
   {
-    file: "renderers/webgl/WebGLCapabilities.js",
-    why: "depths as usual",
-    unless: ["reversedDepthBuffer", "logarithmicDepthBuffer"],
-    changes: [[/const (reversed|logarithmic)DepthBuffer = .*;/g, "const $1DepthBuffer = false;"]],
-  },
-  { file: "renderers/webgl/WebGLPrograms.js", why: "depths as usual", unless: ["logarithmicDepthBuffer"], changes: [[/const logarithmicDepthBuffer = .*;/, "const logarithmicDepthBuffer = false;"]] },
-  ...["WebGLRenderer.js", "webgl/WebGLPrograms.js", "webgl/WebGLShadowMap.js", "webgl/WebGLState.js"].map((file) => ({
-    file: `renderers/${file}`,
-    why: "depths as usual",
-    unless: ["reversedDepthBuffer"],
-    changes: [[/(renderer\.|_)?(state\.)?(buffers\.depth|depthBuffer)\.getReversed\(\)/g, "false"]],
-  })),
-  ...["cameras/Camera.js"].map((file) => ({ file, why: "depths as usual", unless: ["reversedDepthBuffer"], changes: [[/return this\._reversedDepth;/, "return false;"]] })),
-  {
     file: "renderers/webgl/WebGLShadowMap.js",
     why: "shadows of lamps only, with hard or filtered edges",
     unless: ["VSMShadowMap"],
     changes: [[/(this\.)?type === VSMShadowMap/g, "false"], emptied("VSMPass"), [/const shadowMaterialVertical = [\s\S]*?const fullScreenMesh = .*/, ""]],
-  },
-  {
-    file: "renderers/webgl/WebGLLights.js",
-    why: "lamps and light from everywhere, no other lights",
-    unless: ["SunLight", "DirectionalLight", "SpotLight", "RectAreaLight", "HemisphereLight", "LightProbe"],
-    changes: [
-      [/case '(Sun|Directional|Spot|RectArea|Hemisphere)Light':\s*(uniforms = \{[\s\S]*?\};\s*)?(break;)?\n/g, ""],
-      [/if \( rectAreaLength > 0 \) \{[\s\S]*?\n\t\t\}\n/, ""],
-    ],
   },
   {
     file: "renderers/webgl/WebGLUtils.js",
@@ -181,7 +158,7 @@ for (const file of [
   "materials/MeshDepthMaterial", "materials/MeshDistanceMaterial", "materials/PointsMaterial", "textures/Texture", "textures/DepthTexture",
 ])
   PARTS.push({ file: `${file}.js`, why: CLONED, unless: ["clone"], changes: [[/^\tcopy\( source.*\) \{[\s\S]*?^\t\}/m, `\tcopy() { ${gone("copying")} }`]] });
-PARTS.push({ file: "math/Color.js", why: "colours are numbers or #rrggbb", changes: [[/const _colorKeywords = \{[\s\S]*?\};/, "const _colorKeywords = {};"]] });
+PARTS.push({ file: "math/Color.js", why: "colours are numbers or #rrggbb", changes: [[/const _colorKeywords = \{[\s\S]*?\};/, "const _colorKeywords = {};"], [/if \( m = \/\^\(\\w[\s\S]*? else (?=if \( m = \/\^\\#)/, ""]] });
 
 /** Of ShaderLib: by the materials that use it. Lines and what casts a shadow need three of them always. */
 const SHADER_OF = {

@@ -2,11 +2,11 @@
  * Scenes and traces, by classic scripts put into the page: from file:// a browser refuses fetch and
  * modules, but runs these. Each calls raywalkReceive(name, base64 of gzip of JSON).
  */
-import { checkedBoxes } from "./trace/boxes";
 import { decodeWithRests } from "./trace/decode";
 import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
+import type { Boxes } from "./state/box-lines";
 import type { SectionsData } from "./state/section";
 import type { SceneData, Trace } from "./trace/types";
 import { languageCode } from "./words";
@@ -87,11 +87,12 @@ function remembering<T>(size: number, load: (name: string) => Promise<T>) {
   };
 }
 
-export function createLoader(root: string) {
+/** root: relative path from the page to the site's root, "" or ending in "/". reading: what reads boxes, which few want. */
+export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (json: unknown, scene: string) => Boxes }>) {
   const load = createScripts(root);
   const kept = <T>(size: number, read: Read<T>) => remembering(size, (name) => load(name, read));
   const scenes = kept(KEPT_SCENES, sceneFrom);
-  const boxes = kept(KEPT_SCENES, (json, name) => checkedBoxes(json, name.split("/")[0]));
+  const boxes = kept<Boxes>(KEPT_SCENES, async (json, name) => (await reading()).boxesFrom(json, name.split("/")[0]));
   const traces = kept(KEPT_TRACES, traceFrom);
   const sections = kept(KEPT_SCENES, sectionsFrom);
   const words = kept(KEPT_SCENES, wordsFrom);

@@ -31,12 +31,13 @@ function start(own: HTMLScriptElement) {
   const withGl = readAddress(location.hash, location.search).gl;
   let held = false; // by a test: time moves only when it says so
 
-  const session = createSession();
   const notice = createNotice(find("#notice"));
   listenToErrors(own.src, notice);
   const onDemand = createOnDemand(own, notice);
+  const recombining = onDemand.one("what-if", ({ createWhatIf }) => ({ shown: createWhatIf().of, finest: createWhatIf().of }));
+  const session = createSession(() => recombining.nowOr(() => session.changed()));
   whenRefused(() => notice.say(say("trouble.storage")));
-  const loader = createLoader(root);
+  const loader = createLoader(root, () => onDemand.come("box-lines"));
   const supplies = createSupplies(session, loader, onDemand, notice, () => beat.draw());
   const place = { home: body.dataset.scene ?? "", onDisk: location.protocol === "file:", links, withGl };
   const bar = createAddressBar(session, place);

@@ -8,12 +8,18 @@ import { troubleOfPart } from "./trouble";
 
 const PARTS = {
   slice: () => import("./stage/slice"),
+  "what-if": () => import("./state/what-if"),
   "what-if-switches": () => import("./panels/what-if-switches"),
   "card-tree": () => import("./panels/card-tree"),
   "card-sum": () => import("./panels/card-sum"),
   code: () => import("./panels/code"),
   copies: () => import("./panels/copies"),
   saving: () => import("./saving"),
+  "tile-legend": () => import("./panels/tile-legend"),
+  "box-lines": () => import("./state/box-lines"),
+  flat: () => import("./stage/flat"),
+  "event-words": () => import("./event-words"),
+  article: () => import("./panels/article"),
   help: () => import("./panels/help"),
 };
 type Parts = typeof PARTS;
@@ -55,16 +61,17 @@ export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
   async function load(name: PartName) {
     try {
       here.set(name, await PARTS[name]());
+      return here.get(name);
     } catch (error) {
       failed.set(name, (failed.get(name) ?? 0) + 1);
       coming.delete(name); // asked for anew the next time
       throw error;
     }
   }
-  function come(name: PartName) {
+  function come<K extends PartName>(name: K) {
     const promise = coming.get(name) ?? load(name);
     coming.set(name, promise);
-    return promise;
+    return promise as Promise<Part<K>>;
   }
 
   function want<K extends PartName>(name: K, act: (part: Part<K>) => void) {
@@ -81,12 +88,21 @@ export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
     /** Something that a part makes, once, when it is first used. */
     one<K extends PartName, T>(name: K, make: (part: Part<K>) => T) {
       let made: T | null = null;
+      let isAsked = false;
       const makeOnce = (part: Part<K>) => (made ??= make(part));
       return {
         /** null: its script has not come yet. */
         now: () => (here.has(name) ? makeOnce(here.get(name) as Part<K>) : null),
         /** Acts with it as soon as it is there; if its script does not come, that is said. */
-        use: (act: (thing: T) => void) => want(name, (part) => act(makeOnce(part))),
+        use(act: (thing: T) => void) {
+          isAsked = true;
+          want(name, (part) => act(makeOnce(part)));
+        },
+        /** For what is drawn again and again: null until it is there. The first time it is asked for, and `come` is told. */
+        nowOr(come: () => void) {
+          if (!here.has(name) && !isAsked) this.use(() => come());
+          return this.now();
+        },
       };
     },
     /** Brings the parts before they are asked for, one after the other; those that do not come are asked for when used. */

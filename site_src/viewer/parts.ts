@@ -33,7 +33,7 @@ export interface Surroundings {
 
 const ON_STAGE = ".view-pad, .view-switch, .view-note, .stage-tools > *"; // what a label must not lie under
 
-function createPanels(stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
+function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
   return {
     pad: createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera }),
     viewSwitch: createViewSwitch({ look: acts.look, slice: acts.slice }),
@@ -44,8 +44,8 @@ function createPanels(stage: Stage, acts: Actions, onDemand: OnDemand, { page, p
     lesson: createLesson(acts),
     player: createPlayer(acts),
     whatIf: createWhatIf(acts, onDemand),
-    tileColours: createTileColours(acts),
-    page: createPage(page),
+    tileColours: createTileColours({ colours: acts.colours, draw: session.changed }, onDemand),
+    page: createPage(page, onDemand),
     savings: createSavings(),
     spoken: createSpoken(),
   };
@@ -71,7 +71,7 @@ function presentOf(session: Session) {
 }
 type Present = NonNullable<ReturnType<typeof presentOf>>;
 
-function showPanels(panels: Panels, session: Session, { state, lit, missing, scene, trace, view, event, recombined, traced }: Present) {
+function showPanels(panels: Panels, session: Session, words: () => typeof import("./event-words") | null, { state, lit, missing, scene, trace, view, event, recombined, traced }: Present) {
   const asking = isAsking(state, scene);
   const last = view.timeline?.events.at(-1);
   panels.viewSwitch.show(state);
@@ -79,8 +79,8 @@ function showPanels(panels: Panels, session: Session, { state, lit, missing, sce
   panels.picture.show(state, scene, trace, recombined);
   panels.card.show(state, scene, trace, missing, lit, event);
   panels.controls.show(state, scene);
-  panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null);
-  panels.player.show(state, asking && !event ? null : view.timeline); // its colours would give the answer away
+  panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null, words);
+  panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
   panels.whatIf.show(state, traced.scene);
   panels.tileColours.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
@@ -95,8 +95,10 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     else delete document.body.dataset.renderer;
     simpler(why ? say(`trouble.${why}`) : "");
   };
-  const stage = createStage({ ...acts, move: acts.observer, flat }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
-  const panels = createPanels(stage, acts, onDemand, surroundings);
+  const drawnFlat = onDemand.one("flat", (part) => part);
+  const telling = onDemand.one("event-words", (part) => part);
+  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)) }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const panels = createPanels(session, stage, acts, onDemand, surroundings);
   layOut(home, stage, panels);
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {
     const made = createSlice({ pick: acts.pickAlong });
@@ -132,8 +134,8 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       if (!present) return;
       renders++;
       showStage(present, dark);
-      showPanels(panels, session, present);
       const { state, scene, trace, view } = present;
+      showPanels(panels, session, () => telling.nowOr(session.changed), present);
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
     views: { stage, slice: () => shownSlice },

@@ -1,13 +1,13 @@
 /** What the page is at: the state, the scene and the rays it belongs to, and what follows from them. */
+import type { Boxes } from "./state/box-lines";
 import type { RayEvent } from "./state/event-types";
 import type { SectionsData } from "./state/section";
-import { isSwitched } from "./state/switches";
+import { isSwitched, type Switches } from "./state/switches";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
 import type { LitLine, ViewState } from "./state/types";
-import { createWhatIf } from "./state/what-if";
+import type { WhatIf } from "./state/what-if";
 import type { TilePicture } from "./tile-picture";
-import type { BoxesData } from "./trace/boxes";
 import type { SceneData, Trace } from "./trace/types";
 
 export interface Listeners {
@@ -17,10 +17,11 @@ export interface Listeners {
   otherLevel: () => void;
 }
 
-export function createSession() {
+type Recombine = (trace: Trace, scene: SceneData, switches: Switches) => WhatIf;
+
+/** recombining: what switches make of the shown trace and of the finest; null until its script is there. */
+export function createSession(recombining: () => { shown: Recombine; finest: Recombine } | null) {
   const shown = createShown();
-  const whatIf = createWhatIf();
-  const fineWhatIf = createWhatIf();
   let listeners: Listeners | null = null;
   let loaded: Trace | null = null;
 
@@ -30,7 +31,7 @@ export function createSession() {
     sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
     missing: false, // the trace could not be loaded
     finest: null as Trace | null, // of the finest grid, once switches were set
-    boxes: null as BoxesData | null, // of the scene's meshes, once they were wanted
+    boxes: null as Boxes | null, // of the scene's meshes, once they were wanted
     lit: null as LitLine | null, // what the pointer is on
     pointed: null as readonly [number, number] | null, // the tile it is on
 
@@ -66,7 +67,8 @@ export function createSession() {
       const { state, scene } = session;
       const trace = session.traced();
       if (!state || !scene) return null;
-      return trace ? whatIf.of(trace, scene, state.switches) : { scene, trace };
+      const recombine = trace && isSwitched(state.switches) && recombining()?.shown;
+      return recombine ? recombine(trace, scene, state.switches) : { scene, trace };
     },
 
     /** What the finished picture would be with the switches set, as fine as traces are here; null where nothing is switched. */
@@ -74,7 +76,8 @@ export function createSession() {
       const { state, scene, finest } = session;
       if (!state || !scene || !isSwitched(state.switches)) return null;
       const trace = finest?.scene === state.scene ? finest : session.traced();
-      return trace && { n: trace.n, colours: fineWhatIf.of(trace, scene, state.switches).trace.tiles };
+      const recombine = trace && recombining()?.finest;
+      return recombine ? { n: trace.n, colours: recombine(trace, scene, state.switches).trace.tiles } : null;
     },
 
     trace: (): Trace | null => session.switched()?.trace ?? null,

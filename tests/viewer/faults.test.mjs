@@ -154,7 +154,7 @@ const FAULTS = [
     name: "the trace takes long: said, until it comes",
     query: "?fault=slow",
     make: () => answer(TRACE, async (route) => (await new Promise((done) => setTimeout(done, 900)), route.continue())),
-    opens: () => page.goto(`${server.url}${rich.path}?fault=slow#still=1&gl=none`).then(() => page.waitForFunction(() => !document.querySelector("#notice").hidden)),
+    opens: () => page.goto(`${server.url}${rich.path}?fault=slow#still=1&gl=none`, { waitUntil: "commit" }).then(() => page.waitForFunction(() => !document.querySelector("#notice").hidden)),
     says: /^The data is slow to arrive; what is here already works\.$/,
     async then() {
       await rays();

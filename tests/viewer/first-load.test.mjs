@@ -1,12 +1,16 @@
 /** What a browser really loads before the first page, and a scene's, are there: bytes as a host sends them, gzipped. */
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { DIST, launch, newPage, richScene, scenesOfSite, settled } from "./browser.mjs";
+import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const KB = 1000;
 const FIRST_PAGE = 200 * KB; // beside the thumbnails
+const FIRST_VIEW = 190 * KB; // of a scene, beside its picture and its meshes
+const SCRIPTS = 110 * KB; // of that; sentences are data
 const THUMBNAIL = 200 * KB; // each; the dragon has the finest grain
 let browser, server;
 before(async () => {
@@ -50,8 +54,23 @@ test("the first page weighs at most 200 KB beside its thumbnails, which are smal
   for (const each of thumbnails) assert.ok(each.bytes <= THUMBNAIL, told([each]));
 });
 
-test("a scene's page weighs at most 200 KB beside its picture, rays and all", async () => {
-  const loaded = await loadedBy(richScene().path);
-  const rest = loaded.filter(({ name }) => !/picture/.test(name));
-  assert.ok(sum(rest) <= FIRST_PAGE, `${(sum(rest) / KB).toFixed(1)} KB:\n${told(rest)}`);
-});
+/** How much of a scene's data its meshes are. */
+function meshesIn({ id }) {
+  const size = (text) => gzipSync(text, { level: 9 }).length;
+  const whole = readFileSync(`${DIST}/scenes/${id}/scene.js`, "utf8");
+  const packed = gzipSync(JSON.stringify({ ...readScene(id), meshes: {} }), { level: 9 }).toString("base64");
+  return size(whole) - size(`raywalkReceive("${id}/scene","${packed}")\n`);
+}
+
+const dearest = scenesOfSite().map((scene) => ({ ...scene, meshes: meshesIn(scene) })).sort((a, b) => b.meshes - a.meshes)[0];
+for (const scene of [{ ...richScene(), meshes: 0 }, dearest])
+  test(`a first view of ${scene.id} is at most 190 KB beside picture and meshes, rays and all; scripts are 110 KB of it; parts come after it`, async () => {
+    const loaded = await loadedBy(scene.path);
+    const isPart = ({ name }) => name.startsWith("assets/part-");
+    const first = loaded.filter((file) => !isPart(file) && !/picture/.test(file.name));
+    assert.ok(sum(first) - scene.meshes <= FIRST_VIEW, `${(sum(first) / KB).toFixed(1)} KB, ${scene.meshes} bytes of them meshes:\n${told(first)}`);
+    const scripts = first.filter(({ name }) => /^assets\/(viewer|page)-/.test(name));
+    assert.ok(scripts.length === 2 && sum(scripts) <= SCRIPTS, told(scripts));
+    const [lastOfFirst, firstPart] = [loaded.findLastIndex(({ name }) => /scenes\/.*\.js$/.test(name)), loaded.findIndex(isPart)];
+    assert.ok(firstPart < 0 || firstPart > lastOfFirst, told(loaded));
+  });

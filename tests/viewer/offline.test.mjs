@@ -1,6 +1,6 @@
 /** On a host: without its network the site goes on, from what was kept; a newer build takes its place quietly. */
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -48,6 +48,7 @@ test("what was looked at is there when the host is gone; what was not is said", 
   await press(page, "PageDown"); // a scene in the same page, through the worker by now
   await until(page, (s, t, id) => s.scene === id && t.tiles.length > 0, second.id);
   await isKept(`${second.id}/picture.png`);
+  for (const name of readdirSync(`${DIST}/assets`).filter((each) => each.startsWith("part-"))) await isKept(name);
   server.close();
   server.close = () => {};
   await context.setOffline(true);
@@ -56,6 +57,11 @@ test("what was looked at is there when the host is gone; what was not is said", 
     assert.equal((await state(page)).scene, scene.id);
     assert.ok((await stats(page)).tiles.length > 0);
     assert.ok(await pictureShows(".picture img"));
+    await page.locator("#tab-card-tree").click(); // parts that come when asked for are there too
+    assert.ok(await page.locator(".tree .node").first().isVisible());
+    await press(page, "?");
+    assert.ok(await page.locator("dialog[open] .keys").first().isVisible());
+    assert.equal((await stats(page)).notice, "");
   }
   await open(page, server.url, "de/index.html");
   assert.ok(await pictureShows(".cards img"), "the gallery is there in every language");

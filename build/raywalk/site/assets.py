@@ -11,7 +11,7 @@ from raywalk.site.ray_sheet import ray_sheet
 from raywalk.words import Words
 from raywalk.work.snapshot import bytes_of
 
-BUNDLED = ("viewer", "kiosk")
+BUNDLED = ("viewer", "kiosk", "page")
 PART = "part-"  # what comes when asked for, as bundle.mjs names it
 PAGES_ONLY = ("pages", "slides")  # sentences that the viewer never says
 
@@ -21,12 +21,10 @@ class BundleError(Exception):
 
 
 def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
-    """Writes the bundled scripts of a folder, the pages' own and the joined styles into
-    out/assets; returns their names in the site, and as `parts` those of the viewer's parts beside
-    the viewer's script, as JSON."""
+    """Writes the bundled scripts of a folder and the joined styles into out/assets; returns their
+    names in the site, and as `parts` those of the viewer's parts beside its script, as JSON."""
     styles = sorted((site_src / "styles").glob("*.css"))
     sheet = b"\n".join([*(bytes_of(style) for style in styles), ray_sheet().encode()])
-    page = b"\n".join(bytes_of(path) for path in sorted((site_src / "page").glob("*.js")))
     scripts = {
         f"{name}_js": named(out, name, "js", (bundled / f"{name}.js").read_bytes())
         for name in BUNDLED
@@ -38,7 +36,6 @@ def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
     return scripts | {
         "parts": json.dumps({name: Path(address).name for name, address in parts.items()}),
         "style_css": named(out, "style", "css", sheet),
-        "page_js": named(out, "page", "js", page),
     }
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
 from raywalk.site.assets import PART
+from raywalk.trace_file.container import pack, script, unpack
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
 
@@ -87,7 +88,8 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
         trace = folder / f"{finest['n']}.json.gz"
         data = sent(folder / "scene.js")
-        first = sent(folder / "index.html") + data + sent(folder / f"{first_level(scene)}.json.gz")
+        first = sent(folder / "index.html") + _without_meshes(folder / "scene.js")
+        first += sent(folder / f"{first_level(scene)}.json.gz")
         sizes += [
             Size("trace", f"{name}/{trace.name}", sent(trace), max(finest["rays"], FEW_RAYS)),
             Size("picture", f"{name}/picture.png", sent(folder / "picture.png")),
@@ -105,6 +107,13 @@ def _is_loaded(name: str) -> bool:
         return False
     other = name.startswith("words-") and not name.startswith(f"words-{DEFAULT}-")
     return name.endswith(".js") and not other
+
+
+def _without_meshes(path: Path) -> int:
+    """What a scene's data would weigh without its meshes, which are counted by themselves."""
+    scene = json.loads(unpack(path.read_bytes())) | {"meshes": {}}
+    text = json.dumps(scene, separators=(",", ":")).encode()
+    return len(gzip.compress(script(f"{path.parent.name}/scene", pack(text)), LEVEL, mtime=0))
 
 
 def first_level(scene: Scene) -> int:

@@ -30,7 +30,7 @@ function createViews(acts: CardActs, onDemand: OnDemand) {
   return {
     panels,
     views: {
-      rays: { now: () => rays, use: (act: (view: RaysView) => void) => act(rays) },
+      rays: { now: () => rays, nowOr: () => rays, use: (act: () => void) => act() },
       tree: onDemand.one("card-tree", ({ createTree }) => into(panels.tree, createTree(acts))),
       sum: onDemand.one("card-sum", ({ createSums }) => into(panels.sum, createSums(acts))),
       code: onDemand.one("code", ({ createCode }) => into(panels.code, createCode())),
@@ -40,10 +40,7 @@ function createViews(acts: CardActs, onDemand: OnDemand) {
 
 export function createCard(acts: CardActs, onDemand: OnDemand) {
   const { panels, views } = createViews(acts, onDemand);
-  const tabs = createTabs("card", say("card.tabs"), TABS.map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: panels[id] })), () => {
-    asked = "";
-    draw();
-  });
+  const tabs = createTabs("card", say("card.tabs"), TABS.map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: panels[id] })), (id) => views[id].use(draw));
   const head = createCardHead({ move: acts.move, copy: copyRays });
   const note = element("p", "note");
   const body = element("div", "card-body", ...tabs.panels);
@@ -54,7 +51,6 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
   let now: PixelRays | null = null;
   let isCovered = true; // there are no rays yet, or they would give an answer away
   let shown: readonly unknown[] = [];
-  let asked = ""; // the tab whose view has been asked for: what failed is not asked for anew at every drawing
   let lit: readonly [LitLine | null, RayEvent | null] = [null, null];
 
   const copies = onDemand.one("copies", (part) => part);
@@ -70,14 +66,10 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
     body.hidden = isCovered && tab !== "code"; // the algorithm gives no answer away
     note.hidden = !body.hidden;
     if (body.hidden) return;
-    const view = views[tab].now();
-    if (view) {
-      if (now) view.show(now);
-      view.light(...lit);
-    } else if (asked !== tab) {
-      asked = tab;
-      views[tab].use(draw);
-    }
+    const view = views[tab].nowOr(draw);
+    if (!view) return;
+    if (now) view.show(now);
+    view.light(...lit);
   }
 
   return {

@@ -1,5 +1,5 @@
 /** Signs of the player, drawn: as characters some systems make coloured pictures of them. */
-const SVG = "http://www.w3.org/2000/svg";
+import { svg } from "./svg";
 
 const SHAPES = {
   play: "M3 1.5 L14 8 L3 14.5 Z",
@@ -8,12 +8,5 @@ const SHAPES = {
   on: "M3 2 L11 8 L3 14 Z M11.4 2 H13.6 V14 H11.4 Z",
 } as const;
 
-export function icon(name: keyof typeof SHAPES): SVGElement {
-  const svg = document.createElementNS(SVG, "svg");
-  for (const [key, value] of Object.entries({ width: 16, height: 16, viewBox: "0 0 16 16", "aria-hidden": "true" })) svg.setAttribute(key, String(value));
-  const path = document.createElementNS(SVG, "path");
-  path.setAttribute("d", SHAPES[name]);
-  path.setAttribute("fill", "currentColor");
-  svg.append(path);
-  return svg;
-}
+export const icon = (name: keyof typeof SHAPES): SVGElement =>
+  svg("svg", { width: 16, height: 16, viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: SHAPES[name], fill: "currentColor" }));

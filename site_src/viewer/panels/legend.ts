@@ -4,23 +4,16 @@ import { CROWD } from "../state/shown";
 import { LINE_KINDS, type LineKind } from "../trace/kinds";
 import { grouped, say } from "../words";
 import { element } from "./element";
+import { svg } from "./svg";
 
-const SVG = "http://www.w3.org/2000/svg";
 const LONG = 26; // pixels of sample line
 
 function sample(kind: LineKind): SVGElement {
-  const make = (tag: string, attributes: Record<string, string | number>) => {
-    const made = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-    return made;
-  };
   const { dash } = LINES[kind];
-  const svg = make("svg", { width: LONG + 8, height: 12, viewBox: `0 0 ${LONG + 8} 12`, "aria-hidden": "true" });
-  svg.append(
-    make("line", { x1: 0, y1: 6, x2: LONG, y2: 6, class: `stroke ${kind}`, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
-    make("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, class: `fill ${kind}` }),
+  return svg("svg", { width: LONG + 8, height: 12, viewBox: `0 0 ${LONG + 8} 12`, "aria-hidden": "true" },
+    svg("line", { x1: 0, y1: 6, x2: LONG, y2: 6, class: `stroke ${kind}`, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
+    svg("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, class: `fill ${kind}` }),
   );
-  return svg;
 }
 
 export function createLegend() {

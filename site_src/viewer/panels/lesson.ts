@@ -2,16 +2,21 @@
 import type { RayEvent, Why } from "../state/event-types";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
-import { tell, whyDark } from "../event-words";
 import { say } from "../words";
 import { button, element, marked } from "./element";
 import { reachable } from "./scrolls";
 
+/** What the player tells and why a pixel is dark, in words: null until they have come. */
+type Words = () => Pick<typeof import("../event-words"), "tell" | "whyDark"> | null;
+
 /** One event's sentence and its numbers. */
-function telling(event: RayEvent): HTMLElement[] {
-  const { says, numbers } = tell(event);
+function telling(event: RayEvent, words: Words): HTMLElement[] {
+  const { says = [], numbers = "" } = words()?.tell(event) ?? {};
   return [element("p", "event-says", ...marked(says)), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
 }
+
+/** Of a lit pixel not before another one was selected than the scene's own. */
+const isWorthSaying = (why: Why | null, { pixel }: ViewState, { start }: SceneData): why is Why => !!why && (why.tone !== "lit" || pixel.join() !== start.pixel.join());
 
 export function createLesson(acts: { step: (step: number | null) => void; turn: (by: 1 | -1) => void }) {
   const reveal = button(say("lesson.reveal"), say("lesson.revealHelp"), () => acts.turn(1), { className: "primary reveal" });
@@ -29,9 +34,8 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
 
   return {
     element: root,
-    /** told: the event the player is at; why: of the selected pixel's light; said while nothing else is, of a lit one not
-     *  before another pixel was selected than the scene's own. */
-    show(state: ViewState, scene: SceneData, told: RayEvent | null, why: Why | null) {
+    /** told: the event the player is at; why: of the selected pixel's light; said while nothing else is. */
+    show(state: ViewState, scene: SceneData, told: RayEvent | null, why: Why | null, words: Words) {
       const { step, revealed } = state;
       const running = step !== null;
       const asking = isAsking(state, scene);
@@ -47,13 +51,14 @@ export function createLesson(acts: { step: (step: number | null) => void; turn: 
         previous.setAttribute("aria-disabled", String(step === 0 && !revealed));
         next.setAttribute("aria-disabled", String(step === scene.lesson.length - 1 && !asking));
       }
-      const key = [scene.id, step, revealed, told, why];
+      const isWhy = !told && !running && isWorthSaying(why, state, scene);
+      const key = [scene.id, step, revealed, told, why, (told || isWhy) && !words()];
       if (key.every((each, k) => each === shown[k])) return;
       shown = key;
       // The pipeline has sanitised a step's HTML.
-      if (told) text.replaceChildren(...telling(told));
+      if (told) text.replaceChildren(...telling(told, words));
       else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
-      else text.replaceChildren(why && (why.tone !== "lit" || state.pixel.join() !== scene.start.pixel.join()) ? element("p", "why", ...marked(whyDark(why))) : element("p", "teaches", scene.teaches));
+      else text.replaceChildren(isWhy ? element("p", "why", ...marked(words()?.whyDark(why) ?? [])) : element("p", "teaches", scene.teaches));
       text.scrollTop = 0;
       lookAgain();
     },

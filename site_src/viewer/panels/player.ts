@@ -3,7 +3,6 @@ import type { RayEvent } from "../state/event-types";
 import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
 import type { ViewState } from "../state/view-state";
-import { sentence } from "../event-words";
 import { fraction, say } from "../words";
 import { button, element, setWord } from "./element";
 import { icon } from "./icons";
@@ -65,7 +64,8 @@ export function createPlayer(acts: PlayerActs) {
 
   return {
     element: root,
-    show(state: ViewState, timeline: Timeline | null) {
+    /** said: the event it is at, in a sentence, once words have come. */
+    show(state: ViewState, timeline: Timeline | null, said: string) {
       const { event, playing } = state;
       if (shown.timeline !== timeline) {
         colours.style.backgroundImage = timeline ? paint(timeline) : "none";
@@ -82,7 +82,7 @@ export function createPlayer(acts: PlayerActs) {
       range.value = String(now);
       range.disabled = !timeline;
       ahead.style.left = `${event === null ? 100 : (100 * now) / Number(range.max)}%`;
-      const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: sentence(timeline.events[event]) });
+      const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: said });
       if (range.getAttribute("aria-valuetext") !== text) range.setAttribute("aria-valuetext", text);
       count.textContent = !timeline ? "" : event === null ? say("player.count", { of }) : say("player.countAt", { event: event + 1, of });
       end.classList.toggle("away", event === null);

@@ -9,7 +9,7 @@ export interface Tab<Id extends string> {
   panel: HTMLElement;
 }
 
-export function createTabs<Id extends string>(name: string, label: string, tabs: readonly Tab<Id>[], changed: () => void) {
+export function createTabs<Id extends string>(name: string, label: string, tabs: readonly Tab<Id>[], changed: (to: Id) => void) {
   const kept = recall(name);
   let chosen = tabs.find(({ id }) => id === kept)?.id ?? tabs[0].id;
   const buttons = tabs.map(({ id, word, help, panel }) => {
@@ -45,7 +45,7 @@ export function createTabs<Id extends string>(name: string, label: string, tabs:
     chosen = id;
     remember(name, id);
     show();
-    changed();
+    changed(id);
   }
   show();
   return { bar, panels: tabs.map(({ panel }) => panel), chosen: () => chosen };

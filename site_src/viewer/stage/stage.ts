@@ -15,7 +15,7 @@ import { namesOf } from "./stage-names";
 import { createTracedPicture } from "./traced-picture";
 import { lineUnder, nearestTile, tileUnder, type Tile } from "./under";
 
-export interface StageActs extends Pick<DrawingActs, "flat"> {
+export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer"> {
   move: (observer: ObserverChoice) => void;
   pick: (column: number, row: number) => void;
   light: (line: LitLine | null) => void;
@@ -44,7 +44,7 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
   let size = { width: 1, height: 1 };
   let drawn: Drawn | null = null;
   let frames = 0;
-  const drawing = createDrawing(element, withGl, { flat: acts.flat, replaced: measure });
+  const drawing = createDrawing(element, withGl, { ...acts, replaced: measure });
   new ResizeObserver(measure).observe(element);
 
   function measure() {

@@ -1,5 +1,5 @@
-/** The bounding volumes that the selected ray tested, as line segments to draw. */
-import type { BoxTested, RayBoxes } from "../trace/boxes";
+/** The bounding volumes that a camera ray tested, also as line segments to draw. */
+import { boxesOf, checkedBoxes, type BoxTested, type RayBoxes } from "../trace/boxes";
 import type { Vec3 } from "../trace/types";
 
 export interface BoxLines {
@@ -7,7 +7,12 @@ export interface BoxLines {
   missed: readonly (readonly [Vec3, Vec3])[];
 }
 
-export const NO_BOXES: BoxLines = { entered: [], missed: [] };
+/** A scene's. */
+export interface Boxes {
+  scene: string;
+  of: (n: number, ray: number) => RayBoxes & { lines: BoxLines };
+}
+
 const ROUND = 48; // segments of a circle
 
 function edges({ low, high }: BoxTested): [Vec3, Vec3][] {
@@ -27,7 +32,17 @@ function circles({ centre, radius }: { centre: Vec3; radius: number }): [Vec3, V
   return [0, 1, 2].flatMap((axis) => Array.from({ length: ROUND }, (_, k): [Vec3, Vec3] => [on(axis, k), on(axis, k + 1)]));
 }
 
-export function boxLines({ spheres, boxes }: RayBoxes): BoxLines {
+/** json: of scenes/<id>/boxes.js. Throws TraceError. */
+export function boxesFrom(json: unknown, scene: string): Boxes {
+  const data = checkedBoxes(json, scene);
+  const of = (n: number, ray: number) => {
+    const tested = boxesOf(data, n, ray);
+    return { ...tested, lines: boxLines(tested) };
+  };
+  return { scene, of };
+}
+
+function boxLines({ spheres, boxes }: RayBoxes): BoxLines {
   const of = (entered: boolean) => [...spheres.filter((each) => each.entered === entered).flatMap(circles), ...boxes.filter((each) => each.entered === entered).flatMap(edges)];
   return { entered: of(true), missed: of(false) };
 }

@@ -1,7 +1,7 @@
 /** What a tile can show besides its colour: how much work its rays were, and what its camera ray met. */
 import { KIND } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace, type View } from "../trace/types";
-import { HIDDEN } from "./what-if";
+import { HIDDEN } from "./switches";
 
 export type TileView = NonNullable<View["colours"]>;
 

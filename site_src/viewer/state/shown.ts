@@ -2,8 +2,8 @@
 import type { LineKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
-import { boxesOf, type BoxesData, type RayBoxes } from "../trace/boxes";
-import { boxLines, NO_BOXES, type BoxLines } from "./box-lines";
+import type { RayBoxes } from "../trace/boxes";
+import type { Boxes, BoxLines } from "./box-lines";
 import { costsOf, type Costs } from "./costs";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
 import { memo } from "./memo";
@@ -45,6 +45,8 @@ export function withoutCrowd(all: readonly Line[]): Lines {
 const linesFrom = (trace: Trace | null): unknown[] => (trace ? [trace.point, trace.pixel, trace.visibility] : [null]);
 
 const range = (from: number, to: number) => Array.from({ length: to - from }, (_, k) => from + k);
+
+const NO_BOXES: BoxLines = { entered: [], missed: [] };
 
 /** Each remembers, so that a row's lines are not made anew for every frame. */
 type Memo<T> = ReturnType<typeof memo<T>>;
@@ -88,17 +90,17 @@ export function createShown() {
   const kinds = memo<Kinds>();
   const timeline = memo<Timeline | null>();
   const costs = memo<Costs | null>();
-  const tested = memo<RayBoxes | null>();
-  const boxes = memo<BoxLines>();
+  const tested = memo<ReturnType<Boxes["of"]> | null>();
+
   return {
-    of(state: ViewState, scene: SceneData, trace: Trace | null, boxesOfScene: BoxesData | null = null): Shown {
+    of(state: ViewState, scene: SceneData, trace: Trace | null, boxesOfScene: Boxes | null = null): Shown {
       const index = pixelIndex(state);
       const tiles = tilesShown(state);
       const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
       const thick = chosenLines(chosen, state, scene, trace, told);
       const colours = costs([trace, scene, state.colours], () => trace && costsOf(trace, scene, state.colours));
-      const data = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
-      const rayBoxes = tested([data, state.n, index], () => data && boxesOf(data, state.n, index));
+      const boxes = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
+      const rayBoxes = tested([boxes, state.n, index], () => boxes && boxes.of(state.n, index));
       const { lines, left } = thinLines(thin, state, scene, trace);
       return {
         plane: plane([scene], () => picturePlane(scene)),
@@ -113,7 +115,7 @@ export function createShown() {
         grown: told && state.event !== null && state.event < told.events.length ? grownShare(told, state.event, state.share) : 1,
         costs: colours,
         boxes: rayBoxes,
-        boxLines: boxes([rayBoxes], () => (rayBoxes ? boxLines(rayBoxes) : NO_BOXES)),
+        boxLines: rayBoxes?.lines ?? NO_BOXES,
       };
     },
   };

@@ -14,6 +14,7 @@ export interface Switches {
   without: readonly Part[];
 }
 
+export const HIDDEN = -1; // pixel of a ray that they leave out
 export const AS_TRACED: Switches = { bounces: null, lamps: [], shadows: true, without: [] };
 
 export const isSwitched = (of: Switches): boolean => of.bounces !== null || of.lamps.length > 0 || !of.shadows || of.without.length > 0;

@@ -15,7 +15,7 @@ import { eightBit, recombine } from "../trace/rebuild";
 import { KIND, RAY_KINDS, RAYS } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import { memo } from "./memo";
-import { brightness, isSwitched, lampsOf, type Switches } from "./switches";
+import { brightness, HIDDEN, isSwitched, lampsOf, type Switches } from "./switches";
 
 export interface WhatIf {
   trace: Trace;
@@ -23,7 +23,6 @@ export interface WhatIf {
 }
 
 const BLACK: Vec3 = [0, 0, 0];
-export const HIDDEN = -1; // pixel of a ray that is left out
 
 /** The scene's colours, shares and limits with the switches set: what words and sums are made from. */
 export function switchedScene(scene: SceneData, switches: Switches): SceneData {
