@@ -46,7 +46,7 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     whatIf: createWhatIf(acts, onDemand),
     tileColours: createTileColours({ colours: acts.colours, draw: session.changed }, onDemand),
     page: createPage(page, onDemand),
-    savings: createSavings(),
+    savings: createSavings(onDemand),
     spoken: createSpoken(),
   };
 }

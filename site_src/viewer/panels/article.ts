@@ -1,9 +1,8 @@
 /** The plain article of another scene than the page was written for: it is what gets printed. */
 import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
-import { grouped, list, say } from "../words";
+import { grouped, list, percent, say } from "../words";
 import { element } from "./element";
-import { savingsList } from "./savings";
 
 function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const figures: [string, string][] = [
@@ -16,6 +15,18 @@ function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const of = (kind: RayKind) => trace.kind.reduce((sum, code) => sum + (code === KIND[kind] ? 1 : 0), 0);
   const kinds = RAY_KINDS.map((kind) => [kind, of(kind)] as const).filter(([, rays]) => rays > 0);
   return [...figures, [say("figures.rays", { n: trace.n }), list(kinds.map(([kind, rays]) => `${grouped(rays)} ${say(`line.${kind}`)}`))]];
+}
+
+/** What tracing did not have to do, as lines of label and value with a note. */
+export function savingsOf({ savings }: SceneData): HTMLElement[] {
+  const stages = savings.notRun.map((stage) => say(`savings.stages.${stage}`)).join(", ");
+  const counts = savings.counts.map(([key, part, whole]): [string, string] => [
+    say(`savings.${key}`),
+    whole ? say("savings.of", { part: grouped(part), whole: grouped(whole), share: percent(part / whole) }) : grouped(part),
+  ]);
+  const lines = stages ? [[say("savings.notRun"), stages], ...counts] : counts;
+  const figures = element("dl", "figures", ...lines.map(([label, value]) => element("div", "", element("dt", "", label), element("dd", "numbers", value))));
+  return [figures, element("p", "savings-note", say("savings.note"))];
 }
 
 /** root: relative path to the site's root. */
@@ -37,7 +48,7 @@ export function writeArticle(article: HTMLElement, root: string, scene: SceneDat
   const figures = element("dl", "figures");
   for (const [name, value] of figuresOf(scene, trace))
     figures.append(element("div", "", element("dt", "", name), element("dd", "numbers", value)));
-  const savings = scene.savings.counts.length ? [element("h2", "", say("savings.title")), savingsList(scene), element("p", "savings-note", say("savings.note"))] : [];
+  const savings = scene.savings.counts.length ? [element("h2", "", say("savings.title")), ...savingsOf(scene)] : [];
   article.replaceChildren(
     element("h1", "", scene.title),
     element("p", "teaches", scene.teaches),

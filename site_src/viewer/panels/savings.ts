@@ -1,31 +1,29 @@
 /** What tracing the scene did not have to do, folded away under the ray card. */
+import type { OnDemand } from "../on-demand";
 import type { SceneData } from "../trace/types";
-import { grouped, percent, say } from "../words";
+import { say } from "../words";
 import { element } from "./element";
 
-/** Lines of label and value, as the plain article has them too. */
-function lines({ savings }: SceneData): [string, string][] {
-  const stages = savings.notRun.map((stage) => say(`savings.stages.${stage}`)).join(", ");
-  const counts = savings.counts.map(([key, part, whole]): [string, string] => [
-    say(`savings.${key}`),
-    whole ? say("savings.of", { part: grouped(part), whole: grouped(whole), share: percent(part / whole) }) : grouped(part),
-  ]);
-  return stages ? [[say("savings.notRun"), stages], ...counts] : counts;
-}
-
-export function savingsList(scene: SceneData): HTMLElement {
-  return element("dl", "figures", ...lines(scene).map(([label, value]) => element("div", "", element("dt", "", label), element("dd", "numbers", value))));
-}
-
-export function createSavings() {
+export function createSavings(onDemand: OnDemand) {
   const root = element("details", "savings");
-  let shown = "";
+  const summary = element("summary", "", say("savings.title"));
+  const article = onDemand.one("article", (part) => part);
+  let scene: SceneData | null = null;
+  let filled = "";
+  function fill() {
+    if (!root.open || !scene || filled === scene.id) return;
+    article.use(({ savingsOf }) => {
+      filled = scene!.id;
+      root.replaceChildren(summary, ...savingsOf(scene!));
+    });
+  }
+  root.append(summary);
+  root.addEventListener("toggle", fill);
   return {
     element: root,
-    show(scene: SceneData) {
-      if (shown === scene.id) return;
-      shown = scene.id;
-      root.replaceChildren(element("summary", "", say("savings.title")), savingsList(scene), element("p", "savings-note", say("savings.note")));
+    show(next: SceneData) {
+      scene = next;
+      fill();
     },
   };
 }
