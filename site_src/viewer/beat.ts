@@ -57,5 +57,7 @@ export function createBeat(acts: BeatActs) {
       ask();
     },
     isDark: () => dark,
+    /** Why a frame will be drawn, if one will. */
+    moving: () => [frame && "frame", acts.runs() && "time", blinkTimer && "blink"].filter(Boolean),
   };
 }

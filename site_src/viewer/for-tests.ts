@@ -1,4 +1,4 @@
-/** window.raywalk: what tests may ask of the page, and the one thing they may do, move time. */
+/** window.raywalk: what tests may ask of the page. Its time is the browser's, which they may hold (tests/viewer/browser.mjs). */
 import type { Session } from "./session";
 import type { Shown } from "./state/shown";
 
@@ -7,10 +7,9 @@ export interface Asked {
   /** All parts have come, but for those that cannot be had. */
   whole: Promise<void>;
   stats: () => object;
+  loading: () => readonly string[];
+  moving: () => readonly unknown[];
   loseContext: () => void;
-  /** Time stands still from now on, and moves by so many seconds when asked to. */
-  hold: () => void;
-  advance: (seconds: number) => void;
 }
 
 /** What is drawn, or nothing. */
@@ -34,6 +33,10 @@ export function exposeSession(session: Session, asked: Asked) {
       return asked.ready();
     },
     state: () => structuredClone(session.state),
+    /** What is on its way. */
+    loading: () => [...asked.loading(), ...[...document.images].filter(({ complete }) => !complete).map(({ src }) => src)],
+    /** What the page waits for; nothing: it is at rest, and a picture of it is the picture. */
+    pending: () => [...read.loading(), ...asked.moving()],
     lesson: () => session.scene?.lesson ?? [],
     stats() {
       const bright = session.lit ?? session.told();

@@ -34,13 +34,19 @@ const SCENE_FORMAT = 1;
 const KEPT_TRACES = 8; // a few megabytes each at most
 const KEPT_SCENES = 4;
 
+const coming = new Set<string>();
+/** What is on its way: scripts, and what is being read of them. */
+export const loading = () => [...coming];
+
 /** Runs a script. times: that it was asked for in vain, else a damaged copy would come back. Rejects with LoadError. */
 export function addScript(address: string, name: string, times = 0): Promise<void> {
   return new Promise((resolve, reject) => {
     const element = document.createElement("script");
     element.src = address + (times ? `?again=${times}` : "");
-    element.onload = () => (element.remove(), resolve());
-    element.onerror = () => (element.remove(), reject(new LoadError(name, "missing")));
+    const end = () => (element.remove(), coming.delete(address));
+    element.onload = () => (end(), resolve());
+    element.onerror = () => (end(), reject(new LoadError(name, "missing")));
+    coming.add(address);
     document.head.append(element);
   });
 }
@@ -62,6 +68,7 @@ function createScripts(root: string) {
   }
 
   return async <T>(name: string, read: Read<T>): Promise<T> => {
+    coming.add(name);
     try {
       const text = await run(name);
       if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
@@ -70,6 +77,8 @@ function createScripts(root: string) {
       failed.set(name, (failed.get(name) ?? 0) + 1);
       if (error instanceof LoadError) throw error;
       throw new LoadError(name, error instanceof TraceError && error.code === "version" ? "other version" : "damaged");
+    } finally {
+      coming.delete(name);
     }
   };
 }

@@ -5,7 +5,7 @@ import { createBeat } from "./beat";
 import { exposeSession } from "./for-tests";
 import { listenToKeys } from "./keys";
 import { giveKeysBack, listenToLinks } from "./links";
-import { createLoader } from "./load";
+import { createLoader, loading } from "./load";
 import { createNavigation } from "./navigation";
 import { createNotice } from "./panels/notice";
 import { whenRefused } from "./panels/remember";
@@ -29,7 +29,6 @@ function start(own: HTMLScriptElement) {
   const links = [...document.querySelectorAll<HTMLAnchorElement>("nav.scenes a[data-scene]")];
   const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
   const withGl = readAddress(location.hash, location.search).gl;
-  let held = false; // by a test: time moves only when it says so
 
   const notice = createNotice(find("#notice"));
   listenToErrors(own.src, notice);
@@ -56,7 +55,7 @@ function start(own: HTMLScriptElement) {
       modes.show();
       parts.render(beat.isDark());
     },
-    runs: () => !held && (session.state?.tiles === "filling" || session.state?.playing === true),
+    runs: () => session.state?.tiles === "filling" || session.state?.playing === true,
     step: (seconds) => passTime(session, seconds),
     blinks: () => !!session.state && !session.state.still && !reducedMotion.matches && parts.linesDrawn() < BLINK_UP_TO,
   });
@@ -80,13 +79,10 @@ function start(own: HTMLScriptElement) {
   exposeSession(session, {
     ready: navigation.ready,
     whole,
+    loading,
+    moving: beat.moving,
     stats: () => ({ ...parts.stats(), notice: notice.text(), kiosk: window.raywalkKiosk?.told() ?? null }),
     loseContext: parts.loseContext,
-    hold: () => void (held = true),
-    advance(seconds: number) {
-      passTime(session, seconds);
-      parts.render(beat.isDark());
-    },
   });
 }
 

@@ -118,10 +118,10 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   function showStage(present: Present, dark: boolean) {
     const { state, lit, scene, trace, view, event, recombined, traced } = present;
     const flat = sliceOf(present);
+    stage.element.hidden = panels.pad.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now()!.element;
     if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
-    stage.element.hidden = panels.pad.element.hidden = flat !== null;
   }
 
   let shownSlice: HTMLElement | null = null;
@@ -133,9 +133,9 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       const present = presentOf(session);
       if (!present) return;
       renders++;
-      showStage(present, dark);
       const { state, scene, trace, view } = present;
       showPanels(panels, session, () => telling.nowOr(session.changed), present);
+      showStage(present, dark); // last: its labels keep clear of the panels that stand on it now
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
     views: { stage, slice: () => shownSlice },

@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { DIST, follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats } from "./browser.mjs";
+import { DIST, follow, launch, newPage, ON_DISK, open, pass, press, richScene, settled, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -160,26 +160,24 @@ test("axe finds nothing wrong on the page of benchmarks, measured here or not", 
 });
 
 test("the selected ray is told in words once the selection rests, not while it moves or plays", async () => {
+  const page = await newPage(browser, { held: true });
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
   const spoken = page.locator("p.unseen[role=status]");
-  await page.waitForFunction(() => document.querySelector("p.unseen").textContent !== "");
+  await until(page, () => document.querySelector("p.unseen").textContent !== "");
   assert.equal(await spoken.textContent(), "Pixel 5, 8: 2 rays. The camera ray meets mirror A. Colour 180, 180, 180.");
-  const changes = await page.evaluate(async () => {
-    let count = 0;
-    new MutationObserver(() => count++).observe(document.querySelector("p.unseen"), { childList: true, characterData: true, subtree: true });
-    // Without waiting for frames: on a busy machine six of them take longer than the rest does.
-    for (let k = 0; k < 6; k++) {
-      window.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
-      await new Promise((done) => setTimeout(done));
-    }
-    await new Promise((done) => setTimeout(done, 1200));
-    return count;
+  await spoken.evaluate((words) => {
+    window.changes = 0;
+    new MutationObserver(() => window.changes++).observe(words, { childList: true, characterData: true, subtree: true });
   });
-  assert.equal(changes, 1, "six pixels passed by, the last one is said");
+  for (let k = 0; k < 6; k++) await press(page, "ArrowRight");
+  await pass(page, 1200);
+  assert.equal(await page.evaluate(() => window.changes), 1, "six pixels passed by, the last one is said");
   const before = await spoken.textContent();
   await press(page, ".", ".");
-  await new Promise((done) => setTimeout(done, 700));
+  await pass(page, 60_000);
   assert.equal(await spoken.textContent(), before, "the player's sentence has its own place");
+  assert.deepEqual(page.faults, []);
+  await page.close();
 });
 
 test("keys of one character can be turned off, and stay off; Space, arrows and buttons go on", async () => {

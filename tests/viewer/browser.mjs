@@ -3,9 +3,12 @@ import { existsSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { PNG } from "pngjs";
 
 export const DIST = resolve(process.env.RAYWALK_DIST ?? "dist");
 export const ON_DISK = pathToFileURL(`${DIST}/`).href;
+/** ms until what does not come counts as never coming: a machine that does ten other things must not fail a test. */
+export const PATIENCE = 180_000;
 
 const BROWSERS = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 const FLAGS = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --disable-background-networking --disable-sync --no-first-run";
@@ -18,7 +21,7 @@ const OF_READING_BACK = /GL Driver Message .* GPU stall due to ReadPixels/;
 export function launch(more = [], composed = COMPOSED_APART) {
   const executablePath = BROWSERS.find((path) => path && existsSync(path));
   if (!executablePath) throw new Error("no browser: set CHROMIUM to the path of a Chromium or Chrome");
-  return chromium.launch({ executablePath, args: [...FLAGS.split(" "), ...composed, ...more] });
+  return chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), ...composed, ...more] });
 }
 
 /** The scenes the site has, from the first scene page's links: [{ id, key, path }]. */
@@ -36,11 +39,18 @@ export function scenesOfSite() {
 export const richScene = () => scenesOfSite().find((scene) => scene.key === "5") ?? scenesOfSite()[0];
 
 /** A page that notes console messages, errors and requests that leave the site. worker: with the service worker, which
- *  would answer from what it kept where other tests answer for the server. */
-export async function newPage(browser, { worker = false, ...options } = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
+ *  would answer from what it kept where other tests answer for the server. held: its clock (timers, frames, dates) stands
+ *  still and moves by `pass` only, or while this file's helpers wait for the page. Each of its frames is drawn, however slow
+ *  this machine is: in a quarter of the pixels. */
+export async function newPage(browser, { worker = false, held = false, ...options } = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: held ? 0.5 : 1, ...options });
   if (!worker) await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "serviceWorker", { get: () => undefined }));
-  page.setDefaultTimeout(15000);
+  page.setDefaultTimeout(PATIENCE);
+  if (held) {
+    await page.clock.install({ time: 0 });
+    await page.clock.pauseAt(1000);
+    page.isHeld = true;
+  }
   page.faults = [];
   page.on("console", (message) => OF_READING_BACK.test(message.text()) || page.faults.push(`console ${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => page.faults.push(`error: ${error.message}`));
@@ -57,24 +67,70 @@ export async function open(page, base, path, hash = "") {
   page.home = base;
   await page.goto("about:blank");
   await page.goto(`${base}${path}${hash && `#${hash}`}`);
-  await page.evaluate(() => window.raywalk?.ready);
-  await page.evaluate(() => window.raywalk?.whole);
+  await whilePassing(page, page.evaluate(() => window.raywalk?.ready));
+  await whilePassing(page, page.evaluate(() => window.raywalk?.whole), 50); // they wait for idle time
   await settled(page);
 }
 
 /** Another view in a page that is open, as a link to it would give: quicker than loading it anew. */
 export async function follow(page, hash) {
-  await page.evaluate((hash) => {
+  const followed = page.evaluate((hash) => {
     history.replaceState(null, "", `#${hash}`);
     window.dispatchEvent(new PopStateEvent("popstate"));
     return window.raywalk.ready;
   }, hash);
+  await whilePassing(page, followed);
   await settled(page);
 }
 
-/** Until the next two frames are drawn. */
-export const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
+const rest = (ms) => new Promise((done) => setTimeout(done, ms));
+const POLL = 15; // ms, ours
+const FRAME = 16; // ms of a held page: its clock's frames
+const MOST_AT_ONCE = 200; // ms of a held page that pass between two questions
+
+/** ms of a held page. What its timers throw fails the test. */
+export const pass = (page, ms) => page.clock.runFor(ms);
+
+/** On a held page a promise of the page's may need its timers: they get a millisecond now and then, so that nothing is late. */
+async function whilePassing(page, promise, step = 1) {
+  let isOver = !page.isHeld;
+  const over = () => (isOver = true);
+  promise.then(over, over);
+  for (; !isOver; await rest(1)) await pass(page, step);
+  return promise;
+}
+
+/** Until the next two frames are drawn: those that the page asked for, and what the browser makes of them. */
+export async function settled(page) {
+  if (!page.isHeld) return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
+  await pass(page, 2 * FRAME + 1);
+  return page.evaluate(async () => {
+    // The browser's own frames: an observer tells of what it is given with the next one, whatever the clock says.
+    const frame = () => new Promise((done) => new ResizeObserver((_, it) => (it.disconnect(), done())).observe(document.documentElement));
+    await frame();
+    await frame();
+  });
+}
+
+/** Until the page says that nothing is on its way, nothing moves and no frame is asked for. */
+export async function atRest(page) {
+  await poll(page, "window.raywalk?.pending() ?? ['the viewer']", (pending) => !pending.length, (pending) => `never at rest: ${pending.join(", ")}`);
+  await page.evaluate(() => Promise.all([...document.images].filter((image) => image.checkVisibility()).map((image) => image.decode().catch(() => {}))));
+  await settled(page);
+}
+
+/** A picture of the page, or of a part of it, at rest. */
+export async function pictureOf(page, part = page) {
+  await atRest(page);
+  return PNG.sync.read(await part.screenshot({ animations: "disabled" }));
+}
+
+/** What the page's main thread has worked so far: ms of processor time, which other programs do not add to. */
+export async function workOf(page) {
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send("Performance.enable", { timeDomain: "threadTicks" });
+  return async () => 1000 * (await devtools.send("Performance.getMetrics")).metrics.find(({ name }) => name === "TaskDuration").value;
+}
 
 export const state = (page) => page.evaluate(() => window.raywalk.state());
 export const stats = (page) => page.evaluate(() => JSON.parse(JSON.stringify(window.raywalk.stats())));
@@ -84,17 +140,26 @@ export const press = async (page, ...keys) => {
 };
 /** Until the viewer's state fits. what: a function of state and stats, run in the page. */
 export async function until(page, what, argument) {
-  const ask = `window.raywalk?.state() ? !!(${what})(window.raywalk.state(), window.raywalk.stats(), ${JSON.stringify(argument) ?? null}) : false`;
-  for (const end = Date.now() + 15000; Date.now() < end; ) {
-    if (await page.evaluate(ask).catch(goneElsewhere)) return;
-    await page.evaluate(() => new Promise((done) => setTimeout(done, 15))).catch(goneElsewhere);
+  await poll(page, `window.raywalk?.state() ? !!(${what})(window.raywalk.state(), window.raywalk.stats(), ${JSON.stringify(argument) ?? null}) : false`, Boolean, () => `never came true: ${what}`);
+  if (page.isHeld) await settled(page);
+}
+/** Asks until the answer is right. On a held page time passes meanwhile, by more and more at once; by single milliseconds
+ *  while something is on its way, because what is slow then is this machine and not what the page waits for. */
+async function poll(page, expression, isRight, complaint) {
+  const ask = `({ answer: ${expression}, waits: window.raywalk?.loading().length !== 0 })`;
+  let now = null;
+  let step = FRAME;
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await rest(page.isHeld ? 1 : POLL)) {
+    now = await page.evaluate(ask).catch(goneElsewhere);
+    if (now && isRight(now.answer)) return;
+    if (page.isHeld) await pass(page, !now || now.waits ? 1 : (step = Math.min(MOST_AT_ONCE, 1.2 * step))).catch(goneElsewhere);
   }
-  throw new Error(`never came true: ${what}`);
+  throw new Error(complaint(now?.answer));
 }
 /** A page that is on its way to another address cannot be asked just now. */
 function goneElsewhere(error) {
   if (!/context was destroyed|navigation/i.test(error.message)) throw error;
-  return false;
+  return null;
 }
 
 /** Where a tile's middle is on the page. */

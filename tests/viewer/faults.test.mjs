@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { DIST, launch, newPage, open, press, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { atRest, DIST, launch, newPage, open, pass, press, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -35,10 +35,6 @@ function refuse() {
   if (is("clipboard")) patch(navigator, "clipboard", { writeText: () => Promise.reject(new Error("no")) });
   if (is("download")) patch(URL, "createObjectURL", throwing);
   if (is("drawing")) patch(HTMLCanvasElement.prototype, "toBlob", (done) => done(null));
-  if (is("slow")) {
-    const { setTimeout } = window;
-    window.setTimeout = (act, ms, ...more) => setTimeout(act, ms > 5000 ? 50 : ms, ...more);
-  }
 }
 
 before(async () => {
@@ -59,6 +55,11 @@ const again = () => page.getByRole("button", { name: "Try again" }).click();
 const answer = (pattern, reply) => page.route(pattern, reply);
 const gone = (pattern) => answer(pattern, (route) => route.fulfill({ status: 404 }));
 const script = (pattern, body, contentType = "text/javascript") => answer(pattern, (route) => route.fulfill({ contentType, body }));
+/** A promise that is kept when `open` is called. */
+function gate() {
+  let open;
+  return Object.assign(new Promise((done) => (open = done)), { open });
+}
 const wholeAgain = () => page.unrouteAll({ behavior: "ignoreErrors" });
 const rays = () => until(page, (s, t) => t.tiles.length === 3 * s.n * s.n);
 
@@ -78,12 +79,12 @@ const received = (name, data) => `raywalkReceive("${rich.id}/${name}", "${data}"
 const HTML = "<!doctype html><title>Sign in</title><p>Please sign in to this network.</p>";
 
 /** The lesson, the picture, the card and the keys are there, whatever else is not. */
-async function theRestWorks() {
-  const { pixel, n } = await state(page);
-  await press(page, "ArrowRight");
-  assert.deepEqual((await state(page)).pixel, [(pixel[0] + 1) % n, pixel[1]], "the arrows pick");
-  assert.ok(await page.locator(".lesson").isVisible());
-  assert.ok(await page.locator(".tools button").last().isVisible());
+async function theRestWorks(of = page) {
+  const { pixel, n } = await state(of);
+  await press(of, "ArrowRight");
+  assert.deepEqual((await state(of)).pixel, [(pixel[0] + 1) % n, pixel[1]], "the arrows pick");
+  assert.ok(await of.locator(".lesson").isVisible());
+  assert.ok(await of.locator(".tools button").last().isVisible());
 }
 async function thePlainPageIsThere() {
   assert.equal(await isLive(), false);
@@ -146,17 +147,6 @@ const FAULTS = [
     says: MISSING,
     async then() {
       await press(page, "+");
-      await rays();
-      assert.ok(await isQuiet());
-    },
-  },
-  {
-    name: "the trace takes long: said, until it comes",
-    query: "?fault=slow",
-    make: () => answer(TRACE, async (route) => (await new Promise((done) => setTimeout(done, 900)), route.continue())),
-    opens: () => page.goto(`${server.url}${rich.path}?fault=slow#still=1&gl=none`, { waitUntil: "commit" }).then(() => page.waitForFunction(() => !document.querySelector("#notice").hidden)),
-    says: /^The data is slow to arrive; what is here already works\.$/,
-    async then() {
       await rays();
       assert.ok(await isQuiet());
     },
@@ -306,7 +296,7 @@ const FAULTS = [
 for (const fault of FAULTS)
   test(fault.says ? `${fault.name}: said, and the rest works` : fault.name, async () => {
     await fault.make?.();
-    await (fault.opens?.() ?? open(page, server.url, `${(fault.scene ?? rich).path}${fault.query ?? ""}`, fault.hash ?? "still=1&gl=none"));
+    await open(page, server.url, `${(fault.scene ?? rich).path}${fault.query ?? ""}`, fault.hash ?? "still=1&gl=none");
     await fault.act?.();
     await settled(page);
     if (fault.says) assert.match(await notice(), fault.says);
@@ -314,6 +304,25 @@ for (const fault of FAULTS)
     await fault.then();
     await wholeAgain();
   });
+
+test("the trace takes long: said, until it comes", async () => {
+  const held = await newPage(browser, { held: true });
+  held.home = server.url;
+  const arrival = gate();
+  await held.route(TRACE, (route) => arrival.then(() => route.continue()));
+  await held.goto(`${server.url}${rich.path}#still=1&gl=none`, { waitUntil: "commit" });
+  await held.waitForFunction((n) => window.raywalk?.loading().some((name) => name.endsWith(`/${n}`)), N);
+  const said = held.locator("#notice .notice-text");
+  await pass(held, 7500);
+  assert.ok(!(await said.isVisible()));
+  await pass(held, 1000);
+  assert.equal(await said.innerText(), "The data is slow to arrive; what is here already works.");
+  arrival.open();
+  await until(held, (s, t) => t.tiles.length === 3 * s.n * s.n);
+  assert.ok(!(await said.isVisible()));
+  assert.deepEqual(held.faults, []);
+  await held.close();
+});
 
 /** Pages whose own scripts are missing or damaged say so in the words they came with. */
 const SCRIPTS = { "the words are": "**/assets/words-*.js", "the viewer is": "**/assets/viewer-*.js" };
@@ -418,8 +427,7 @@ test("an unknown scene in the link: the page's own, and said", async () => {
 
 test("three scenes in a row while they load slowly: only the last one is shown, and back is where one was", async () => {
   const ids = scenesOfSite().map(({ id }) => id).filter((id) => id !== rich.id);
-  let letGo;
-  const lastIsShown = new Promise((done) => (letGo = done));
+  const lastIsShown = gate();
   await answer("**/scene.js*", async (route) => {
     if (ids.slice(0, 2).includes(route.request().url().split("/").at(-2))) await lastIsShown;
     await route.continue();
@@ -427,8 +435,8 @@ test("three scenes in a row while they load slowly: only the last one is shown, 
   await open(page, server.url, rich.path, "still=1&gl=none");
   for (const id of ids.slice(0, 3)) await page.locator(`nav.scenes a[data-scene="${id}"]`).click();
   await until(page, (s, t, id) => t.shown.scene === id, ids[2]);
-  letGo();
-  await page.waitForTimeout(400); // the others have come by now
+  lastIsShown.open();
+  await atRest(page); // the others have come
   assert.equal((await state(page)).scene, ids[2]);
   assert.match(page.url(), new RegExp(ids[2]));
   assert.ok(await isQuiet());
@@ -436,22 +444,22 @@ test("three scenes in a row while they load slowly: only the last one is shown, 
   await until(page, (s, t, id) => t.shown.scene === id, rich.id);
   await page.locator(`nav.scenes a[data-scene="${ids[3]}"]`).click();
   await page.locator(`nav.scenes a[data-scene="${rich.id}"]`).click();
-  await page.waitForTimeout(100);
+  await atRest(page);
   assert.equal((await state(page)).scene, rich.id, "asked back before the other came");
   await wholeAgain();
 });
 
 test("three grids in a row while they load slowly: only the last one is shown; another scene meanwhile wins", async () => {
-  let wait = 300;
-  await answer(`**/${rich.id}/*.js*`, async (route) => {
-    if (/\/\d+\.js/.test(route.request().url())) await new Promise((done) => setTimeout(done, (wait -= 80)));
-    await route.continue();
-  });
   await open(page, server.url, rich.path, "still=1&gl=none");
+  const asked = [];
+  await answer(`**/${rich.id}/*.js*`, (route) => void asked.push(route));
   await press(page, "+", "+", "+");
+  assert.equal(asked.length, 3);
+  await asked.pop().continue();
   await rays();
   const { n } = await state(page);
-  await page.waitForTimeout(300);
+  for (const late of asked) await late.continue();
+  await atRest(page);
   assert.deepEqual([(await stats(page)).shown.n, (await stats(page)).tiles.length], [n, 3 * n * n]);
   await page.locator(`nav.scenes a[data-scene="${other.id}"]`).click();
   await page.keyboard.press("+");
@@ -461,21 +469,26 @@ test("three grids in a row while they load slowly: only the last one is shown; a
 });
 
 test("the graphics card drops the drawing: flat at once and said, and back by itself; not for ever", async () => {
+  const page = await newPage(browser, { held: true });
+  const said = page.locator("#notice .notice-text");
   await open(page, server.url, rich.path, "still=1&tiles=filled&n=5");
   for (let time = 1; time <= 3; time++) {
     assert.equal((await stats(page)).renderer, "webgl");
     await page.evaluate(() => window.raywalk.loseContext());
-    await until(page, (s, t) => t.renderer === "flat");
-    assert.match(await notice(), /^The graphics card dropped the drawing: the scene goes on in a simpler way; everything else works\.$/);
+    await page.waitForFunction(() => window.raywalk.stats().renderer === "flat");
+    assert.match(await said.innerText(), /^The graphics card dropped the drawing: the scene goes on in a simpler way; everything else works\.$/);
     assert.equal((await state(page)).tiles, "filled");
     if (time > 2) break;
-    await until(page, (s, t) => t.renderer === "webgl");
-    assert.ok(await isQuiet());
-    await theRestWorks();
+    await pass(page, 1000);
+    assert.equal((await stats(page)).renderer, "webgl");
+    assert.ok(!(await said.isVisible()));
+    await theRestWorks(page);
   }
-  await page.waitForTimeout(1200);
+  await pass(page, 600_000);
   assert.equal((await stats(page)).renderer, "flat", "a card that drops it a third time is left alone");
-  await theRestWorks();
+  await theRestWorks(page);
+  assert.deepEqual(page.faults.filter((fault) => !/CONTEXT_LOST|context lost/i.test(fault)), []);
+  await page.close();
 });
 
 test("a turned phone keeps the view, and nothing is cut off", async () => {

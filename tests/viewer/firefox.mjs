@@ -5,9 +5,9 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "no
 import { createConnection } from "node:net";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
+import { PATIENCE } from "./browser.mjs";
 
 const NAMES = ["firefox-esr", "firefox"];
-const START = 60_000; // ms
 
 /** What only keeps a new profile from asking and from calling home; nothing that pages are allowed or refused. */
 const QUIET = {
@@ -78,10 +78,11 @@ export async function startFirefox(path) {
   const browser = spawn(path, flags, { stdio: "ignore", env: { ...process.env, MOZ_HEADLESS: "1" } });
   const ended = new Promise((done) => browser.once("exit", done));
   const portFile = join(profile, "MarionetteActivePort");
-  for (const end = Date.now() + START; !existsSync(portFile) || !readFileSync(portFile, "utf8"); await new Promise((done) => setTimeout(done, 50)))
+  for (const end = Date.now() + PATIENCE; !existsSync(portFile) || !readFileSync(portFile, "utf8"); await new Promise((done) => setTimeout(done, 50)))
     if (Date.now() > end || browser.exitCode !== null) throw new Error(`${path} did not start`);
   const send = await connect(Number(readFileSync(portFile, "utf8")));
   const { capabilities } = await send("WebDriver:NewSession", { capabilities: {} });
+  await send("WebDriver:SetTimeouts", { script: PATIENCE, pageLoad: PATIENCE });
   const ask = async (script, ...args) => (await send("WebDriver:ExecuteScript", { script, args })).value;
   return {
     version: capabilities.browserVersion,

@@ -33,6 +33,8 @@ async function opens(home, page, hash = "") {
   await firefox.visit(`${home}${page}${hash && `#${hash}`}`);
 }
 
+const until = (what) => firefox.evaluate(`new Promise((done) => { const ask = () => ((${what}) ? done() : setTimeout(ask, 20)); ask(); })`);
+
 /** The tiles' colours as the screen has them, and as the trace has them. */
 async function tilesOnScreen(places) {
   const { PNG } = await import("pngjs");
@@ -54,10 +56,11 @@ for (const where of ["a disk", "a server"])
   test(`from ${where}: a scene's tiles are shown in their colours, keys work, the next scene comes, and the console is empty`, { skip }, async () => {
     const home = where === "a disk" ? ON_DISK : server.url;
     await opens(home, rich.path, "still=1&n=5&tiles=filled&cam=camera&rays=none");
-    await firefox.evaluate("window.raywalk.ready.then(() => new Promise((done) => setTimeout(done, 300)))");
+    await until("!window.raywalk.pending().length");
+    await firefox.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))");
     for (const [seen, traced] of await tilesOnScreen([[0, 0], [2, 1], [4, 4]])) assert.deepEqual(seen, traced);
     await firefox.press("h", "\uE014", "2");
-    await firefox.evaluate("new Promise((done) => { const ask = () => (window.raywalk.state().scene.startsWith('02') && window.raywalk.stats().tiles.length ? done() : setTimeout(ask, 20)); ask(); })");
+    await until("window.raywalk.state().scene.startsWith('02') && window.raywalk.stats().tiles.length");
     assert.deepEqual(await said(home), []);
   });
 
@@ -70,7 +73,6 @@ test("the kiosk's archive, unpacked elsewhere, shows itself from a disk, begins 
     const home = pathToFileURL(`${folder}/`).href;
     const start = readdirSync(folder, { recursive: true }).find((name) => /scenes\/01-[^/]*\/index\.html$/.test(name) && !/\/de\//.test(name));
     await opens(home, start, "kiosk=1&attract-pace=0.05&idle=60&still=1");
-    const until = (what) => firefox.evaluate(`new Promise((done) => { const ask = () => ((${what}) ? done() : setTimeout(ask, 20)); ask(); })`);
     await until("window.raywalk?.stats().kiosk?.cycles >= 2");
     await firefox.press(" ");
     await until("window.raywalk.stats().kiosk?.attract === false && window.raywalk.stats().kiosk.left > 0 && window.raywalk.stats().tiles.length > 0");

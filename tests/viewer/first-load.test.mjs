@@ -29,7 +29,7 @@ async function loadedBy(path, hash = "") {
   page.on("response", (response) => answers.push(response));
   await page.goto(`${server.url}${path}${hash}`, { waitUntil: "load" });
   await page.evaluate(() => window.raywalk?.ready);
-  for (const image of await page.locator("img:visible").all()) await image.scrollIntoViewIfNeeded().catch(() => {}); // lazy ones too
+  for (const image of await page.locator("img:visible").all()) await image.evaluate((each) => (each.scrollIntoView(), each.decode())); // lazy ones too
   await settled(page);
   const loaded = await Promise.all(
     answers.filter((answer) => answer.url().startsWith(server.url)).map(async (answer) => {

@@ -7,7 +7,7 @@ import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
-import { DIST, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { DIST, PATIENCE, scenesOfSite, state, stats, until } from "./browser.mjs";
 
 const place = mkdtempSync(join(tmpdir(), "raywalk kiosk #1 50% ä-")); // as people name their folders
 const profile = mkdtempSync(join(tmpdir(), "raywalk-profile-"));
@@ -34,11 +34,12 @@ before(async () => {
   });
   script.stderr.on("data", (data) => said.push(String(data)));
   const ports = join(profile, "DevToolsActivePort");
-  for (const end = Date.now() + 20000; !existsSync(ports) || !readFileSync(ports, "utf8").includes("\n"); await new Promise((done) => setTimeout(done, 50)))
+  for (const end = Date.now() + PATIENCE; !existsSync(ports) || !readFileSync(ports, "utf8").includes("\n"); await new Promise((done) => setTimeout(done, 50)))
     assert.ok(Date.now() < end && script.exitCode === null, `the script did not start a browser: ${said.join("")}`);
-  browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(ports, "utf8").split("\n")[0]}`);
+  browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(ports, "utf8").split("\n")[0]}`, { timeout: PATIENCE });
   page = browser.contexts()[0].pages().find((each) => each.url().includes("kiosk=1"));
   assert.ok(page, "its page");
+  page.setDefaultTimeout(PATIENCE);
   page.faults = [];
   page.on("console", (message) => page.faults.push(`console ${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => page.faults.push(`error: ${error.message}`));

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, PATIENCE, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -59,6 +59,7 @@ test("after another scene was opened in the page, the link leads to that one", a
 
 test("the language is remembered: the first page opens in it, a scene's address decides by itself", async () => {
   const context = await browser.newContext();
+  context.setDefaultTimeout(PATIENCE);
   const fresh = await context.newPage();
   await fresh.goto(`${server.url}index.html`);
   assert.equal(await fresh.locator("html").getAttribute("lang"), "en");
@@ -76,6 +77,7 @@ test("the language is remembered: the first page opens in it, a scene's address 
 
 test("refused storage changes nothing but the memory", async () => {
   const context = await browser.newContext();
+  context.setDefaultTimeout(PATIENCE);
   await context.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new DOMException("refused", "SecurityError"); } }));
   const fresh = await context.newPage();
   const faults = [];

@@ -1,8 +1,7 @@
 /** Rasterised against ray traced: the stage plain, with tricks, and the traced picture in its place. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { PNG } from "pngjs";
-import { launch, follow, newPage, ON_DISK, open, press, richScene, settled, state, tileOnPage } from "./browser.mjs";
+import { launch, follow, newPage, ON_DISK, open, pictureOf, press, richScene, settled, state, tileOnPage } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
@@ -14,7 +13,7 @@ before(async () => {
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
 const pressedNames = () => page.locator(".view-switch [aria-pressed=true]").allInnerTexts();
-const stageShot = async () => PNG.sync.read(await page.locator(".stage-view").screenshot());
+const stageShot = () => pictureOf(page, page.locator(".stage-view"));
 const different = (a, b) => a.data.reduce((count, value, k) => count + (Math.abs(value - b.data[k]) > 8), 0) / a.data.length;
 
 test("T goes round: approximate, traced, plain; each names itself in a sentence", async () => {

@@ -1,7 +1,7 @@
 /** Without WebGL the same state is drawn flat. What else can be missing: faults.test.mjs. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, richScene, stats } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, pictureOf, press, richScene, stats } from "./browser.mjs";
 
 const { path } = richScene();
 
@@ -12,8 +12,7 @@ test("a browser that refuses WebGL gets the flat drawing, every tile in its colo
     await open(page, ON_DISK, path, "still=1&n=5&tiles=filled&cam=camera&rays=none");
     assert.equal((await stats(page)).renderer, "flat");
     assert.match(await page.locator("#notice .notice-text").innerText(), /no WebGL/);
-    const { PNG } = await import("pngjs");
-    const image = PNG.sync.read(await page.screenshot());
+    const image = await pictureOf(page);
     const box = await page.locator(".stage-view").boundingBox();
     const { tiles } = await stats(page);
     for (const k of [0, 6, 12, 18, 24]) {

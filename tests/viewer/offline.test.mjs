@@ -4,7 +4,7 @@ import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync }
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, open, press, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { DIST, launch, newPage, open, PATIENCE, press, scenesOfSite, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const [first, second, third] = scenesOfSite();
@@ -24,7 +24,7 @@ after(async () => {
 const kept = () => page.evaluate(async () => (await Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url)))).flat());
 /** Until the worker has kept what this page used. */
 const isKept = async (part) => {
-  for (const end = Date.now() + 15000; Date.now() < end; await page.waitForTimeout(30)) if ((await kept()).some((url) => url.endsWith(part))) return;
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30)) if ((await kept()).some((url) => url.endsWith(part))) return;
   throw new Error(`never kept: ${part}`);
 };
 const pictureShows = (selector) => page.locator(selector).first().evaluate((image) => image.complete && image.naturalWidth > 0);
@@ -86,7 +86,7 @@ test("one button keeps all scenes, tells how far it is, and then every scene ope
   await page.exposeFunction("heard", (text) => told.push(text));
   await panel.locator("output").evaluate((output) => new MutationObserver(() => window.heard(output.textContent)).observe(output, { childList: true }));
   await button.click();
-  await panel.getByText("All scenes are kept for offline use").waitFor({ timeout: 30000 });
+  await panel.getByText("All scenes are kept for offline use").waitFor();
   assert.ok(told.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, told.join("; "));
   await context.setOffline(true);
   for (const { id, path } of scenesOfSite()) {

@@ -1,7 +1,7 @@
 /** The step-by-step player: by key, by button, by the scrub bar, from the address. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, settled, state, stats, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, settled, state, stats, until } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 
 const rich = richScene();
@@ -118,45 +118,51 @@ test("the scrub bar is a slider for hand and keyboard, and says the sentence", a
   await scrub().evaluate((bar) => bar.blur());
 });
 
-test("P plays: time moves the line on, P pauses it there, and the end is the last event", async () => {
+test("without a clock P is at the end at once", async () => {
   await follow(page, "n=15&p=5,8&still=1");
   await press(page, "p");
-  assert.equal(await told(), (await stats(page)).events.length - 1, "without a clock it is at the end at once");
-  await follow(page, "n=15&p=5,8&speed=8");
-  await press(page, "p");
-  await until(page, (s) => s.event > 0);
-  await page.evaluate(() => window.raywalk.hold());
-  await follow(page, "n=15&p=5,8&speed=1");
+  assert.equal(await told(), (await stats(page)).events.length - 1);
+});
+
+test("P plays: time moves the line on, P pauses it there, and the end is the last event", async () => {
+  const page = await newPage(browser, { held: true });
+  const button = (name) => page.getByRole("button", { name });
+  await open(page, ON_DISK, rich.path, "n=15&p=5,8&speed=1&gl=none");
   await press(page, "p");
   assert.equal((await state(page)).playing, true);
   assert.equal(await page.locator(".lesson-text").getAttribute("aria-live"), "off");
   let before = 0;
   for (let k = 0; k < 5; k++) {
-    await page.evaluate(() => window.raywalk.advance(0.1));
+    await pass(page, 100);
     const { grown, lines } = await stats(page);
     assert.ok(grown > before && grown < 1 && lines.length === 1 && lines[0].growing);
     before = grown;
   }
   await button("Pause").click();
-  await page.evaluate(() => window.raywalk.advance(1));
+  await pass(page, 1000);
   assert.equal((await stats(page)).grown, before);
   await button("Play the rays").click();
-  await page.evaluate(() => window.raywalk.advance(1000));
-  const now = await state(page);
-  assert.deepEqual([now.playing, now.event], [false, (await stats(page)).events.length - 1]);
+  await until(page, (s) => !s.playing);
+  assert.equal((await state(page)).event, (await stats(page)).events.length - 1);
+  assert.deepEqual(page.faults, []);
+  await page.close();
 });
 
 test("speed is one for rendering and playing", async () => {
-  await follow(page, "n=15&p=5,8&speed=4");
-  await press(page, "p");
-  await page.evaluate(() => window.raywalk.advance(0.05));
-  const fast = (await stats(page)).grown;
-  await follow(page, "n=15&p=5,8&speed=1");
-  await press(page, "p");
-  await page.evaluate(() => window.raywalk.advance(0.2));
-  assert.ok(Math.abs((await stats(page)).grown - fast) < 1e-9);
+  const page = await newPage(browser, { held: true });
+  await open(page, ON_DISK, rich.path, "n=15&p=5,8&gl=none");
+  const grown = [];
+  for (const [speed, frames] of [[4, 3], [1, 12]]) {
+    await follow(page, `n=15&p=5,8&gl=none&speed=${speed}`);
+    await page.keyboard.press("p");
+    await pass(page, 16 * (1 + frames)); // the first one begins
+    grown.push((await stats(page)).grown);
+  }
+  assert.ok(grown[0] > 0.1 && Math.abs(grown[0] - grown[1]) < 1e-9, String(grown));
   await press(page, " ");
   assert.equal((await state(page)).playing, false, "rendering takes over");
+  assert.deepEqual(page.faults, []);
+  await page.close();
 });
 
 test("the card names each hit's normal and what each light gives there", async () => {

@@ -1,7 +1,7 @@
 /** Rendering: tiles fill in scan order while the rays of the tile being filled grow. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, state, stats } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, state, stats, until } from "./browser.mjs";
 import { load } from "./typescript.mjs";
 import { readTrace } from "./scene-files.mjs";
 
@@ -62,24 +62,23 @@ test("above 20 000 lines shadow rays are left out, and counted", () => {
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { held: true });
   await open(page, ON_DISK, rich.path);
-  await page.evaluate(() => window.raywalk.hold());
 });
 after(() => browser.close());
-const advanceBy = (seconds) => page.evaluate((s) => window.raywalk.advance(s), seconds);
 
 test("Space shoots the rays of one tile after the other, in scan order", async () => {
-  await follow(page, "n=5&speed=0.25");
-  await press(page, " ");
-  const tile = 10 / 25 / 0.25; // seconds
+  await follow(page, "n=5&speed=1");
+  await page.keyboard.press(" ");
+  await pass(page, 16); // the frame that time begins with
+  const tile = 16 * 25; // ms: ten seconds for all 25
   let order = [];
   for (let k = 0; k < 24; k++) {
-    await advanceBy(tile / 4);
+    await pass(page, tile / 4);
     const { growing, tilesShown, lines } = await stats(page);
     assert.equal(growing.row * 5 + growing.column, tilesShown, "the first tile that is still empty");
     if ((k + 1) % 4 === 1) {
-      assert.ok(growing.share > 0.3 && growing.share < 0.4);
+      assert.ok(growing.share > 0.3 && growing.share < 0.4); // a quarter of the time, of which seven tenths are growth
       assert.ok(lines.some((line) => line.growing));
       order.push(growing.row * 5 + growing.column);
     }
@@ -94,7 +93,7 @@ test("Space shoots the rays of one tile after the other, in scan order", async (
 test("a fast rendering shows the rays of tiles that have just been filled", async () => {
   await follow(page, "n=15&speed=8");
   await press(page, " ");
-  await advanceBy(0.5);
+  await pass(page, 500);
   const { thin, tilesShown } = await stats(page);
   assert.ok(tilesShown > 60 && thin >= 10);
 });
@@ -107,7 +106,7 @@ test("still=1 fills at once", async () => {
 
 test("where All leaves shadow rays out, the legend says so in a sentence", async () => {
   await follow(page, "n=105&still=1&rays=all");
-  await page.waitForFunction(() => window.raywalk.stats().shown.n === 105 && window.raywalk.stats().shown.lines > 0);
+  await until(page, (s, t) => t.shown.n === 105 && t.shown.lines > 0);
   const { left } = await stats(page);
   assert.ok(left > 0);
   assert.match(await page.locator(".legend .left-out").innerText(), /^[\d\u202f]+ shadow rays are left out: .* not drawn\.$/);

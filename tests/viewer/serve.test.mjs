@@ -8,7 +8,7 @@ import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { launch, newPage } from "./browser.mjs";
 
-const PATIENCE = 120_000; // ms: the machine may be busy, and kernels may have to be compiled
+const PATIENCE = 600_000; // ms: the machine may be busy, and kernels may have to be compiled
 const SCENE = `
 version = 1
 key = "1"

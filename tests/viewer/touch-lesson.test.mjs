@@ -42,7 +42,13 @@ async function tapOn(locator) {
     }
     const by = Math.max(-300, Math.min(300, 420 - y)); // on the page's edge, which no part takes for itself
     await drag([4, 422 - by / 2], [4, 422 - by / 4], [4, 422], [4, 422 + by / 4], [4, 422 + by / 2]);
-    await page.waitForTimeout(50);
+    await page.evaluate(async () => {
+      let at;
+      do {
+        at = scrollY;
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      } while (at !== scrollY);
+    });
   }
   assert.fail("never came to the finger");
 }

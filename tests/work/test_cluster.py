@@ -27,7 +27,7 @@ from raywalk.scene.read import read_scene
 SCENES = Path(__file__).parents[2] / "scenes"
 # A mesh, glass and mirrors: what is sent, and what takes a while.
 COURSE = ("05-many-bounces", "06-bunny-far", "08-glass")
-PATIENCE = 300  # seconds: the machine may be busy, and kernels may have to be compiled
+PATIENCE = 600  # seconds: the machine may be busy, and kernels may have to be compiled
 
 # Dask's own threads and sockets warn of what they leave open at the end; ours is in the asserts.
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -88,7 +88,7 @@ def cluster(tmp_path_factory):
     assert file.exists(), "the scheduler ended"
     address = json.loads(file.read_text(encoding="utf-8"))["address"]
     worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, *options]
-    worker += ["--nthreads", "1", "--no-nanny", "--death-timeout", "60"]
+    worker += ["--nthreads", "1", "--no-nanny", "--death-timeout", str(PATIENCE)]
     workers = [subprocess.Popen(worker, **quiet) for _ in range(2)]
     yield address, workers
     for process in [*workers, *processes]:

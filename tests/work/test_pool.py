@@ -29,7 +29,7 @@ class Counted:
         with self.lock:
             self.running += 1
             self.most = max(self.most, self.running)
-        time.sleep(0.002)
+        time.sleep(0.02)  # long enough for others to begin meanwhile, on a busy machine too
         with self.lock:
             self.running -= 1
         return k
