@@ -57,7 +57,7 @@ export function createBeat(acts: BeatActs) {
       ask();
     },
     isDark: () => dark,
-    /** Why a frame will be drawn, if one will. */
-    moving: () => [frame && "frame", acts.runs() && "time", blinkTimer && "blink"].filter(Boolean),
+    /** Not empty while a frame is to be drawn: asked for, in time that passes, at the next blink. */
+    moving: () => [frame, acts.runs(), blinkTimer].filter(Boolean),
   };
 }
