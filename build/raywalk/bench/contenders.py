@@ -167,7 +167,7 @@ class Open3D:
     name = "Open3D RaycastingScene"
 
     def __init__(self, corners: np.ndarray):
-        import open3d  # type: ignore[import-not-found]
+        import open3d
 
         self.core, self.scene = open3d.core, open3d.t.geometry.RaycastingScene(nthreads=1)
         vertices = self.core.Tensor(corners.reshape(-1, 3).astype(np.float32))
@@ -190,8 +190,8 @@ class Mitsuba:
     name = "Mitsuba 3, llvm"
 
     def __init__(self, corners: np.ndarray | None = None, spheres: Sequence[Sphere] = ()):
-        import drjit  # type: ignore[import-not-found]
-        import mitsuba  # type: ignore[import-not-found]
+        import drjit
+        import mitsuba
 
         mitsuba.set_variant("llvm_ad_rgb")
         drjit.set_thread_count(1)
