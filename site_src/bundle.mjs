@@ -17,7 +17,7 @@ import { raysLeftIn } from "./strip-rays.mjs";
 const HERE = fileURLToPath(new URL("./", import.meta.url));
 const PAGE = ["./page/broken.js", "./page/kiosk.js", "./page/language.js", "./page/offline.js"]; // in every page's head
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
-const BANNERS = { viewer: "/* Raywalk, three.js: MIT */", other: "/* Raywalk, MIT */" };
+const BANNERS = { viewer: "/* Holds three.js, MIT */", other: "/* Raywalk, MIT */" };
 
 /** Our own shaders without comments and spaces, as three's: template texts with a shader's main in them. */
 const tightShaders = {
