@@ -64,8 +64,8 @@ export async function newPage(browser, { worker = false, held = false, ...option
 
 /** Goes there and waits until the viewer has drawn and all its parts are here. base: ON_DISK or a server's url. */
 export async function open(page, base, path, hash = "") {
+  await page.goto("about:blank"); // what the page before still asks for is asked from its home
   page.home = base;
-  await page.goto("about:blank");
   await page.goto(`${base}${path}${hash && `#${hash}`}`);
   await whilePassing(page, page.evaluate(() => window.raywalk?.ready));
   await whilePassing(page, page.evaluate(() => window.raywalk?.whole), 50); // they wait for idle time
