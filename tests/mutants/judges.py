@@ -72,13 +72,17 @@ FILES = {
         )
     },
     **{
-        f"geometry/{name}.py": Judges((), (tests,))
+        f"geometry/{name}.py": Judges((), tests)
         for name, tests in {
-            "cross_section": "tests/trace/test_sections.py",
-            "mesh_section": "tests/trace/test_sections.py",
-            "savings": "tests/trace/test_plan.py",
-            "mesh_savings": "tests/trace/test_plan.py",
-            "display": "tests/site/test_mesh_data.py",
+            "cross_section": (
+                "tests/geometry/test_cross_section.py",
+                "tests/geometry/test_cones.py",
+                "tests/trace/test_sections.py",
+            ),
+            "mesh_section": ("tests/trace/test_sections.py",),
+            "savings": ("tests/trace/test_plan.py",),
+            "mesh_savings": ("tests/trace/test_plan.py",),
+            "mesh_display": ("tests/site/test_mesh_data.py",),
         }.items()
     },
 }

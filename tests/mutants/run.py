@@ -20,7 +20,7 @@ from pathlib import Path
 
 from checkout_copy import CheckoutCopy, TestsFail
 from cosmic_ray.work_item import MutationSpec, TestOutcome, WorkerOutcome, WorkResult
-from judges import FOLDERS, is_judged, judges_of
+from judges import FILES, FOLDERS, UNJUDGED, is_judged, judges_of
 from mutations import mutations_of
 
 ROOT = Path(__file__).parents[2]
@@ -30,6 +30,8 @@ PACKAGE = Path("build/raywalk")
 def main() -> int:
     """0 if every mutant was noticed, 1 if one survived, 2 if nothing was proved."""
     arguments = read_arguments()
+    if gone := [name for name in (*FILES, *UNJUDGED) if not (ROOT / PACKAGE / name).exists()]:
+        sys.exit(f"judges.py names files that are not there: {', '.join(gone)}")
     mutants = drawn(arguments)
     groups = sorted({judges_of(mutant.module_path) for mutant in mutants})
     with tempfile.TemporaryDirectory(prefix="raywalk-mutants-") as folder:
