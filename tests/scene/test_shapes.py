@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.geometry.by_hand import SHAPES, SOLIDS
 
 from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
@@ -78,3 +79,26 @@ def test_a_triangle_stands_on_its_normal() -> None:
     """The third axis is (b - a) x (c - a), so that the map can be inverted."""
     linear, _ = placement(SceneObject("o", Triangle(A, B, C), 0))
     np.testing.assert_allclose(linear[:, 2], np.cross(np.subtract(B, A), np.subtract(C, A)))
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_reach_height_and_volume_of_a_solid_agree(name: str, rng: np.random.Generator) -> None:
+    """What lies inside is within reach, is as much as the volume says, and ends at height 0."""
+    solid = SHAPES[name].canonical
+    assert solid.height is not None
+    count = 20000
+    points = rng.uniform(-1.0, 1.0, (count, 3))
+    inside = np.array([solid.height(*p) < 0 for p in points.tolist()])
+    assert np.linalg.norm(points[inside], axis=1).max() <= solid.reach
+    share = solid.volume / 8.0
+    # 4 standard errors, of a box none
+    assert inside.mean() == pytest.approx(share, abs=4 * np.sqrt(share * (1 - share) / count))
+    for way in rng.normal(size=(100, 3)):
+        low, high = 0.0, 2.0 / np.linalg.norm(way)
+        for _ in range(60):
+            middle = (low + high) / 2
+            if solid.height(*(middle * way).tolist()) < 0:
+                low = middle
+            else:
+                high = middle
+        assert abs(solid.height(*(low * way).tolist())) < 1e-14
