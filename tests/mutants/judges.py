@@ -38,12 +38,9 @@ OPTICS = Judges(
         "tests/trace/test_glass.py",
     ),
 )
+# Kernels here read tables of records, which only numba can.
 SHAPES = Judges(
-    (
-        "tests/geometry/test_primitives.py",
-        "tests/properties/test_geometry_laws.py",
-        "-k=not directions_that_are_none",  # they divide by 0 too
-    ),
+    (),
     (
         "tests/geometry",
         "tests/properties/test_geometry_laws.py",
