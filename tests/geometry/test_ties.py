@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from tests.geometry.by_hand import affine, scene_of, unit
 
-from raywalk.geometry.compiled import CompiledScene, rays_from
+from raywalk.geometry.compiled import TIE, CompiledScene, order_ties, rays_from
 from raywalk.scene.model import SceneObject
 from raywalk.scene.shapes import Box, Cone, Cylinder, Disc, Plane, Shape, Triangle
 
@@ -98,3 +98,15 @@ def test_rays_at_an_edge_know_on_which_side_they_are(
     assert met.mean() > 0.5  # at silhouettes rounding may decide for a miss
     assert not hits.inside[met].any()
     assert ((hits.normal * direction).sum(axis=1)[met] < 0).all()
+
+
+@pytest.mark.parametrize("t", [1e-6, 1.0, 1e6])
+def test_crossings_tie_by_a_share_of_their_distance(t: float) -> None:
+    """However near or far: half of TIE apart the lower rank comes first, twice TIE apart not."""
+    rank = np.array([0, 1])
+    for gap, order in ((0.5, [0, 1]), (2.0, [1, 0])):
+        distances = np.array([t, t * (1.0 + gap * TIE)])
+        for rays, expected in (([0, 0], order), ([0, 1], [1, 0])):  # two rays never tie
+            met = np.array([1, 0], np.int32)
+            order_ties(np.array(rays), distances, met, rank)
+            assert met.tolist() == expected
