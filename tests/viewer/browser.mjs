@@ -48,7 +48,7 @@ export async function newPage(browser, { worker = false, held = false, ...option
   page.setDefaultTimeout(PATIENCE);
   if (held) {
     await page.clock.install({ time: 0 });
-    await page.clock.pauseAt(1000);
+    await page.clock.pauseAt(3_600_000); // it ran until now
     page.isHeld = true;
   }
   page.faults = [];
