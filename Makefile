@@ -10,7 +10,7 @@ MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site slides kiosk test check serve bench stress mutants clean distclean help
+.PHONY: all site slides kiosk test test-busy check serve bench stress mutants clean distclean help
 .DEFAULT_GOAL := all
 
 all: site
@@ -41,6 +41,10 @@ test: site $(TEST_READY) ## check types and style, run all tests, in a real brow
 	@sh build/setup/browser.sh
 	@$(PYTHON) tests/run_all.py
 
+test-busy: site $(TEST_READY) ## the same beside eight busy processes: slowness alone must fail nothing
+	@sh build/setup/browser.sh
+	@sh tests/busy.sh $(PYTHON) tests/run_all.py
+
 check: $(PYTHON_READY) ## validate the scenes without tracing them
 	@$(PYTHON) -m raywalk check
 
@@ -67,7 +71,7 @@ distclean: clean ## remove installed packages too
 	rm -rf .venv node_modules
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r verb words; do \
+	@sed -n 's/^\([a-z-]*\):.*## /\1|/p' Makefile | while IFS='|' read -r verb words; do \
 		printf 'make %-10s %s\n' "$$verb" "$$words"; done
 
 # --no-deps: the lock file already names everything, with hashes.

@@ -1,19 +1,26 @@
-"""Runs every check and test, and ends on one line that counts the tests.
+"""Runs every check and test, as many steps at a time as there are cores; the last line counts them.
 
-Python's and the viewer's run side by side: one waits for a core, the other mostly for a browser.
+Python's tests are one step, each file of the viewer's is one: cores that are done take the next.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
+VIEWER = Path("tests/viewer")
+#: Half an hour for a file: what takes longer hangs, on a busy machine too.
+NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=1800000"]
+PYTEST_COUNTS = (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")
+NODE_COUNTS = (r"^# pass (\d+)", r"^# fail (\d+)")
 
 
 @dataclass(frozen=True)
@@ -25,18 +32,17 @@ class Step:
     counts: tuple[str, str] | None = None
 
 
-LANES = {
-    "python": [
+def steps() -> list[Step]:
+    """All there is, what takes longest first."""
+    files = sorted(VIEWER.rglob("*.test.mjs"))
+    return [
+        Step("python", [PYTHON, "-m", "pytest"], PYTEST_COUNTS),
+        Step("types", [PYTHON, "-m", "mypy"]),
+        *(Step(path.name.partition(".")[0], [*NODE, str(path)], NODE_COUNTS) for path in files),
+        Step("viewer's types", ["npm", "run", "--silent", "typecheck"]),
         Step("style", [PYTHON, "-m", "ruff", "check", *SOURCES]),
         Step("format", [PYTHON, "-m", "ruff", "format", "--check", *SOURCES]),
-        Step("types", [PYTHON, "-m", "mypy"]),
-        Step("tests", [PYTHON, "-m", "pytest"], (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")),
-    ],
-    "viewer": [
-        Step("types", ["npm", "run", "--silent", "typecheck"]),
-        Step("tests", ["npm", "test", "--silent"], (r"^# pass (\d+)", r"^# fail (\d+)")),
-    ],
-}
+    ]
 
 
 @dataclass(frozen=True)
@@ -52,11 +58,10 @@ class Result:
 
 def main() -> int:
     """Every step runs, even after a failure: one run tells all that is wrong."""
-    with ThreadPoolExecutor(len(LANES)) as threads:
-        lanes = threads.map(run_lane, LANES, LANES.values())
-        results = [result for lane in lanes for result in lane]
+    with ThreadPoolExecutor(os.cpu_count()) as threads:
+        results = list(threads.map(run, steps()))
     print()
-    for result in results:
+    for result in sorted(results, key=lambda result: (result.broken, result.seconds)):
         print(f"{'FAILED' if result.broken else 'ok':6} {result.name}, {result.seconds:.0f} s")
     passed = sum(result.passed for result in results)
     failed = sum(result.failed for result in results)
@@ -64,15 +69,12 @@ def main() -> int:
     return 1 if failed or not passed or any(result.broken for result in results) else 0
 
 
-def run_lane(lane: str, steps: list[Step]) -> list[Result]:
-    """One step after the other; a step that should count tests and counts none is broken."""
-    return [run(lane, step) for step in steps]
+def run(step: Step) -> Result:
+    """Runs a command and shows what it prints as it comes, behind its name.
 
-
-def run(lane: str, step: Step) -> Result:
-    """Runs a command and shows what it prints as it comes, behind its lane's name."""
-    name = f"{step.name}, {lane}"
-    print(f"== {name}", flush=True)
+    A step that should count tests and counts none is broken.
+    """
+    print(f"== {step.name}", flush=True)
     started = time.monotonic()
     lines = []
     with subprocess.Popen(
@@ -80,14 +82,14 @@ def run(lane: str, step: Step) -> Result:
     ) as process:
         assert process.stdout
         for line in process.stdout:
-            # One write a line: two lanes write to one terminal.
-            sys.stdout.write(f"{lane}: {line}")
+            # One write a line: several steps write to one terminal.
+            sys.stdout.write(f"{step.name}: {line}")
             sys.stdout.flush()
             lines.append(line)
     output = "".join(lines)
     passed, failed = (count(pattern, output) for pattern in step.counts) if step.counts else (0, 0)
     broken = process.returncode != 0 or (step.counts is not None and not passed)
-    return Result(name, time.monotonic() - started, broken, passed, failed)
+    return Result(step.name, time.monotonic() - started, broken, passed, failed)
 
 
 def count(pattern: str, output: str) -> int:

@@ -15,7 +15,7 @@ const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
 let browser, server, page;
 before(async () => {
   [browser, server] = await Promise.all([launch(), serve(DIST)]);
-  page = await newPage(browser);
+  page = await newPage(browser, { sharp: true });
   page.home = server.url;
 });
 after(async () => {

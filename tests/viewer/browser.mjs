@@ -12,16 +12,15 @@ export const PATIENCE = 180_000;
 
 const BROWSERS = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 const FLAGS = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --disable-background-networking --disable-sync --no-first-run";
-// Without a graphics card WebGL is drawn in software. Putting the rest of the page together that way too doubles what a
-// test costs: only tests of what a frame costs do so. The other way reads each drawing back, of which the driver warns.
-const COMPOSED_APART = ["--disable-gpu-compositing"];
-export const COMPOSED_TOGETHER = [];
+// Without a graphics card WebGL is drawn in software. Putting the rest of the page together that way too would double what
+// a test costs. The other way reads each drawing back, of which the driver warns.
+const COMPOSED_APART = "--disable-gpu-compositing";
 const OF_READING_BACK = /GL Driver Message .* GPU stall due to ReadPixels/;
 
-export function launch(more = [], composed = COMPOSED_APART) {
+export function launch(more = []) {
   const executablePath = BROWSERS.find((path) => path && existsSync(path));
   if (!executablePath) throw new Error("no browser: set CHROMIUM to the path of a Chromium or Chrome");
-  return chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), ...composed, ...more] });
+  return chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), COMPOSED_APART, ...more] });
 }
 
 /** The scenes the site has, from the first scene page's links: [{ id, key, path }]. */
@@ -40,10 +39,10 @@ export const richScene = () => scenesOfSite().find((scene) => scene.key === "5")
 
 /** A page that notes console messages, errors and requests that leave the site. worker: with the service worker, which
  *  would answer from what it kept where other tests answer for the server. held: its clock (timers, frames, dates) stands
- *  still and moves by `pass` only, or while this file's helpers wait for the page. Each of its frames is drawn, however slow
- *  this machine is: in a quarter of the pixels. */
-export async function newPage(browser, { worker = false, held = false, ...options } = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: held ? 0.5 : 1, ...options });
+ *  still and moves by `pass` only, or while this file's helpers wait for the page. sharp: a pixel of the screen for each of
+ *  the page's, for tests of pictures and sizes; else half as many each way, which are drawn in much less time. */
+export async function newPage(browser, { worker = false, held = false, sharp = false, ...options } = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: sharp ? 1 : 0.5, ...options });
   if (!worker) await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "serviceWorker", { get: () => undefined }));
   page.setDefaultTimeout(PATIENCE);
   if (held) {

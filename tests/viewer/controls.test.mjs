@@ -21,7 +21,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
     const base = () => (where === "a disk" ? ON_DISK : server.url);
     let page;
     before(async () => {
-      page = await newPage(browser);
+      page = await newPage(browser, { sharp: true });
       await open(page, base(), rich.path, "still=1");
     });
     after(() => page.close());

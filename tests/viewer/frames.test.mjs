@@ -1,7 +1,7 @@
 /** Selecting another pixel of the finest grid takes one frame: lines, card and tiles follow together, at an empty frame's cost. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { atRest, COMPOSED_TOGETHER, launch, newPage, ON_DISK, open, scenesOfSite, state, workOf } from "./browser.mjs";
+import { atRest, launch, newPage, ON_DISK, open, scenesOfSite, state, workOf } from "./browser.mjs";
 
 const FRAMES = 10; // of each kind
 const MOST = 5; // empty frames' work for one that selects; it was 2.3 to 3.0
@@ -9,7 +9,7 @@ const CASES = { 5: "rays", 8: "tree", 9: "sum" }; // scene key: the card's side;
 
 let browser, page;
 before(async () => {
-  browser = await launch([], COMPOSED_TOGETHER);
+  browser = await launch();
   page = await newPage(browser);
 });
 after(() => browser.close());

@@ -21,7 +21,9 @@ const FADES = 400; // ms, of cover and warning
 const told = async (of = page) => (await stats(of)).kiosk;
 const isAttract = (s, t) => t.kiosk?.attract === true && document.documentElement.classList.contains("attract");
 const isVisited = (s, t) => t.kiosk?.attract === false && t.kiosk.left !== null;
-const begun = async (hash = "kiosk=1&still=1") => {
+/** Flat where the stage is not what is asked about: it needs no compiled shaders. */
+const FLAT = "kiosk=1&still=1&gl=none";
+const begun = async (hash = FLAT) => {
   await open(page, ON_DISK, first.path, hash);
   await until(page, isAttract);
   await page.mouse.click(400, 300);
@@ -33,7 +35,7 @@ const loadsAnew = (why) => Promise.all([page.waitForEvent("load"), why().then(()
 
 test("unattended it walks every scene's lesson, in order and round again, under one address", async () => {
   const page = await newPage(browser, { held: true, viewport: { width: 640, height: 480 } }); // quickly drawn
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1");
+  await open(page, ON_DISK, first.path, FLAT);
   const stopsOf = ({ id }) => readScene(id).lesson.flatMap(({ answer }, step) => [`${id} ${step} false`, ...(answer ? [`${id} ${step} true`] : [])]);
   for (const [k, stop] of [...scenes, first].flatMap(stopsOf).entries()) {
     await until(page, (s, t, [stops, stop]) => t.kiosk.stops === stops && `${s.scene} ${s.step} ${s.revealed}` === stop, [k + 1, stop]);
@@ -48,7 +50,7 @@ test("unattended it walks every scene's lesson, in order and round again, under 
 });
 
 test("a touch begins with the scene that is shown, at its start; what lay under the finger is not pressed", async () => {
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1");
+  await open(page, ON_DISK, first.path, FLAT);
   await until(page, isAttract);
   assert.equal(await page.locator(".kiosk-begin").innerText(), "Touch to begin\nZum Beginnen berühren");
   const next = await page.locator("nav.scenes a[rel=next]").boundingBox();
@@ -61,7 +63,7 @@ test("a touch begins with the scene that is shown, at its start; what lay under 
 });
 
 test("a key begins too, and is not one of the viewer's yet", async () => {
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1");
+  await open(page, ON_DISK, first.path, FLAT);
   await until(page, isAttract);
   const { pixel } = await state(page);
   await page.keyboard.press("ArrowRight");
@@ -70,7 +72,7 @@ test("a key begins too, and is not one of the viewer's yet", async () => {
 });
 
 test("left alone it asks, counts down, goes on at a touch, and else starts again with nothing kept", async () => {
-  await begun("kiosk=1&idle=80&warn=15&still=1");
+  await begun("kiosk=1&idle=80&warn=15&still=1&gl=none");
   await page.getByRole("link", { name: "Deutsch" }).click();
   await until(page, isVisited);
   assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
@@ -173,7 +175,7 @@ test("the gallery and the model page are the kiosk's too: no way out, a way back
 });
 
 test("after hours unattended the page begins anew, between two rounds and not before", async () => {
-  await open(page, ON_DISK, scenes.at(-2).path, "kiosk=1&still=1&gl=none");
+  await open(page, ON_DISK, scenes.at(-2).path, FLAT);
   await until(page, isAttract);
   await page.clock.fastForward("06:00:00"); // every timer that is due is met once
   let loads = 0;
@@ -202,7 +204,7 @@ test("when nothing helps, the page is loaded anew once a minute only", async () 
 });
 
 test("an uncaught error loads the view anew, the fourth one without WebGL, and a visitor keeps the view", async () => {
-  await begun();
+  await begun("kiosk=1&still=1");
   await press(page, "2");
   await until(page, (s) => s.scene.startsWith("02"));
   await press(page, "a");
@@ -247,7 +249,7 @@ test("axe finds nothing wrong: unattended, with a visitor, while it warns, and o
     await page.evaluate(axe);
     return page.evaluate(async (runOnly) => (await window.axe.run(document, { preload: false, runOnly })).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(" ")}`), ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]);
   };
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1");
+  await open(page, ON_DISK, first.path, FLAT);
   await until(page, isAttract);
   assert.deepEqual(await violations(), []);
   await page.mouse.click(400, 300);
@@ -268,7 +270,7 @@ test("the screen is asked to stay on", async () => {
     window.asked = 0;
     Object.defineProperty(navigator, "wakeLock", { value: { request: () => Promise.resolve({ released: ++window.asked < 0 }) } });
   });
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1");
+  await open(page, ON_DISK, first.path, FLAT);
   await until(page, (s, t) => t.kiosk?.awake === true);
   assert.equal(await page.evaluate(() => window.asked), 1);
 });

@@ -8,7 +8,7 @@ const { path } = richScene();
 test("a browser that refuses WebGL gets the flat drawing, every tile in its colour, and one sentence", async () => {
   const refusing = await launch(["--disable-gpu", "--disable-3d-apis"]);
   try {
-    const page = await newPage(refusing);
+    const page = await newPage(refusing, { sharp: true });
     await open(page, ON_DISK, path, "still=1&n=5&tiles=filled&cam=camera&rays=none");
     assert.equal((await stats(page)).renderer, "flat");
     assert.match(await page.locator("#notice .notice-text").innerText(), /no WebGL/);

@@ -13,7 +13,7 @@ const START = "still=1&gl=none&n=15&p=5,8";
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { sharp: true });
 });
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });

@@ -11,7 +11,7 @@ const rich = richScene();
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { sharp: true });
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
 });
 after(() => browser.close());

@@ -9,7 +9,7 @@ const scenes = scenesOfSite();
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { sharp: true });
   await open(page, ON_DISK, scenes[0].path, "still=1&gl=none");
 });
 after(() => browser.close());

@@ -28,7 +28,7 @@ const COUNTED = ["nodes", "listeners", "documents", "Buffer", "VertexArray", "Te
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { viewport: { width: 640, height: 480 }, deviceScaleFactor: 0.5 });
+  page = await newPage(browser, { viewport: { width: 640, height: 480 } });
   await page.addInitScript(countGpu);
   await page.addInitScript(patient);
 });

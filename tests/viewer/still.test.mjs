@@ -1,13 +1,13 @@
 /** Time: the selector blinks, except where it must not; nothing is drawn that need not be. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { atRest, COMPOSED_TOGETHER, launch, newPage, ON_DISK, open, pass, pictureOf, press, richScene, scenesOfSite, stats, until, workOf } from "./browser.mjs";
+import { atRest, launch, newPage, ON_DISK, open, pass, pictureOf, press, richScene, scenesOfSite, stats, until, workOf } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page, held;
 before(async () => {
-  browser = await launch([], COMPOSED_TOGETHER);
-  page = await newPage(browser);
+  browser = await launch();
+  page = await newPage(browser, { sharp: true });
   held = await newPage(browser, { held: true });
 });
 after(() => browser.close());

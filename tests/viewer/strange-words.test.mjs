@@ -15,7 +15,7 @@ execFileSync(".venv/bin/python", ["tests/words/pseudo.py", DIST, `${folder}/site
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { sharp: true });
 });
 after(async () => {
   await browser.close();
