@@ -19,6 +19,9 @@ SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
 #: Half an hour for a file: what takes longer hangs, on a busy machine too.
 NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=1800000"]
+#: Lines that name what failed: TAP's, of a test and not of its file; pytest's; a check's.
+NAMED = (r"not ok \d+ - (?!.*\.test\.mjs$)", "FAILED ", "ERROR ", r".*: error: ")
+FAILURE = re.compile(rf"^ *((?:{'|'.join(NAMED)}).*)$", re.MULTILINE)
 PYTEST_COUNTS = (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")
 NODE_COUNTS = (r"^# pass (\d+)", r"^# fail (\d+)")
 
@@ -54,6 +57,8 @@ class Result:
     broken: bool
     passed: int = 0
     failed: int = 0
+    #: What each failed test or check said first.
+    failures: tuple[str, ...] = ()
 
 
 def main() -> int:
@@ -63,6 +68,9 @@ def main() -> int:
     print()
     for result in sorted(results, key=lambda result: (result.broken, result.seconds)):
         print(f"{'FAILED' if result.broken else 'ok':6} {result.name}, {result.seconds:.0f} s")
+    for result in results:
+        for failure in result.failures:
+            print(f"{result.name}: {failure}")
     passed = sum(result.passed for result in results)
     failed = sum(result.failed for result in results)
     print(f"\n{passed} passed, {failed} failed", flush=True)
@@ -89,7 +97,8 @@ def run(step: Step) -> Result:
     output = "".join(lines)
     passed, failed = (count(pattern, output) for pattern in step.counts) if step.counts else (0, 0)
     broken = process.returncode != 0 or (step.counts is not None and not passed)
-    return Result(step.name, time.monotonic() - started, broken, passed, failed)
+    failures = tuple(FAILURE.findall(output)) if broken else ()
+    return Result(step.name, time.monotonic() - started, broken, passed, failed, failures)
 
 
 def count(pattern: str, output: str) -> int:
