@@ -52,9 +52,9 @@ test("with still=1 two pictures of the same state are the same, pixel by pixel",
   assert.ok((await shot()).equals(await shot()));
 });
 
-const AT_ONCE = 100; // ms of work: six frames of a screen that shows 60 a second
+const AT_ONCE = 6; // frames' work; it was 2.2 to 2.7
 
-test("a scene or grid that is loaded already shows its filled plane after a tenth of a second's work", async (t) => {
+test("a scene or grid that is loaded already shows its filled plane after a few frames' work", async (t) => {
   await open(page, ON_DISK, rich.path, "still=1&tiles=filled");
   const other = scenesOfSite().find((scene) => scene.key && scene.id !== rich.id);
   const work = await workOf(page);
@@ -65,14 +65,24 @@ test("a scene or grid that is loaded already shows its filled plane after a tent
   };
   const keys = [other.key, rich.key, "+", "-"];
   for (const key of keys) await change(key); // now they are loaded
+  const frame = await workOfFrame(page, work);
   for (const key of keys) {
     await atRest(page);
     const before = await work();
     await change(key);
     const took = (await work()) - before;
-    t.diagnostic(`key ${key}: ${took.toFixed(0)} ms`);
-    assert.ok(took <= AT_ONCE, `key ${key}: ${took.toFixed(0)} ms`);
+    t.diagnostic(`key ${key}: ${(took / frame).toFixed(1)} frames' work`);
+    assert.ok(took <= AT_ONCE * frame, `key ${key}: ${took} ms, a frame ${frame} ms`);
   }
 });
+
+/** ms of work for a frame in which nothing changed. */
+async function workOfFrame(page, work) {
+  await atRest(page);
+  const before = await work();
+  const FRAMES = 10;
+  for (let k = 0; k < FRAMES; k++) await press(page, "r"); // draws what is there
+  return ((await work()) - before) / FRAMES;
+}
 
 test("nothing was said in the console", () => assert.deepEqual([page.faults, held.faults], [[], []]));
