@@ -160,11 +160,14 @@ def test_explain_says_why_each_thing_is_made_again(build, scenes, tmp_path):
     path = scenes / "02-ball" / "scene.toml"
     path.write_text(path.read_text().replace("radius = 0.5", "radius = 0.6"), encoding="utf-8")
     said = build("--explain")[1]
-    assert "02-ball is traced: objects[0].shape.radius 0.5 -> 0.6" in said
+    assert "02-ball: trace made: objects[0].shape.radius 0.5 -> 0.6" in said
+    assert "02-ball: slides made: objects[0].shape.radius 0.5 -> 0.6; its" in said
+    assert "course: slides made: its decks" in said
     assert "01-ball" not in said.split("[1/1]")[0]
     path.write_text(path.read_text().replace("Look,", "See,"), encoding="utf-8")
     said = build("--explain")[1]
-    assert "is traced" not in said and "02-ball: page data is made: lesson[0].text" in said
+    assert "trace made" not in said and "02-ball: page data made: lesson[0].text" in said
+    assert "02-ball: lesson made: its page data" in said and "sights made" not in said
     assert "nothing is made again" in build("--explain")[1]
     for kept in (tmp_path / "work").glob("*/thumb.png"):  # also what no build uses any longer
         kept.write_bytes(b"")

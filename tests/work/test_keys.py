@@ -159,3 +159,15 @@ def test_packages_are_those_behind_the_imports_by_the_names_they_are_installed_u
 def test_a_maker_whose_module_is_gone_is_refused():
     with pytest.raises(KeyError, match=r"no module raywalk.moved_away"):
         Maker("raywalk.moved_away", "write").parts()
+
+
+def test_another_node_changes_the_keys_of_what_node_tells_and_of_nothing_else(
+    tmp_path, monkeypatch
+):
+    """How numbers are rounded and written is the program's too."""
+    before = {piece: key_of(parts(OURS, piece)) for piece in PIECES}
+    (tmp_path / "node").write_bytes(b"another")
+    (tmp_path / "node").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    changed = {piece for piece in PIECES if key_of(parts(OURS, piece)) != before[piece]}
+    assert changed == {"lesson"}

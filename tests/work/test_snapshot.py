@@ -192,5 +192,5 @@ def test_an_edit_of_the_code_is_made_again_and_named(checkout):
     file = checkout / "build/raywalk/site/page_data.py"
     file.write_text(file.read_text(encoding="utf-8") + "# more\n", encoding="utf-8")
     said = site(checkout, BUILD)
-    assert "01-ball: page data is made: code: site/page_data.py changed" in said
+    assert "01-ball: page data made: code: site/page_data.py changed" in said
     assert "0 traced" in said and "slides of" not in said

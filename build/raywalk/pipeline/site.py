@@ -33,12 +33,11 @@ from raywalk.site.sitemap import base_of
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.digests import key_of
-from raywalk.work.explain import why
 from raywalk.work.maker import Parts
-from raywalk.work.making import made
+from raywalk.work.making import made, reasons
 from raywalk.work.pool import cores
 from raywalk.work.progress import Message
-from raywalk.work.store import Entry, Store, damage_of
+from raywalk.work.store import Entry, Store
 
 
 @dataclass(frozen=True)
@@ -55,7 +54,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     base = base_of(chosen.url)
     scenes = read_scenes(chosen.scenes)
     spoken = in_all_languages(scenes)
-    store = Store(chosen.work)
+    store = Store(chosen.work, chosen.explain)
     traces, missing = yield from _traces(store, scenes, chosen)
     facts = {scene.id: facts_of(traces[scene.id]) for scene in scenes}
     if chosen.stats:
@@ -67,8 +66,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
         notes += missing_translations(translated, code)
     yield from notes
     made_from = viewer_parts(site_source)
-    viewer = yield from kept(store, made_from, partial(bundle, site_source), chosen)
-    previews, data = yield from _pages(store, scenes, traces, chosen)
+    viewer = yield from kept(store, made_from, partial(bundle, site_source))
+    previews, data = yield from _pages(store, scenes, traces)
     decks = yield from _decks(store, spoken, traces, data, chosen)
     yield from slide_remarks(decks)
     notes += slide_remarks(decks)
@@ -101,9 +100,8 @@ def _traces(
     parts = {scene.id: trace_parts(scene) for scene in scenes}
     keys = {id: key_of(made_from) for id, made_from in parts.items()}
     missing = [scene for scene in scenes if not store.find(keys[scene.id])]
-    if chosen.explain:
-        for scene in missing:
-            yield f"{scene.id} is traced: {reason(store, parts[scene.id])}"
+    for scene in missing:
+        yield from reasons(store, parts[scene.id])
     if missing:
         where = f"the cluster {chosen.scheduler}" if chosen.scheduler else f"{cores()} cores"
         yield f"tracing {len(missing)} of {len(scenes)} scenes on {where}"
@@ -112,16 +110,16 @@ def _traces(
 
 
 def _pages(
-    store: Store, scenes: list[Scene], traces: dict[str, Entry], chosen: Namespace
+    store: Store, scenes: list[Scene], traces: dict[str, Entry]
 ) -> Generator[str, None, tuple[dict[str, Entry], dict[str, Entry]]]:
     """Each scene's preview picture, and its data for the viewer."""
     previews, data = {}, {}
     for scene in scenes:
         traced = traces[scene.id].folder
         parts, make = preview_parts(scene.id, traced.name), partial(PREVIEW, traced / "picture.png")
-        previews[scene.id] = yield from kept(store, parts, make, chosen)
+        previews[scene.id] = yield from kept(store, parts, make)
         parts, make = page_data_parts(scene, traced.name), partial(PAGE_DATA, scene, traced)
-        data[scene.id] = yield from kept(store, parts, make, chosen)
+        data[scene.id] = yield from kept(store, parts, make)
     return previews, data
 
 
@@ -142,21 +140,10 @@ def _decks(
     return (yield from make_decks(store, sources))
 
 
-def kept(
-    store: Store, made_from: Parts, make: Any, chosen: Namespace
-) -> Generator[str, None, Entry]:
-    """An entry of the store, made if it is not there; tells why, if that is asked."""
-    if found := store.find(key_of(made_from)):
-        return found
-    if chosen.explain:
-        yield f"{made_from['of']}: {made_from['what']} is made: {reason(store, made_from)}"
+def kept(store: Store, made_from: Parts, make: Any) -> Generator[str, None, Entry]:
+    """An entry of the store, made if it is not there."""
+    yield from reasons(store, made_from)
     return made(store, made_from, make)
-
-
-def reason(store: Store, made_from: Parts) -> str:
-    """Why a piece of work that is not in the store has to be made."""
-    before = store.newest(made_from["what"], made_from["of"])
-    return why(before, made_from, damage_of(store.folder / key_of(made_from)) or "")
 
 
 def bundle(site_source: Path, folder: Path) -> None:
@@ -169,8 +156,8 @@ def bundle(site_source: Path, folder: Path) -> None:
 
 def remarks(scene: Scene, facts: dict[str, Any]) -> Iterator[str]:
     """What an author should know though nothing is wrong."""
-    for name, reasons in left_out(facts["dropped"]):
-        yield f'{scene.id}: left out of "{name}": triangles {reasons}'
+    for name, because in left_out(facts["dropped"]):
+        yield f'{scene.id}: left out of "{name}": triangles {because}'
     for warning in facts["warnings"]:
         yield f"{scene.id}: warning: {warning}"
 

@@ -23,7 +23,7 @@ from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT, FOLDER
 from raywalk.work.digests import digest, key_of
 from raywalk.work.maker import Maker, Parts
-from raywalk.work.making import made
+from raywalk.work.making import made, reasons
 from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.progress import Report
 from raywalk.work.snapshot import digest_of
@@ -83,12 +83,14 @@ def plans_of(
     not in the store. Only what they say is in the slides' keys: other code that says the same makes
     no slide anew."""
     code = ASK.parts()
-    asked = {each.scene.id: _asked(store, stops, each, layout, code) for each in sources}
+    asked: dict[str, Entry] = {}
+    for each in sources:
+        asked[each.scene.id] = yield from _asked(store, stops, each, layout, code)
     sights = yield from _sights(store, sources, asked)
     plans = []
     for each in sources:
         of = sights[each.scene.id]
-        lesson = _lesson(store, stops, each, layout, asked[each.scene.id], of, code)
+        lesson = yield from _lesson(store, stops, each, layout, asked[each.scene.id], of, code)
         plans.append(Plan(each.scene, each.language, each.traced.folder, of, lesson, {
             "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
             "trace": each.traced.folder.name, "sights": of.folder.name,
@@ -99,13 +101,15 @@ def plans_of(
     return plans
 
 
-def _asked(store: Store, stops: Stops, of: Source, layout: Layout, code: Parts) -> Entry:
+def _asked(
+    store: Store, stops: Stops, of: Source, layout: Layout, code: Parts
+) -> Generator[str, None, Entry]:
     """What the tracer is asked for."""
     parts = {
         "what": "asked", "of": of.scene.id, "layout": layout.name,
         "page data": of.page_data.folder.name, **code,
     }  # fmt: skip
-    return _kept(store, stops, parts, ASKED, {"do": "ask", **_where(of, layout)})
+    return (yield from _kept(store, stops, parts, ASKED, {"do": "ask", **_where(of, layout)}))
 
 
 def _sights(
@@ -120,6 +124,8 @@ def _sights(
             **SEE.parts(shut_for(each.scene)),
         })  # fmt: skip
     missing = [task for task in tasks.values() if not store.find(key_of(task[2]))]
+    for _, _, parts in missing:
+        yield from reasons(store, parts)
     if missing:
         yield f"what is seen in the slides of {len(missing)} of {len(tasks)} scenes"
     for _ in run_all(partial(_make_sights, store), missing, lambda task: task[0].id):
@@ -129,7 +135,7 @@ def _sights(
 
 def _lesson(
     store: Store, stops: Stops, of: Source, layout: Layout, asked: Entry, sights: Entry, code: Parts
-) -> Entry:
+) -> Generator[str, None, Entry]:
     """The lesson in a language."""
     spoken = None if of.language == DEFAULT else scene_words(of.scene)
     parts = {
@@ -142,7 +148,7 @@ def _lesson(
         "sights": str(sights.folder / SIGHTS), "spoken": spoken,
         "words": read_words(of.language).tree,
     }  # fmt: skip
-    return _kept(store, stops, parts, LESSON, request)
+    return (yield from _kept(store, stops, parts, LESSON, request))
 
 
 def _where(of: Source, layout: Layout) -> Parts:
@@ -152,12 +158,15 @@ def _where(of: Source, layout: Layout) -> Parts:
     }  # fmt: skip
 
 
-def _kept(store: Store, stops: Stops, parts: Parts, name: str, request: Parts) -> Entry:
+def _kept(
+    store: Store, stops: Stops, parts: Parts, name: str, request: Parts
+) -> Generator[str, None, Entry]:
     """The entry of an answer, asked for if it is not there."""
 
     def write(folder: Path) -> None:
         (folder / name).write_text(stops.ask(request), encoding="utf-8")
 
+    yield from reasons(store, parts)
     return made(store, parts, write)
 
 
@@ -194,6 +203,8 @@ def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list
     not there. Raises SourceErrors where node is missing."""
     with Stops() as stops:
         plans = yield from plans_of(store, stops, sources)
+    for each in plans:
+        yield from reasons(store, each.slides)
     missing = _by_scene(each for each in plans if not store.find(each.key))
     if missing:
         scenes = len({each.scene.id for each in plans})
@@ -205,6 +216,8 @@ def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list
             yield f"[{number}/{len(missing)}] {message.task[0].scene.id}: {message.result:.1f} s"
     courses = _by_language(plans)
     lost = [of for of in courses if not store.find(key_of(course_parts(of)))]
+    for of in lost:
+        yield from reasons(store, course_parts(of))
     for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
         pass
     return [

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+# Parts with names and values inside. Others are mostly keys of other work: only their names speak.
+NAMED = {"what", "of", "scene", "models", "code", "read", "packages"}
 MOST_NAMED = 4  # parts a line; a new version of everything is given by count
 
 
@@ -20,7 +22,11 @@ def why(before: Any, now: dict[str, Any], damage: str) -> str:
         *_listed("code: ", _names_changed(before.get("code"), now.get("code"))),
         *_listed("", _names_changed(before.get("read"), now.get("read"))),
         *_listed("", _values_changed("", before.get("packages"), now.get("packages"))),
-        *(["its trace"] if before.get("trace") != now.get("trace") else []),
+        *(
+            f"its {name}"
+            for name in sorted({*before, *now} - NAMED)
+            if before.get(name) != now.get(name)
+        ),
     ]
     return "; ".join(reasons) or "what was made from this was cleared away"
 

@@ -7,6 +7,7 @@ listed. Keys are taken before anything runs: a file edited meanwhile is then mad
 from __future__ import annotations
 
 import platform
+import shutil
 import zlib
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -52,11 +53,23 @@ def parts_of(found: Closure, languages: Iterable[str] | None, sources: Sources =
         if said is None or path.parent.name != "words" or path.name in said
     }
     own = {"python": platform.python_version(), "zlib": zlib.ZLIB_RUNTIME_VERSION}
+    if scripts:
+        own["node"] = which_build("node")
     return {
         "code": named(found.modules | scripts, sources),
         "read": named(read, sources),
         "packages": own | versions(found.packages) | npm_versions(sources.root, found.npm),
     }
+
+
+def which_build(program: str) -> str:
+    """What tells one build of a program from another without running it, which would take as long
+    as all the rest of a build with nothing to do; "none" if it is not installed."""
+    found = shutil.which(program)
+    if not found:
+        return "none"
+    about = Path(found).stat()
+    return f"of {about.st_size} bytes, {about.st_mtime_ns}"
 
 
 def named(hashes: dict[Path, str], sources: Sources) -> dict[str, str]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from raywalk.errors import UserError
 from raywalk.work.digests import digest_or_missing, key_of
+from raywalk.work.explain import why
 from raywalk.work.maker import OURS, Parts
-from raywalk.work.store import Entry, Store
+from raywalk.work.store import Entry, Store, damage_of
 
 
 class Edited(UserError):
@@ -28,6 +29,15 @@ def made(store: Store, parts: Parts, make: Callable[[Path], object]) -> Entry:
         refuse_edited(parts)
 
     return store.entry(key_of(parts), make_unless_edited, parts)
+
+
+def reasons(store: Store, parts: Parts) -> Iterator[str]:
+    """Why a piece of work will be made, in a build that explains itself; nothing if it is there."""
+    key = key_of(parts)
+    if store.explains and not store.find(key):
+        before = store.newest(parts["what"], parts["of"])
+        because = why(before, parts, damage_of(store.folder / key) or "")
+        yield f"{parts['of']}: {parts['what']} made: {because}"
 
 
 def refuse_edited(parts: Parts) -> None:

@@ -39,10 +39,12 @@ class Entry:
 
 
 class Store:
-    """Entries under one folder."""
+    """Entries under one folder. explains: whether this build says why it makes what is not there
+    (`making.reasons`)."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, explains: bool = False):
         self.folder = folder
+        self.explains = explains
 
     def find(self, key: str) -> Entry | None:
         """The entry of a key, if it is there and undamaged; it counts as used from then on."""
