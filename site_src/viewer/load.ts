@@ -7,8 +7,7 @@ import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { Boxes } from "./state/box-lines";
-import type { SectionsData } from "./state/section";
-import type { SceneData, Trace } from "./trace/types";
+import type { SceneData, SectionsData, Trace } from "./trace/types";
 import { languageCode } from "./words";
 
 export type Loss = "missing" | "damaged" | "other version" | "old browser";

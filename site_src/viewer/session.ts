@@ -1,14 +1,13 @@
 /** What the page is at: the state, the scene and the rays it belongs to, and what follows from them. */
 import type { Boxes } from "./state/box-lines";
 import type { RayEvent } from "./state/event-types";
-import type { SectionsData } from "./state/section";
 import { isSwitched, type Switches } from "./state/switches";
 import { createShown, type Shown } from "./state/shown";
 import type { Timeline } from "./state/timeline";
 import type { LitLine, ViewState } from "./state/types";
 import type { WhatIf } from "./state/what-if";
 import type { TilePicture } from "./tile-picture";
-import type { SceneData, Trace } from "./trace/types";
+import type { SceneData, SectionsData, Trace } from "./trace/types";
 
 export interface Listeners {
   /** Something has changed that is seen. */

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
-from raywalk.site.scene_types import SceneData, SceneWords
+from raywalk.site.scene_types import BoxesData, SceneData, SceneWords, SectionsData
 from raywalk.site.viewer_types import viewer_types
 
 ROOT = Path(__file__).parent.parent.parent
@@ -27,7 +27,15 @@ def held(script: Path) -> bytes:
     return gzip.decompress(base64.b64decode(packed[1]))
 
 
-@pytest.mark.parametrize(("of", "files"), [(SceneData, "scene.js"), (SceneWords, "words-*.js")])
+@pytest.mark.parametrize(
+    ("of", "files"),
+    [
+        (SceneData, "scene.js"),
+        (SceneWords, "words-*.js"),
+        (SectionsData, "sections.js"),
+        (BoxesData, "boxes.js"),
+    ],
+)
 def test_every_built_scene_is_what_the_types_say(of: type, files: str) -> None:
     scripts = sorted((ROOT / "dist" / "scenes").glob(f"*/{files}"))
     assert scripts, "run make first"
@@ -61,7 +69,7 @@ def test_kinds_of_schema_become_types(line: str) -> None:
 def test_the_type_check_fails_where_the_viewer_uses_what_is_no_longer_written(
     tmp_path: Path,
 ) -> None:
-    """With one field fewer in the made types the compiler names it."""
+    """With one field fewer in a view, in sections and in boxes the compiler names each."""
     viewer = Path("site_src", "viewer")
     shutil.copytree(ROOT / viewer, tmp_path / viewer)
     table = Path("build", "raywalk", "trace", "ray_kinds.json")
@@ -71,9 +79,11 @@ def test_the_type_check_fails_where_the_viewer_uses_what_is_no_longer_written(
     (tmp_path / "package.json").write_text('{"type": "module"}', encoding="utf-8")
     subprocess.run(["node", str(ROOT / "site_src" / "word-keys.mjs")], check=True)
     shutil.copyfile(ROOT / viewer / "word-keys.d.ts", tmp_path / viewer / "word-keys.d.ts")
-    fewer, gone = re.subn(r"readonly slice\?:.*", "", viewer_types())
-    assert gone == 1
+    fewer, gone = re.subn(r"readonly (slice\?|frame|parents):.*", "", viewer_types())
+    assert gone == 3
     (tmp_path / TYPES).write_text(fewer, encoding="utf-8")
     command = ["node_modules/.bin/tsc", "--noEmit", "-p", str(viewer)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode and "'slice' does not exist" in done.stdout
+    assert done.returncode
+    for field in ("slice", "frame", "parents"):
+        assert f"'{field}' does not exist" in done.stdout

@@ -1,4 +1,4 @@
-"""What scene.js and words-<language>.js hold: all that the viewer knows of a scene.
+"""What a scene's scripts hold besides its rays: all that the viewer knows of a scene.
 
 The viewer's own types are made from these (viewer_types.py). World units, right-handed, +y up;
 colours linear, 1 is full. NotRequired is left out where it does not apply.
@@ -21,6 +21,7 @@ def _list_of(*parts: dict[str, str]) -> WithJsonSchema:
 _VECTOR = {"viewer": "Vec3"}
 Vec3 = Annotated[list[float], WithJsonSchema(_VECTOR)]
 TwoVec3 = Annotated[list[list[float]], _list_of(_VECTOR, _VECTOR)]
+ThreeVec3 = Annotated[list[list[float]], _list_of(_VECTOR, _VECTOR, _VECTOR)]
 Pixel = Annotated[list[int], _list_of({"type": "integer"}, {"type": "integer"})]
 # As the scene's file has it: the schema's ViewTable without what it leaves out.
 View = Annotated[dict[str, Any], WithJsonSchema({"viewer": "View"})]
@@ -161,3 +162,41 @@ class SceneWords(TypedDict):
     lights: list[str]
     materials: list[str]
     lesson: list[LessonStepData]
+
+
+# The slope of a section's plane, and outlines in it: object, kind, whole steps x, y, ...
+SectionRecord = tuple[float, list[list[int]]]
+
+
+class SectionsData(TypedDict):
+    """scenes/<id>/sections.js, as trace/sections.py writes it; rows and columns of the picture."""
+
+    format: Literal[1]
+    scene: str
+    step: float  # world units
+    eye: Vec3
+    frame: ThreeVec3  # right, up, forward
+    rows: dict[str, SectionRecord]
+    columns: dict[str, SectionRecord]
+
+
+class MeshBoxes(TypedDict):
+    """A mesh's bounding volumes. parents: -1 for the first box; each stands before its children.
+    levels: by n, of the sphere and then of each box, how many camera rays one after the other
+    miss it, enter it, miss it ..."""
+
+    object: int  # index into SceneData.objects
+    triangles: int
+    sphere: tuple[float, float, float, float]  # centre, radius
+    boxes: list[list[float]]  # low corner, high corner
+    parents: list[int]
+    levels: dict[str, list[list[int]]]
+
+
+class BoxesData(TypedDict):
+    """scenes/<id>/boxes.js, as trace/mesh_boxes.py writes it."""
+
+    format: Literal[1]
+    scene: str
+    primitives: int  # shapes that each ray is tested against besides
+    meshes: list[MeshBoxes]

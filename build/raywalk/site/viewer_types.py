@@ -1,8 +1,8 @@
 """The viewer's types of what the pipeline writes: `python -m raywalk.site.viewer_types FILE`.
 
 `npm run typecheck` runs it first, so that those types are never older than what they are made from:
-SceneData and what it holds (scene_types.py), a lesson's View (scene/schema.py), and the Header of
-trace files (trace_file/trace.schema.json). All three are JSON Schemas by then.
+a scene's data, words, sections and boxes (scene_types.py), a lesson's View (scene/schema.py), and
+the Header of trace files (trace_file/trace.schema.json). All are JSON Schemas by then.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pydantic import TypeAdapter
 
 import raywalk.trace_file
 from raywalk.scene.schema import ViewTable
-from raywalk.site.scene_types import SceneData, SceneWords
+from raywalk.site.scene_types import BoxesData, SceneData, SceneWords, SectionsData
 
 HEAD = """\
 /** Made by raywalk/site/viewer_types.py: not to be edited. World units, right-handed, +y up. */
@@ -34,7 +34,7 @@ def viewer_types() -> str:
     """The text of the viewer's pipeline-types.d.ts."""
     file = Path(raywalk.trace_file.__file__).parent / "trace.schema.json"
     named = {"Header": json.loads(file.read_text(encoding="utf-8"))}
-    for of in (SceneData, SceneWords, ViewTable):
+    for of in (SceneData, SceneWords, SectionsData, BoxesData, ViewTable):
         whole = TypeAdapter(of).json_schema()
         named |= whole.pop("$defs", {}) | {of.__name__: whole}
     return HEAD + "".join(_declaration(name, schema) for name, schema in sorted(named.items()))

@@ -1,25 +1,11 @@
 /** The plane that a row's or a column's camera rays lie in, drawn flat. The outlines in it come with the scene. */
-import type { SceneData, Trace } from "../trace/types";
+import type { SceneData, SectionsData, Trace } from "../trace/types";
 import { onPlane, type PicturePlane } from "./frustum";
 import { add, dot, length, scale, sub, triple, unit, type Vec3 } from "./vectors";
 import type { ViewState } from "./types";
 
 /** To the right and down; of a row: ahead of the eye and to its right. Of a column: ahead and below. */
 export type Flat = readonly [number, number];
-
-/** [slope of the plane, outlines]; an outline: object, kind, whole steps x, y, ... */
-type SectionRecord = readonly [number, readonly (readonly number[])[]];
-
-/** scenes/<id>/sections.js */
-export interface SectionsData {
-  format: 1;
-  scene: string;
-  step: number; // world units
-  eye: Vec3;
-  frame: readonly [Vec3, Vec3, Vec3]; // right, up, forward
-  rows: Readonly<Record<string, SectionRecord>>; // by row of the picture
-  columns: Readonly<Record<string, SectionRecord>>;
-}
 
 export const CURVE = { closed: 0, open: 1, ellipse: 2 } as const;
 

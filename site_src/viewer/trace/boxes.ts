@@ -1,24 +1,6 @@
 /** A mesh's bounding sphere and boxes, and which of them each camera ray entered, as the pipeline found. */
 import { TraceError } from "./errors";
-import type { Vec3 } from "./types";
-
-export interface MeshBoxes {
-  object: number; // index into SceneData.objects
-  triangles: number;
-  sphere: readonly [number, number, number, number]; // centre, radius
-  boxes: readonly (readonly number[])[]; // low corner, high corner
-  parents: readonly number[]; // -1 for the first; parents stand before their children
-  /** By n: of the sphere and then of each box, lengths of stretches of camera rays that are out, in, out ... */
-  levels: Readonly<Record<string, readonly (readonly number[])[]>>;
-}
-
-/** scenes/<id>/boxes.js */
-export interface BoxesData {
-  format: 1;
-  scene: string;
-  primitives: number; // shapes that each ray is tested against besides
-  meshes: readonly MeshBoxes[];
-}
+import type { BoxesData, Vec3 } from "./types";
 
 export interface BoxTested {
   low: Vec3;

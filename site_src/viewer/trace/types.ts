@@ -4,9 +4,9 @@
  * the pipeline did, these are its results.
  */
 
-// What scene.js holds and how a lesson step or an address gives a view (what is absent keeps its start
+// What a scene's scripts hold and how a lesson step or an address gives a view (what is absent keeps its start
 // value): made from the pipeline's own types.
-export type { LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SwitchesView, Vec3, View } from "./pipeline-types";
+export type { BoxesData, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, SwitchesView, Vec3, View } from "./pipeline-types";
 
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const; // off: only by a switch, in no file
 
