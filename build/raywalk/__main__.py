@@ -9,7 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 from raywalk.commands.terminal import Terminal
-from raywalk.errors import UserError
+from raywalk.errors import UserError, disk_trouble
 
 # Every core has a scene or a strip of its own: numpy's linear algebra with threads besides took a
 # third longer to write the trace files, and sums in another order give other last bits.
@@ -44,6 +44,10 @@ def main(arguments: list[str] | None = None) -> int:
         print(problems, file=sys.stderr)
         return 1
     except BrokenPipeError:
+        return 1
+    except OSError as trouble:
+        terminal.close()
+        print(disk_trouble(trouble), file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         terminal.close()

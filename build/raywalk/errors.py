@@ -7,9 +7,20 @@ ten mistakes in ten runs is ten times the work.
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+
+FULL = "make room on the disk, or put --out and --work on another; run it again to go on from here"
+LOCKED = "allow this user to write there, or choose another --out or --work"
+HINTS = {
+    errno.ENOSPC: FULL, errno.EDQUOT: FULL, errno.EFBIG: FULL,
+    errno.EROFS: LOCKED, errno.EACCES: LOCKED, errno.EPERM: LOCKED,
+    errno.ENOTDIR: "a file stands where a folder is needed",
+    errno.EISDIR: "a folder stands where a file is needed",
+}  # fmt: skip
 
 
 def shown_path(path: Path) -> str:
@@ -39,6 +50,14 @@ class SourceError:
 
 class UserError(Exception):
     """An end that a person can act on: str() is all the command line prints."""
+
+
+def disk_trouble(trouble: OSError) -> str:
+    """What a disk that is full, may not be written or has failed means to who builds."""
+    place = f"{shown_path(Path(os.fsdecode(trouble.filename)))}: " if trouble.filename else ""
+    hint = HINTS.get(trouble.errno or 0, "")
+    said = trouble.strerror or str(trouble)
+    return f"{place}{said}" + (f"\n  hint: {hint}" if hint else "")
 
 
 class SourceErrors(UserError):

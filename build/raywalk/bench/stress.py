@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from raywalk.bench import (
     stress_acne,
     stress_hits,
+    stress_kills,
     stress_media,
     stress_mesh,
     stress_mirrors,
@@ -35,6 +36,7 @@ SUBJECTS: dict[str, Subject] = {
     "shadows": stress_shadows.cases,
     "acne": stress_acne.cases,
     "runs": stress_runs.cases,
+    "kills": stress_kills.cases,
     "monkey": stress_page.monkey_cases,
     "soak": stress_page.soak_cases,
 }

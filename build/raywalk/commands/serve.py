@@ -11,7 +11,7 @@ from threading import Thread
 from typing import Any
 
 from raywalk.commands import build_site
-from raywalk.errors import SourceError, SourceErrors, UserError, shown_path
+from raywalk.errors import SourceError, SourceErrors, UserError, disk_trouble, shown_path
 from raywalk.site.live import Live
 from raywalk.work.progress import Message
 
@@ -66,9 +66,10 @@ def _built(chosen: Namespace, live: Live) -> Iterator[str | Message]:
     live.begin()
     try:
         yield from build_site.run(chosen)
-    except UserError as problems:
-        live.failed(str(problems))
-        yield str(problems)
+    except (UserError, OSError) as problems:
+        told = disk_trouble(problems) if isinstance(problems, OSError) else str(problems)
+        live.failed(told)
+        yield told
     except Exception:  # a fault of ours: seen where the author looks, and the next save may do
         live.failed(traceback.format_exc())
         yield traceback.format_exc()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +18,7 @@ WHEN = (1980, 1, 1, 0, 0, 0)  # of all files: the same site gives the same bytes
 LEVEL = 9
 # What only a host or another program needs: no page of the archive links to it.
 NOT_NEEDED = (".json.gz", PREVIEW, WORKER, MANIFEST, SITEMAP)
+HIDDEN = "."  # the list of the site's files; a host's settings, a worktree's .git
 SCRIPTS = (".sh", ".command")
 
 
@@ -27,8 +29,10 @@ def write_archive(site: Path, source: Path, archive: Path) -> int:
     if not pages:
         raise UserError(f"{shown_path(site)}: no built site is there\n  hint: run `make` first")
     start = _first_scene(site) or "index.html"
+    if archive.is_dir():
+        raise UserError(f"{shown_path(archive)}: is a folder\n  hint: name a file, as kiosk.zip")
     archive.parent.mkdir(parents=True, exist_ok=True)
-    beside = archive.with_suffix(".partial")
+    beside = archive.parent / f"{archive.name}.{os.getpid()}.partial"
     try:
         with zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED, compresslevel=LEVEL) as packed:
             for name, content in _files(site, source, start):
@@ -62,7 +66,7 @@ def _files(site: Path, source: Path, start: str) -> Iterator[tuple[str, bytes]]:
         yield f"{TOP}/{path.name}", text.encode("utf-8-sig" if path.suffix == ".txt" else "utf-8")
     for path in sorted(site.rglob("*")):
         name = path.relative_to(site).as_posix()
-        if path.is_file() and not name.endswith(NOT_NEEDED):
+        if path.is_file() and not name.startswith(HIDDEN) and not name.endswith(NOT_NEEDED):
             yield f"{TOP}/{SITE}/{name}", path.read_bytes()
 
 

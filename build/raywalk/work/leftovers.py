@@ -20,17 +20,24 @@ def owned_name(prefix: str) -> dict[str, str]:
 
 def remove_leftovers(folder: Path, prefix: str = "") -> None:
     """Removes half-made folders whose makers are gone."""
-    for place in folder.glob(f"{prefix}*{PARTIAL}"):
-        if place.is_dir() and is_abandoned(place):
-            shutil.rmtree(place, ignore_errors=True)
+    for place in abandoned(folder, prefix):
+        shutil.rmtree(place, ignore_errors=True)
 
 
-def is_abandoned(place: Path) -> bool:
+def abandoned(folder: Path, prefix: str = "") -> list[Path]:
+    """Half-made folders whose makers are gone. What is not named as ours is somebody else's."""
+    named = re.compile(re.escape(prefix) + r"(?:[^/]*\.)?(\d+)-[^.]*" + re.escape(PARTIAL))
+    found = [(path, named.fullmatch(path.name)) for path in sorted(folder.glob(f"*{PARTIAL}"))]
+    return [
+        path for path, match in found if match and path.is_dir() and _has_ended(int(match[1]), path)
+    ]
+
+
+def _has_ended(owner: int, place: Path) -> bool:
     """Whether the process that made a half-made folder has ended."""
-    owner = re.search(r"\.(\d+)-[^.]*\.partial$", place.name)
-    if owner and os.name == "posix":
+    if os.name == "posix":
         try:
-            os.kill(int(owner[1]), 0)
+            os.kill(owner, 0)
         except ProcessLookupError:
             return True
         except OSError:

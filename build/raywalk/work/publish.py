@@ -8,9 +8,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from raywalk.work.leftovers import owned_name, remove_leftovers
+from raywalk.work.exchange import exchange
+from raywalk.work.leftovers import abandoned, owned_name
+from raywalk.work.ownership import keep_foreign, mark, refuse_foreign
 
 TRIES = 20  # two builds that end in the same moment; each try lasts two renames
+SITE, REPLACED = "site", "replaced"  # in a folder beside: a site that may be needed again, or not
 
 
 @contextmanager
@@ -18,32 +21,53 @@ def staged(out: Path) -> Iterator[Path]:
     """A folder beside `out` to build into; it becomes `out` when the block ends well.
 
     Each build has its own, so that two of them do not write into one another's; the one that
-    ends last stays.
+    ends last stays. Raises SourceErrors where `out` is not ours to replace.
     """
+    out = out.resolve()  # where a link leads, the site goes, and the link stays
     out.parent.mkdir(parents=True, exist_ok=True)
-    remove_leftovers(out.parent, f"{out.name}.")
-    fresh = _folder_beside(out)
+    restore(out)
+    refuse_foreign(out)
+    beside = _folder_beside(out)
+    fresh = beside / REPLACED
+    fresh.mkdir()
     try:
         yield fresh
-        _swap(fresh, out)
+        mark(fresh)
+        keep_foreign(out, fresh)
+        _swap(fresh, out, beside)
     finally:
-        shutil.rmtree(fresh, ignore_errors=True)
+        _put_back(beside, out)
+        shutil.rmtree(beside, ignore_errors=True)
 
 
-def _swap(fresh: Path, out: Path) -> None:
-    """Two renames: for the moment between them there is no site, never half a one."""
-    fresh.chmod(0o755)  # what mkdtemp makes only its owner may read; a site is for everyone
-    old = _folder_beside(out)
-    try:
-        for _ in range(TRIES):
-            if out.exists():
-                _move(out, old / "site")
-            if _move(fresh, out):
-                return
-            shutil.rmtree(old / "site", ignore_errors=True)
-        raise OSError(f"{out} is being replaced by other builds all the time")
-    finally:
-        shutil.rmtree(old, ignore_errors=True)
+def restore(out: Path) -> None:
+    """Clears away what killed builds left beside a site; one that was killed between its two
+    renames took the site along: it is put back."""
+    for place in abandoned(out.parent, f"{out.name}."):
+        _put_back(place, out)
+        shutil.rmtree(place, ignore_errors=True)
+
+
+def _swap(fresh: Path, out: Path, beside: Path) -> None:
+    """In one step, or in two renames: for the moment between them there is no site, never half
+    a one."""
+    if exchange(fresh, out):
+        return
+    for _ in range(TRIES):
+        if out.exists():
+            _move(out, beside / SITE)
+        if _move(fresh, out):
+            if (beside / SITE).exists():
+                (beside / SITE).rename(beside / REPLACED)
+            return
+        shutil.rmtree(beside / SITE, ignore_errors=True)
+    raise OSError(f"{out} is being replaced by other builds all the time")
+
+
+def _put_back(beside: Path, out: Path) -> None:
+    """The old site, where no new one came in its place."""
+    if (beside / SITE).is_dir() and not out.exists():
+        _move(beside / SITE, out)
 
 
 def _move(folder: Path, place: Path) -> bool:

@@ -99,7 +99,7 @@ class Store:
     def _places(self) -> list[Path]:
         if not self.folder.is_dir():
             return []
-        return [path for path in self.folder.iterdir() if (path / MANIFEST).is_file()]
+        return [path for path in self.folder.iterdir() if is_entry(path)]
 
     def _keep(self, fresh: Path, place: Path) -> None:
         if damage_of(place) is None:
@@ -110,6 +110,11 @@ class Store:
         except OSError:
             if damage_of(place) is not None:  # unless it came in between these two lines
                 raise
+
+
+def is_entry(place: Path) -> bool:
+    """Whether a folder is one of ours: other programs have manifests too."""
+    return {"made_from", "files"} <= _manifest(place).keys()
 
 
 def damage_of(place: Path) -> str | None:

@@ -1,0 +1,195 @@
+"""A site takes the place of the one before, whole, and takes nothing of anybody else's."""
+
+from __future__ import annotations
+
+import errno
+import os
+import random
+import resource
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from raywalk.__main__ import main
+from raywalk.bench import stress_kills
+from raywalk.errors import SourceErrors, disk_trouble
+from raywalk.work import publish
+from raywalk.work.leftovers import abandoned
+from raywalk.work.ownership import MARKER
+from raywalk.work.store import Store
+
+
+def write_site(out, text="new"):
+    with publish.staged(out) as fresh:
+        (fresh / "index.html").write_text(text)
+
+
+@pytest.fixture(params=["exchange", "renames"])
+def way(request, monkeypatch):
+    """In one step; or in two renames, where the system has no such step."""
+    if request.param == "renames":
+        monkeypatch.setattr(publish, "exchange", lambda one, other: False)
+
+
+def names(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*"))
+
+
+def test_a_site_replaces_the_one_before_and_leaves_nothing_beside(tmp_path, way):
+    write_site(tmp_path / "dist", "old")
+    write_site(tmp_path / "dist")
+    assert (tmp_path / "dist" / "index.html").read_text() == "new"
+    assert names(tmp_path) == ["dist", f"dist/{MARKER}", "dist/index.html"]
+
+
+def test_a_folder_that_holds_something_else_is_refused_untouched(tmp_path):
+    (tmp_path / "thesis.txt").write_text("years of work")
+    with pytest.raises(SourceErrors, match=r"was not made by Raywalk .*thesis.txt"):
+        write_site(tmp_path)
+    assert names(tmp_path) == ["thesis.txt"]
+
+
+def test_a_file_in_the_sites_place_is_refused_untouched(tmp_path):
+    (tmp_path / "dist").write_text("notes")
+    with pytest.raises(SourceErrors, match="is a file; a site needs a folder"):
+        write_site(tmp_path / "dist")
+    assert (tmp_path / "dist").read_text() == "notes"
+
+
+@pytest.mark.parametrize("out", [".", "scenes", "course"])
+def test_the_command_refuses_before_it_traces_anything(tmp_path, monkeypatch, capsys, out):
+    """All that `raywalk site` says is where, why and the way out; the exit code is 1."""
+    monkeypatch.chdir(tmp_path)
+    for folder in ("scenes", "course"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "mine.toml").write_text("mine")
+    before = names(tmp_path)
+    assert main(["site", "--out", out]) == 1
+    said = capsys.readouterr()
+    assert "was not made by Raywalk" in said.err and "choose another --out" in said.err
+    assert not said.out and names(tmp_path) == before
+
+
+def test_an_empty_folder_is_taken(tmp_path):
+    (tmp_path / "dist").mkdir()
+    write_site(tmp_path / "dist")
+    assert (tmp_path / "dist" / "index.html").is_file()
+
+
+def test_a_site_from_before_there_were_marks_is_ours(tmp_path):
+    out = tmp_path / "dist"
+    out.mkdir()
+    for name in ("LICENSES.txt", "sizes.json", "sw.js", "index.html"):
+        (out / name).write_text("old")
+    write_site(out)
+    assert names(out) == [MARKER, "index.html"]
+
+
+def test_what_somebody_put_beside_our_files_stays_and_our_old_files_go(tmp_path, way):
+    """A host's CNAME; the .git of a worktree; a link, as a link."""
+    out = tmp_path / "dist"
+    with publish.staged(out) as fresh:
+        (fresh / "old.html").write_text("old")
+    (out / "CNAME").write_text("rays.example")
+    (out / ".git").mkdir()
+    (out / ".git" / "HEAD").write_text("ref")
+    (out / "link").symlink_to("nowhere")
+    for text in ("new", "newer"):
+        write_site(out, text)
+        expected = [".git", ".git/HEAD", MARKER, "CNAME", "index.html", "link"]
+        assert names(out) == sorted(expected)
+        assert (out / "CNAME").read_text() == "rays.example"
+        assert os.readlink(out / "link") == "nowhere"
+
+
+def test_through_a_link_the_site_goes_where_it_leads(tmp_path, way):
+    (tmp_path / "www").mkdir()
+    (tmp_path / "dist").symlink_to("www")
+    for text in ("old", "new"):
+        write_site(tmp_path / "dist", text)
+    assert (tmp_path / "dist").is_symlink()
+    assert (tmp_path / "www" / "index.html").read_text() == "new"
+
+
+def test_a_site_that_fails_leaves_the_one_before(tmp_path, way):
+    write_site(tmp_path / "dist", "old")
+    with pytest.raises(ZeroDivisionError), publish.staged(tmp_path / "dist") as fresh:
+        (fresh / "index.html").write_text("half")
+        raise ZeroDivisionError
+    assert names(tmp_path) == ["dist", f"dist/{MARKER}", "dist/index.html"]
+    assert (tmp_path / "dist" / "index.html").read_text() == "old"
+
+
+def test_a_rename_that_fails_puts_the_old_site_back(tmp_path, monkeypatch):
+    write_site(tmp_path / "dist", "old")
+    monkeypatch.setattr(publish, "exchange", lambda one, other: False)
+    move = publish._move
+
+    def refused(folder, place):
+        if folder.name == publish.REPLACED:
+            raise OSError(errno.EACCES, "Permission denied")
+        return move(folder, place)
+
+    monkeypatch.setattr(publish, "_move", refused)
+    with pytest.raises(OSError, match="denied"):
+        write_site(tmp_path / "dist")
+    assert (tmp_path / "dist" / "index.html").read_text() == "old"
+    assert names(tmp_path) == ["dist", f"dist/{MARKER}", "dist/index.html"]
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("way", ["exchange", "renames"])
+def test_killed_at_any_instant_a_whole_site_stands_or_is_put_back(way, seed):
+    """`make stress` kills five hundred of each."""
+    assert not stress_kills.killed(way, way == "renames", random.Random(seed))
+
+
+def test_only_half_made_folders_of_ours_are_cleared_away(tmp_path):
+    """Another program's may be called .partial as well."""
+    ended = os.spawnlp(os.P_NOWAIT, "true", "true")
+    os.waitpid(ended, 0)
+    (tmp_path / f"dist.{ended}-abc.partial").mkdir()
+    for name in ("dist.backup.partial", "dist.partial", f"other.{ended}-abc.partial"):
+        (tmp_path / name).mkdir()
+        os.utime(tmp_path / name, (0, 0))
+    assert [path.name for path in abandoned(tmp_path, "dist.")] == [f"dist.{ended}-abc.partial"]
+
+
+def test_the_store_clears_away_its_own_entries_only(tmp_path):
+    """A web application has a manifest.json too."""
+    (tmp_path / "app").mkdir()
+    (tmp_path / "app" / "manifest.json").write_text('{"name": "app", "files": []}')
+    os.utime(tmp_path / "app" / "manifest.json", (0, 0))
+    Store(tmp_path).prune(keep=set())
+    assert names(tmp_path) == ["app", "app/manifest.json"]
+
+
+@pytest.mark.parametrize(
+    ("number", "hint"),
+    [
+        (errno.ENOSPC, "make room"), (errno.EDQUOT, "make room"), (errno.EFBIG, "make room"),
+        (errno.EROFS, "allow this user"), (errno.EACCES, "allow this user"),
+    ],
+)  # fmt: skip
+def test_what_a_disk_refuses_is_a_sentence_with_the_place_and_a_hint(tmp_path, number, hint):
+    said = disk_trouble(OSError(number, os.strerror(number), str(tmp_path / "dist")))
+    assert said.startswith(f"{tmp_path}/dist: {os.strerror(number)}\n  hint: {hint}")
+    assert disk_trouble(OSError(number, os.strerror(number))).startswith(os.strerror(number))
+
+
+def test_a_disk_that_is_full_ends_a_build_with_a_sentence_and_the_old_site(tmp_path):
+    """A limit on what a file may hold stands for the full disk: the same call fails."""
+    shutil.copytree("scenes/01-shading", tmp_path / "scenes" / "01-shading")
+    write_site(tmp_path / "dist", "old")
+    command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(tmp_path / "scenes")]
+    command += ["--out", str(tmp_path / "dist"), "--work", str(tmp_path / "work")]
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000)),
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "File too large\n  hint: make room" in done.stderr and "Traceback" not in done.stderr
+    assert names(tmp_path / "dist") == [MARKER, "index.html"]
+    assert not [path.name for path in tmp_path.rglob("*.partial")]
