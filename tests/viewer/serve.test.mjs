@@ -1,11 +1,13 @@
 /** raywalk serve: what is saved shows by itself; mistakes show as text and go when they are mended. */
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { existsSync, readdirSync } from "node:fs";
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch, newPage } from "./browser.mjs";
 
 const PATIENCE = 600_000; // ms: the machine may be busy, and kernels may have to be compiled
@@ -88,6 +90,52 @@ test("the mistake goes when it is mended", async () => {
   await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("Mended words."));
   await page.waitForFunction(() => !document.querySelector("#raywalk-serve.trouble"));
 });
+
+/** As people name folders; a slash is all that a name cannot have. */
+const NAMES = ["02 #1, 50 %? „Größe“", "03 a&b'\"<i>\\c> 😀"];
+const SECOND = (key) => SCENE.replace('key = "1"', `key = "${key}"`).replace('"Ball"', `"Ball ${key}"`);
+
+test("a scene that is copied in shows by itself, whatever its folder is called, and its slides follow", async () => {
+  await page.goto(`${url}index.html`);
+  await page.waitForFunction(() => document.querySelectorAll(".scene-card").length === 1);
+  for (const [k, name] of NAMES.entries()) {
+    await mkdir(join(folder, "scenes", name));
+    await writeFile(join(folder, "scenes", name, "scene.toml"), SECOND(k + 2));
+  }
+  await page.waitForFunction((count) => document.querySelectorAll(".scene-card").length === count, 1 + NAMES.length);
+  for (const key of ["2", "3"]) {
+    await page.goto(`${url}index.html`);
+    await page.locator(".scene-card", { hasText: `Ball ${key}` }).click();
+    await page.waitForFunction((title) => window.raywalk?.state() && document.title.startsWith(title), `Ball ${key}`);
+    await page.evaluate(() => window.raywalk.ready);
+  }
+  await until(() => decks().length === 1 + NAMES.length);
+});
+
+test("all that its pages link to is there, on a disk too", async () => {
+  const pages = (await readdir(join(folder, "dist"), { recursive: true })).filter((path) => path.endsWith(".html") && !path.startsWith("slides/"));
+  assert.ok(pages.some((path) => path.startsWith("de/scenes/02-1-50")), String(pages));
+  for (const path of pages) {
+    const here = pathToFileURL(join(folder, "dist", path));
+    const text = await readFile(here, "utf8");
+    for (const [, written] of text.matchAll(/\b(?:href|src)="([^"#]+)/g)) {
+      const address = new URL(written.replaceAll("&amp;", "&"), here);
+      if (address.protocol === "file:") assert.ok(existsSync(fileURLToPath(address)), `${path}: ${written}`);
+    }
+  }
+});
+
+test("a scene that is removed goes", async () => {
+  for (const name of NAMES) await rm(join(folder, "scenes", name), { recursive: true });
+  await page.goto(`${url}index.html`);
+  await page.waitForFunction(() => document.querySelectorAll(".scene-card").length === 1);
+  await until(() => decks().length === 1);
+});
+
+const decks = () => (existsSync(join(folder, "dist/slides")) ? readdirSync(join(folder, "dist/slides")).filter((name) => /^0.*\.pptx$/.test(name)) : []);
+async function until(isSo) {
+  for (const end = Date.now() + PATIENCE; !isSo(); await new Promise((done) => setTimeout(done, 50))) assert.ok(Date.now() < end, String(isSo));
+}
 
 test("the site on disk has none of this, and pages may talk to their own server only", async () => {
   const built = await readFile(join(folder, "dist", "scenes", "01-ball", "index.html"), "utf8");

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 
+from raywalk.scene.address import address_of
 from raywalk.scene.check_view import check_view
 from raywalk.scene.checks import (
     check_camera,
@@ -52,7 +53,7 @@ def compile_scene(
     if problems.errors or whole is None or camera is None or render is None:
         return None
     return Scene(
-        id=problems.file.absolute().parent.name,
+        id=address_of(problems.file.absolute().parent.name),
         path=problems.file,
         key=whole.key or "",
         title=whole.title,

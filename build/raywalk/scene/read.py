@@ -42,7 +42,7 @@ def read_scenes(folder: Path | str) -> list[Scene]:
         scene, found = _read(file)
         errors += [error for error in found if error not in errors]  # models.toml is shared
         scenes += [scene] if scene else []
-    errors += _shared_keys(scenes)
+    errors += [*_shared_addresses(scenes), *_shared_keys(scenes)]
     if errors:
         raise SourceErrors(errors)
     return scenes
@@ -65,6 +65,8 @@ def _scene_files(folder: Path) -> tuple[list[Path], list[SourceError]]:
         return [], [SourceError(folder, "", "is not a folder of scenes")]
     files, errors = [], []
     for place in sorted(path for path in folder.iterdir() if path.is_dir()):
+        if place.name.startswith("."):
+            continue  # a version control's, an editor's
         if (place / SCENE_FILE).exists():
             files.append(place / SCENE_FILE)
         elif others := sorted(path.name for path in place.glob("*.toml")):
@@ -72,6 +74,18 @@ def _scene_files(folder: Path) -> tuple[list[Path], list[SourceError]]:
             hint = did_you_mean(others[0], [SCENE_FILE])
             errors.append(SourceError(place, "", message, hint=hint))
     return files, errors
+
+
+def _shared_addresses(scenes: Iterable[Scene]) -> list[SourceError]:
+    """Names that differ in spaces, or in small and capital letters, have one address."""
+    errors: list[SourceError] = []
+    owner: dict[str, Scene] = {}
+    for scene in scenes:
+        other = owner.setdefault(scene.id.casefold(), scene)
+        if other is not scene:
+            message = f"has the address {quoted(scene.id)} that {shown_path(other.path.parent)} has"
+            errors.append(SourceError(scene.path.parent, "", message, hint="rename one of them"))
+    return errors
 
 
 def _shared_keys(scenes: Iterable[Scene]) -> list[SourceError]:

@@ -4,12 +4,22 @@ page on the model behind the pictures."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
+from traceback import walk_tb
 from typing import Any
 
-from jinja2 import BytecodeCache, Environment, FunctionLoader, StrictUndefined, select_autoescape
+from jinja2 import (
+    BytecodeCache,
+    Environment,
+    FunctionLoader,
+    StrictUndefined,
+    TemplateSyntaxError,
+    select_autoescape,
+)
 from jinja2.bccache import Bucket
 
+from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.lesson_text import lesson_html
 from raywalk.scene.model import Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
@@ -46,7 +56,7 @@ def write_pages(
         page = out / f"{home}{here}"
         page.parent.mkdir(parents=True, exist_ok=True)
         values = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
-        page.write_text(environment.get_template(template).render(values), encoding="utf-8")
+        page.write_text(rendered(environment, template, values), encoding="utf-8")
 
     decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
@@ -109,8 +119,30 @@ def write_sizes(
         )  # fmt: skip
     page = out / "sizes" / "index.html"
     page.parent.mkdir(parents=True, exist_ok=True)
-    template = page_environment(templates).get_template("sizes.html")
-    page.write_text(template.render(root="../", tables=tables, **assets), encoding="utf-8")
+    values = {"root": "../", "tables": tables, **assets}
+    page.write_text(rendered(page_environment(templates), "sizes.html", values), encoding="utf-8")
+
+
+def rendered(environment: Environment, name: str, values: dict[str, Any]) -> str:
+    """A page's text. Raises SourceErrors with the template and line in which a mistake is."""
+    try:
+        return environment.get_template(name).render(values)
+    except TemplateSyntaxError as mistake:
+        place, line = mistake.filename or name, mistake.lineno
+        said = mistake.message or str(mistake)
+    except Exception as mistake:  # of any kind: a template calls what it likes
+        frames = [(frame.f_code.co_filename, at) for frame, at in walk_tb(mistake.__traceback__)]
+        own = [(file, at) for file, at in frames if file.endswith(".html")]
+        if not own:
+            raise
+        (place, line), said = own[-1], str(mistake)
+    raise SourceErrors([SourceError(Path(place), f"line {line}", said)])
+
+
+def _loaded(templates: Path, name: str) -> tuple[str, str, None] | None:
+    """A template's text and file; None for one that is not there."""
+    file = templates / name
+    return (text_of(file), str(file), None) if file.is_file() else None
 
 
 class _Compiled(BytecodeCache):
@@ -136,7 +168,7 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
     """Jinja2 as every page uses it: all values are escaped, `say` and `tell` know the sentences
     of a language, of the default one if none is given."""
     environment = Environment(
-        loader=FunctionLoader(lambda name: text_of(templates / name)),
+        loader=FunctionLoader(partial(_loaded, templates)),
         autoescape=select_autoescape(default=True, default_for_string=True),
         bytecode_cache=_COMPILED,
         undefined=StrictUndefined,  # a misspelt name fails the build, not the page

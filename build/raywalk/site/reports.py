@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from raywalk.site.pages import page_environment
+from raywalk.site.pages import page_environment, rendered
 from raywalk.site.plots import plots_of
 
 REPORTS = "reports"  # below the work folder
@@ -35,9 +35,8 @@ def publish_reports(
     shutil.copyfile(STYLE, folder / "benchmarks.css")
     environment = page_environment(templates)
     environment.filters["shown"] = lambda value: value if isinstance(value, str) else shown(value)
-    page = environment.get_template("benchmarks.html").render(
-        root="../", scenes=scenes, plots=plots, **kept, **assets
-    )
+    values = {"root": "../", "scenes": scenes, "plots": plots, **kept, **assets}
+    page = rendered(environment, "benchmarks.html", values)
     (folder / "index.html").write_text(page, encoding="utf-8")
     return True
 

@@ -6,16 +6,19 @@ them after a build and shows mistakes. The site itself is not touched by that.
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from urllib.parse import unquote_to_bytes
 
 from raywalk.site.live import Live, News
 
 WORKER = "sw.js"
+THIS_MACHINE = re.compile(r"(127\.0\.0\.1|localhost|\[::1\])(:\d+)?", re.IGNORECASE)
 OURS = "/@raywalk/"  # addresses that are not the site's
 HEARTBEAT = 10.0  # seconds after which a page that has gone is noticed
 SWAP = 0.2  # seconds: longer than a build takes to put the new site in the old one's place
@@ -23,7 +26,19 @@ NOTHING_YET = b"<!doctype html><meta charset=utf-8><title>Raywalk</title><body><
 
 
 class _Quiet(SimpleHTTPRequestHandler):
-    """Plain files, never cached: a rebuilt site shows at the next reload."""
+    """Plain files, never cached: a rebuilt site shows at the next reload. Only for pages of this
+    machine: a page from elsewhere could name its own host for this address (DNS rebinding)."""
+
+    def parse_request(self) -> bool:
+        if not super().parse_request():
+            return False
+        if not THIS_MACHINE.fullmatch(self.headers.get("Host", "")):
+            self.send_error(HTTPStatus.FORBIDDEN, "This server answers 127.0.0.1 and localhost")
+            return False
+        if not _is_path(self.path):
+            self.send_error(HTTPStatus.BAD_REQUEST, "No file can have this address")
+            return False
+        return True
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-store")
@@ -93,6 +108,15 @@ class _Live(_Quiet):
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         self.wfile.write(body)
+
+
+def _is_path(address: str) -> bool:
+    """Whether a file could have such a name: UTF-8 without a zero byte."""
+    name = unquote_to_bytes(address.partition("?")[0])
+    try:
+        return "\0" not in name.decode()
+    except UnicodeDecodeError:
+        return False
 
 
 def followed(page: bytes, version: int) -> bytes:
