@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Annotated, Any, Literal, TypeVar, get_args
 
-from pydantic import Field, GetCoreSchemaHandler, ValidationError
+from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
+from raywalk.scene.formula import NoFormula, formulas_in, mathml
 from raywalk.scene.wording import did_you_mean, quoted, show
 
 REFUSED = "refused"  # the type of every error that is already in our words
@@ -102,6 +103,19 @@ Text = Annotated[str, Field(strict=True, pattern=r"\S"), Allowed("a text that sa
 Name = Annotated[
     str, Field(strict=True, pattern=r"^\S(.*\S)?$"), Allowed("a name (a text of one line)")
 ]
+
+
+def _check_formulas(text: str) -> str:
+    for formula in formulas_in(text):
+        try:
+            mathml(formula)
+        except NoFormula as problem:
+            message = f"the formula ${formula}$ cannot be read: {problem}"
+            raise refusal(message, hint="a dollar sign without a formula: \\$") from None
+    return text
+
+
+LessonText = Annotated[Text, AfterValidator(_check_formulas)]
 
 # Lists arrive from TOML; tuples leave, because a scene does not change.
 Point = Annotated[tuple[Number, Number, Number], Allowed("three numbers, [x, y, z]")]

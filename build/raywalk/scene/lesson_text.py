@@ -3,25 +3,55 @@
 from __future__ import annotations
 
 import re
+from copy import deepcopy
 from functools import lru_cache
+from html import unescape
 from xml.etree.ElementTree import Element
 
 from markdown import Markdown
+from markdown.inlinepatterns import InlineProcessor
 from markdown.treeprocessors import Treeprocessor
+from markdown.util import AtomicString
 
-# A link may lead to another part of the course or to a secure address.
-SAFE_LINK = re.compile(r"(https://|#|\.{0,2}/|[\w-]+(/|$|\.html))", re.ASCII)
+from raywalk.scene.formula import FORMULA, mathml
+
+# A link may lead to another part of the course or to a secure address. Browsers drop spaces and
+# control characters from an address and read a backslash as a slash, so //host, /\\host and the
+# like lead to another host by whatever scheme the page has.
+SAFE_LINK = re.compile(
+    r"(https://(?![/\\])|#|\.{0,2}/(?![/\\])|[\w-]+(/|$|\.html))[^\x00-\x20\\]*", re.ASCII
+)
 
 
 @lru_cache(maxsize=4096)  # pages and slides show the same texts, `serve` again after each save
 def lesson_html(text: str) -> str:
-    """HTML of one step's text. Raw HTML is shown as it was typed, pictures become their words."""
+    """HTML of one step's text. Raw HTML is shown as it was typed, pictures become their words,
+    $...$ and $$...$$ become formulas. Raises NoFormula."""
     markdown = Markdown(output_format="html")
     # Without these two, a tag in the text stays text and is escaped.
     markdown.preprocessors.deregister("html_block")
     markdown.inlinePatterns.deregister("html")
+    # Behind code, before all else: a formula's stars and underlines are its own.
+    markdown.inlinePatterns.register(_Formulas(FORMULA.pattern, markdown), "formula", 185)
+    markdown.block_level_elements = [tag for tag in markdown.block_level_elements if tag != "math"]
+    markdown.ESCAPED_CHARS = [*markdown.ESCAPED_CHARS, "$"]
     markdown.treeprocessors.register(_Safe(markdown), "safe", 0)
     return markdown.convert(text)
+
+
+def is_safe(address: str) -> bool:
+    """Whether a link may lead there. Entities in it are read as a browser reads them."""
+    return SAFE_LINK.fullmatch(unescape(address)) is not None
+
+
+class _Formulas(InlineProcessor):  # type: ignore[misc]
+    def handleMatch(self, match: re.Match[str], text: str) -> tuple[Element, int, int]:
+        """What Markdown calls for each match."""
+        formula = deepcopy(mathml(match["whole"] or match["one"], bool(match["whole"])))
+        for element in formula.iter():
+            if element.text:
+                element.text = AtomicString(element.text)
+        return formula, match.start(0), match.end(0)
 
 
 class _Safe(Treeprocessor):  # type: ignore[misc]
@@ -33,6 +63,6 @@ class _Safe(Treeprocessor):  # type: ignore[misc]
                 element.tag, words = "span", element.get("alt", "")
                 element.attrib.clear()
                 element.text = words
-            elif element.tag == "a" and not SAFE_LINK.match(element.get("href", "")):
+            elif element.tag == "a" and not is_safe(element.get("href", "")):
                 element.tag = "span"
                 element.attrib.clear()

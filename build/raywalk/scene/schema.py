@@ -13,6 +13,7 @@ from raywalk.scene.fields import (
     Falloff,
     FieldOfView,
     Flag,
+    LessonText,
     Maybe,
     Name,
     Point,
@@ -206,9 +207,9 @@ class ViewTable(Table):
 class StepTable(Table):
     """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
-    text: Text = Field(description="what is said or asked, in Markdown")
+    text: LessonText = Field(description="what is said or asked, in Markdown with $formulas$")
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
-    answer: Maybe[Text] = Field(
+    answer: Maybe[LessonText] = Field(
         default=None, description="what is said once everyone has predicted, in Markdown"
     )
     answer_view: Maybe[ViewTable] = Field(

@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import Field, ValidationError
 
 from raywalk.errors import SourceErrors
-from raywalk.scene.fields import Maybe, Name, Text
+from raywalk.scene.fields import LessonText, Maybe, Name, Text
 from raywalk.scene.model import LessonStep, Scene
 from raywalk.scene.problems import Problems
 from raywalk.scene.table import Table
@@ -21,8 +21,8 @@ from raywalk.scene.wording import did_you_mean, joined, quoted
 class TranslatedStep(Table):
     """What a step of the lesson says; what it shows stands in scene.toml."""
 
-    text: Text = Field(description="what is said or asked, in Markdown")
-    answer: Maybe[Text] = Field(default=None, description="of a question, in Markdown")
+    text: LessonText = Field(description="what is said or asked, in Markdown with $formulas$")
+    answer: Maybe[LessonText] = Field(default=None, description="of a question, in Markdown")
 
 
 class TranslationFile(Table):

@@ -72,12 +72,16 @@ class _Reader(HTMLParser):
         self.bold = self.italic = 0
         self.lists: list[int] = []  # numbers of open lists; 0 for bullets
         self.bullet = ""
+        self.is_formula = False
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag in ("strong", "b", "h1", "h2", "h3", "h4", "h5", "h6"):
             self.bold += 1
         if tag in ("em", "i"):
             self.italic += 1
+        if tag == "math":
+            self.handle_data(dict(attrs).get("alttext") or "")
+            self.is_formula = True
         if tag in ("ul", "ol"):
             self.end_paragraph()
             self.lists.append(int(tag == "ol"))
@@ -95,12 +99,16 @@ class _Reader(HTMLParser):
             self.bold -= 1
         if tag in ("em", "i"):
             self.italic -= 1
+        if tag == "math":
+            self.is_formula = False
         if tag in BLOCKS:
             self.end_paragraph()
         if tag in ("ul", "ol") and self.lists:
             self.lists.pop()
 
     def handle_data(self, data: str) -> None:
+        if self.is_formula:
+            return  # its line has been taken
         text = re.sub(r"\s+", " ", data)
         if not self.runs:
             text = text.lstrip()
