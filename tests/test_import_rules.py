@@ -21,8 +21,9 @@ VIEWER = ROOT / "site_src" / "viewer"
 MAY_IMPORT = {
     "optics": set(),
     "words": {"work.snapshot"},
-    "scene": {"errors", "work.snapshot"},
-    "geometry": {"scene", "optics", "errors"},
+    "models": set(),
+    "scene": {"errors", "models", "work.snapshot"},
+    "geometry": {"scene", "models", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "stops": {"words", "errors"},
@@ -115,7 +116,7 @@ def test_a_build_knows_nothing_of_the_bench() -> None:
 def test_start_up_needs_no_engine() -> None:
     """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
     no module that reads scenes imports them at its top."""
-    for folder in ("scene", "trace_file", "stops", "words", "site", "slides", "work"):
+    for folder in ("scene", "models", "trace_file", "stops", "words", "site", "slides", "work"):
         for file in python_files(folder):
             found = {name.split(".")[0] for name in imported(file)}
             assert not found & {"numba", "trimesh", "embreex"}, file.name

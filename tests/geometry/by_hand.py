@@ -82,9 +82,11 @@ def write_ply(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
     return path
 
 
-def mesh_of(path: Path, smooth: bool = False, subdivide: int = 0) -> Mesh:
+def mesh_of(
+    path: Path, smooth: bool = False, subdivide: int = 0, weld: float | None = None
+) -> Mesh:
     """The mesh in a file."""
-    return Mesh(path.stem, path, smooth, subdivide)
+    return Mesh(path.stem, path, smooth, subdivide, weld)
 
 
 def unit(v: np.ndarray) -> np.ndarray:

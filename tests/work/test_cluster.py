@@ -139,7 +139,7 @@ def test_a_scene_that_cannot_be_traced_is_told_as_it_is_here(folder, cluster, tm
     there = capsys.readouterr().err
     assert site(tmp_path, "dist") == 1
     assert there == capsys.readouterr().err
-    assert "cannot be read as a mesh" in there
+    assert "the file ends in its header" in there
 
 
 def test_a_scheduler_that_is_not_there_is_told_with_what_helps(folder, capsys, monkeypatch):

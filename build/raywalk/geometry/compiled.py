@@ -203,13 +203,16 @@ class CompiledScene:
             (rays.leaving == mesh.index) | self.neighbours[rays.leaving, mesh.index]
         )
         own = np.where(rays.leaving[at] == mesh.index, rays.triangle[at], -1).astype(np.int32)
+        straight = straight and not mesh.triangles.layered
         asked = np.flatnonzero(own < 0) if straight else np.arange(len(at))
-        doubtful = asked[
-            mesh.in_doubt(
-                rays.origin[at[asked]], rays.direction[at[asked]], own[asked],
-                2.0 * TIE * came[at[asked]],
-            )
-        ]  # fmt: skip
+        doubtful = asked
+        if not mesh.triangles.layered:  # there a face does not tell which side it bounds
+            doubtful = asked[
+                mesh.in_doubt(
+                    rays.origin[at[asked]], rays.direction[at[asked]], own[asked],
+                    2.0 * TIE * came[at[asked]],
+                )
+            ]  # fmt: skip
         within = rays.inner[at]
         unsure = at[doubtful]
         within[doubtful] = mesh.holds(rays.origin[unsure], rays.direction[unsure], own[doubtful])
@@ -281,17 +284,21 @@ def _compile_meshes(scene: Scene) -> list[MeshTarget]:
             problems += raised.errors
             continue
         if glass and not targets[-1].triangles.closed:
-            problems.append(_open_glass(scene, k))
+            problems.append(_open_glass(scene, targets[-1]))
     if problems:
         raise SourceErrors(problems)
     return targets
 
 
-def _open_glass(scene: Scene, k: int) -> SourceError:
-    name = scene.objects[k].name
+def _open_glass(scene: Scene, mesh: MeshTarget) -> SourceError:
+    from raywalk.geometry.mesh_file import where_open
+
+    name = scene.objects[mesh.index].name
     return SourceError(
         scene.path,
-        f"objects[{k}].material",
-        f'"{name}" is an open mesh, and light would enter glass that it never leaves',
+        f"objects[{mesh.index}].material",
+        f'"{name}" is an open mesh ({where_open(mesh.triangles)}), and light would enter glass '
+        "that it never leaves",
         allowed="glass (transmit > 0) needs a closed mesh",
+        hint="close it in the program that made it; a larger `weld` joins corners that are near",
     )

@@ -1,22 +1,24 @@
-"""A mesh file as clean float64 triangles: what is unusable is dropped, by name and count."""
+"""A mesh object of a scene as clean float64 triangles, where it stands."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.geometry.mesh_normals import averaged_normals, grouped_normals, own_normals
+from raywalk.models.clean import Cleaned, clean, worth_tracing
+from raywalk.models.edges import edges_of, open_edges
+from raywalk.models.faults import ModelFault
+from raywalk.models.read import read_model
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
 
-# A triangle thinner than this share of its longest edge has no direction left in float64:
-# its normal would be rounding. Slivers down to aspect 1e10 stay.
-FLATTEST = 1e-14
-# A corner further out than this many times the usual distance (1e30 in a broken export) leaves
-# the rest of the mesh no digits.
-FARTHEST = 1e12
+READ = 2  # files kept: a scene's objects often are parts of one
 
 
 @dataclass(frozen=True)
@@ -26,8 +28,10 @@ class Triangles:
     centre: np.ndarray  # (3,) world
     vertices: np.ndarray  # (v, 3) relative to centre
     faces: np.ndarray  # (f, 3) int64
-    normals: np.ndarray | None  # (v, 3) unit vertex normals; None if flat
+    normals: np.ndarray | None  # (n, 3) unit normals; None if flat
+    normal_rows: np.ndarray  # (f, 3) int64: of each corner; `faces` where each vertex has one
     closed: bool
+    layered: bool  # closed shells of it lie in one another, or overlap
     dropped: dict[str, int]  # reason -> triangles
 
     @property
@@ -37,54 +41,123 @@ class Triangles:
 
 
 def load_triangles(scene: Scene, obj: SceneObject) -> Triangles:
-    """Reads, subdivides, cleans and places one mesh object. Raises SourceErrors if unusable."""
-    import trimesh
-
-    assert isinstance(obj.shape, Mesh)
+    """Reads, cleans, subdivides and places one mesh object. Raises SourceErrors if unusable."""
+    shape = obj.shape
+    assert isinstance(shape, Mesh)
     try:
-        # No welding by trimesh: its tolerance is absolute (1e-8), scenes have any scale.
-        loaded = trimesh.load(obj.shape.path, process=False, force="mesh")
-    except Exception as problem:  # trimesh raises whatever its readers raise
-        raise _unreadable(scene, obj, f"cannot be read as a mesh ({problem})") from problem
-    if not isinstance(loaded, trimesh.Trimesh) or len(loaded.faces) == 0:
-        raise _unreadable(scene, obj, "holds no triangle")
-    vertices, faces = _weld(np.asarray(loaded.vertices, float), np.asarray(loaded.faces))
-    vertices, faces, dropped = _within_reach(vertices, faces)
-    if obj.shape.subdivide and len(faces):
-        smooth = trimesh.Trimesh(vertices, faces, process=False)
-        smooth = smooth.subdivide_loop(iterations=obj.shape.subdivide)
-        vertices, faces = np.asarray(smooth.vertices, float), np.asarray(smooth.faces)
-    placed = _placed(scene, obj, vertices, faces)
-    return replace(placed, dropped={**dropped, **placed.dropped})
+        cleaned = read_cleaned(shape.path, shape.weld)
+        return _placed(obj, shape, cleaned)
+    except ModelFault as fault:
+        key = f'objects "{obj.name}".{"file" if shape.model == fault.path.name else "model"}'
+        where = ", ".join(part for part in (fault.path.name, fault.place) if part)
+        joint = " " if fault.cause.startswith(("holds", "is ")) else ": "
+        problem = SourceError(scene.path, key, where + joint + fault.cause, hint=fault.remedy)
+        raise SourceErrors([problem]) from None
 
 
-def _placed(scene: Scene, obj: SceneObject, vertices: np.ndarray, faces: np.ndarray) -> Triangles:
-    import trimesh
+def read_cleaned(path: Path, weld: float | None) -> Cleaned:
+    """A file's triangles, made fit. Raises ModelFault."""
+    try:
+        state = path.stat()
+        return _kept(path, state.st_mtime_ns, state.st_size, weld)
+    except (OSError, ValueError):
+        return clean(read_model(path), weld)  # which says what is wrong with the file
 
-    assert isinstance(obj.shape, Mesh)
-    if not len(faces):
-        raise _unreadable(scene, obj, "holds no usable triangle")
+
+@lru_cache(READ)
+def _kept(path: Path, changed: int, size: int, weld: float | None) -> Cleaned:
+    return clean(read_model(path), weld)
+
+
+def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
+    vertices, faces = cleaned.vertices, cleaned.faces
+    if shape.subdivide:
+        vertices, faces = _subdivided(cleaned, shape.subdivide)
+    source = np.repeat(cleaned.source, len(faces) // len(cleaned.faces))
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     linear, offset = obj.transform[:3, :3], obj.transform[:3, 3]
     placed = (vertices - middle) @ linear.T
-    faces, dropped = _clean(placed, faces)
-    if not len(faces):
-        raise _unreadable(scene, obj, "holds no usable triangle")
+    kept, flattened = worth_tracing(placed, faces)
+    if not len(kept):
+        raise ModelFault(
+            shape.path, "", "holds no usable triangle once the object's transform is applied",
+            "scale it less unevenly",
+        )  # fmt: skip
+    faces, source = faces[kept], source[kept]
     if np.linalg.det(linear) < 0:  # a mirrored copy: keep normals outward
         faces = faces[:, ::-1]
-    mesh = trimesh.Trimesh(placed, faces, process=False)
-    closed = bool(mesh.is_watertight and mesh.is_winding_consistent)
-    if closed and _volume(placed[faces]) < 0:  # the file has it inside out
-        faces = faces[:, ::-1]
     centre, rest = _centre(linear, middle, offset)
+    normals, rows = _normals(shape, cleaned, placed, faces, source, linear)
     return Triangles(
         centre=centre,
         vertices=placed + rest,
-        faces=faces,
-        normals=_vertex_normals(placed, faces) if obj.shape.smooth else None,
-        closed=closed,
-        dropped=dropped,
+        faces=np.ascontiguousarray(faces),
+        normals=normals,
+        normal_rows=np.ascontiguousarray(rows),
+        closed=cleaned.shape.closed and not flattened,
+        layered=cleaned.shape.layered,
+        dropped={**cleaned.dropped, **flattened},
     )
+
+
+def _subdivided(cleaned: Cleaned, rounds: int) -> tuple[np.ndarray, np.ndarray]:
+    """By Loop's scheme, shell by shell: at a corner where two touch neither pulls at the other."""
+    import trimesh  # only here: reading needs none of it
+
+    shells, vertices = cleaned.shape.shells, cleaned.vertices
+    groups = [cleaned.faces] if len(shells) == 1 else [cleaned.faces[s.triangles] for s in shells]
+    made, count = [], 0
+    try:
+        for group in groups:
+            used, index = (vertices, group) if len(shells) == 1 else _compact(vertices, group)
+            smooth = trimesh.Trimesh(used, index, process=False)
+            smooth = smooth.subdivide_loop(iterations=rounds)
+            made.append((np.asarray(smooth.vertices, float), np.asarray(smooth.faces) + count))
+            count += len(smooth.vertices)
+    except ValueError:
+        raise ModelFault(
+            cleaned.model.path, "", "it has edges at which more than two triangles meet, and "
+            "cannot be subdivided", "leave `subdivide` out",
+        ) from None  # fmt: skip
+    faces = np.concatenate([each for _, each in made])
+    # Back into the order of the triangles that they were made of.
+    whose = np.repeat(
+        np.concatenate([s.triangles for s in shells]), len(faces) // len(cleaned.faces)
+    )
+    order = np.argsort(whose, kind="stable") if len(shells) > 1 else np.arange(len(faces))
+    return np.concatenate([each for each, _ in made]), faces[order]
+
+
+def _compact(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    used, index = np.unique(faces, return_inverse=True)
+    return vertices[used], index.reshape(-1, 3)
+
+
+def _normals(
+    shape: Mesh, cleaned: Cleaned, placed: np.ndarray, faces: np.ndarray, source: np.ndarray,
+    linear: np.ndarray,
+) -> tuple[np.ndarray | None, np.ndarray]:  # fmt: skip
+    """Unit normals and each corner's row; None of what is flat."""
+    model = cleaned.model
+    if not shape.smooth:
+        return None, faces
+    if shape.subdivide:
+        return averaged_normals(placed, faces), faces
+    if model.normals is not None:
+        rows = model.normals.row[source]
+        # The winding of these faces, not of the file's.
+        is_back = cleaned.turned[_row_of(cleaned.source, source)]
+        is_back = is_back ^ bool(np.linalg.det(linear) < 0)
+        rows = np.where(is_back[:, None], rows[:, ::-1], rows)
+        return own_normals(model.normals.table, rows, placed[faces], linear)
+    if model.smoothing is not None:
+        return grouped_normals(placed, faces, model.smoothing[source])
+    return averaged_normals(placed, faces), faces
+
+
+def _row_of(source: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Where each wanted number stands in the source, which is ascending."""
+    return np.searchsorted(source, wanted)
 
 
 def _centre(
@@ -103,74 +176,12 @@ def _centre(
     return np.array(centre), np.array(rest)
 
 
-def _volume(corners: np.ndarray) -> float:
-    """Six times the volume that a closed mesh encloses; negative if it is inside out."""
-    a, b, c = corners.transpose(1, 0, 2)
-    return float((a * np.cross(b, c)).sum())
-
-
-def _within_reach(
-    vertices: np.ndarray, faces: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
-    """Only vertices that some face uses, without faces that reach to infinity or next to it."""
-    finite = np.isfinite(vertices[faces]).all(axis=(1, 2))
-    corners = vertices[faces[finite]]
-    near = np.ones(len(corners), bool)
-    if len(corners):
-        away = np.abs(corners / 2 - np.median(corners, axis=(0, 1)) / 2).max(axis=(1, 2))
-        near = away <= FARTHEST * np.median(away)
-    kept = faces[finite][near]
-    used, index = np.unique(kept, return_inverse=True)
-    dropped = {"not finite": int((~finite).sum()), "too far out": int((~near).sum())}
-    return (
-        vertices[used],
-        index.reshape(-1, 3),
-        {reason: n for reason, n in dropped.items() if n},
-    )
-
-
-def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Joins vertices of exactly equal position, as formats without sharing (STL) need."""
-    unique, index = np.unique(vertices, axis=0, return_inverse=True)
-    return unique, index.reshape(-1)[faces]
-
-
-def _clean(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:
-    """Faces worth tracing, and what was dropped: without area, or twice the same."""
-    dropped = {}
-    a, b, c = vertices[faces].transpose(1, 0, 2)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    longest = np.max([np.linalg.norm(e, axis=1) for e in (b - a, c - b, a - c)], axis=0)
-    keep = area > FLATTEST * longest**2
-    dropped["without area"] = int((~keep).sum())
-    faces = faces[keep]
-    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    dropped["duplicates"] = len(faces) - len(first)
-    return faces[np.sort(first)], {reason: n for reason, n in dropped.items() if n}
-
-
-def _vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Unit vertex normals, face normals weighted by their angle at the vertex.
-
-    Thuermer and Wuethrich, "Computing vertex normals from polygonal facets", JGT 3(1),
-    1998: independent of how a flat part is cut into triangles.
-    """
-    corners = vertices[faces]
-    face_normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    face_normals /= np.linalg.norm(face_normals, axis=1, keepdims=True)
-    sums = np.zeros_like(vertices)
-    for k in range(3):
-        one = corners[:, (k + 1) % 3] - corners[:, k]
-        other = corners[:, (k + 2) % 3] - corners[:, k]
-        across = np.linalg.norm(np.cross(one, other), axis=1)
-        angle = np.arctan2(across, (one * other).sum(axis=1))
-        np.add.at(sums, faces[:, k], angle[:, None] * face_normals)
-    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-    return np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 0)
-
-
-def _unreadable(scene: Scene, obj: SceneObject, why: str) -> SourceErrors:
-    assert isinstance(obj.shape, Mesh)
-    key = f'objects "{obj.name}".model'
-    problem = SourceError(scene.path, key, f"{obj.shape.path.name} {why}")
-    return SourceErrors([problem])
+def where_open(triangles: Triangles) -> str:
+    """How many edges are open, and where the first of them is: (x, y, z) in the world."""
+    ends = open_edges(edges_of(triangles.faces))
+    if not len(ends):
+        return "its triangles do not agree on which side is outside"
+    place = triangles.vertices[ends].mean(axis=1) + triangles.centre
+    first = place[np.lexsort(place.T)[0]]
+    told = ", ".join(f"{value:.6g}" for value in np.round(first, 9) + 0.0)
+    return f"{len(ends)} open edge{'s' if len(ends) > 1 else ''}, the first at [{told}]"

@@ -116,3 +116,42 @@ def leaves(corners, triangle, d):
     """Whether a ray passes a triangle along its normal: out of the mesh."""
     nx, ny, nz = triangle_normal(corners, triangle)
     return nx * d[0] + ny * d[1] + nz * d[2] > 0.0
+
+
+@kernel
+def holds_ahead(bvh, corners, o, d, own, bound):
+    """Whether a ray is in a mesh just beyond its start whose closed shells lie in one another or
+    overlap: it is while it leaves shells more often than it enters them on its way out.
+
+    A hit close to an edge may be counted for one triangle or two: then the mesh's turns round a
+    place halfway to the next hit are counted.
+    """
+    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    stack = np.empty(STACK, np.int32)
+    depth, node = 0, 0
+    count, nearest, in_doubt = 0, np.inf, False
+    while True:
+        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) < np.inf:
+            if bvh.held[node] == 0:
+                stack[depth] = bvh.second[node]
+                depth += 1
+                node += 1
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+                triangle = bvh.order[place]
+                t, u, v = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
+                if not 0.0 < t < np.inf or triangle == own:
+                    continue
+                if bound > 0.0 and is_left(corners, triangle, own, o, d, t, bound):
+                    continue
+                count += 1 if leaves(corners, triangle, d) else -1
+                nearest = min(nearest, t)
+                in_doubt |= min(u, min(v, 1.0 - u - v)) <= AT_EDGE
+        if depth == 0:
+            break
+        depth -= 1
+        node = stack[depth]
+    if nearest == np.inf or not in_doubt:
+        return count > 0
+    half = 0.5 * nearest
+    return is_around(corners, (o[0] + half * d[0], o[1] + half * d[1], o[2] + half * d[2]))

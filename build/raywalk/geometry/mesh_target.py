@@ -13,7 +13,7 @@ import numpy as np
 from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
 from raywalk.geometry.float32_copy import GAP, STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
-from raywalk.geometry.mesh_sides import is_near, leaves, outline_hit
+from raywalk.geometry.mesh_sides import holds_ahead, is_near, leaves, outline_hit
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.triangle import height_over, shear, triangle_hit, triangle_normal, vector
 from raywalk.optics.compiled import kernel
@@ -101,9 +101,12 @@ class MeshTarget:
         """(n,) bool: whether rays that start on a surface are in this closed mesh from there on.
 
         They are if they next come out of it. So what a ray is in and what it will meet agree,
-        however rounding has placed surfaces that touch.
+        however rounding has placed surfaces that touch. Where its shells lie in one another, what
+        comes next may be an inner one's: all that come are counted.
         """
         count = len(origin)
+        if self.triangles.layered:
+            return in_any_shell(self.bvh, self.corners, self.centre, origin, direction, own)
         nowhere = np.full(count, np.inf)
         _, triangle, _ = self.nearest(origin, direction, nowhere, own, np.full(count, True))
         return next_leaves(self.corners, triangle, direction)
@@ -127,9 +130,9 @@ class MeshTarget:
         """Fills the last four arguments for the rays that met this mesh."""
         smooth = self.triangles.normals
         mesh_surface(
-            self.corners, self.triangles.faces, np.zeros((0, 3)) if smooth is None else smooth,
-            self.centre, direction, met, self.index, triangle, uv,
-            point, normal, geometric, inside,
+            self.corners, self.triangles.normal_rows,
+            np.zeros((0, 3)) if smooth is None else smooth, self.centre,
+            direction, met, self.index, triangle, uv, point, normal, geometric, inside,
         )  # fmt: skip
 
     def bound_at(self, origin: np.ndarray) -> np.ndarray:
@@ -322,6 +325,21 @@ def next_leaves(corners, triangle, direction):
 
 
 @kernel
+def in_any_shell(bvh, corners, centre, origin, direction, own):
+    """(n,) bool: whether rays are in a mesh of several layers, just beyond their origins."""
+    answer = np.zeros(origin.shape[0], np.bool_)
+    local = np.empty((1, 3))
+    for i in range(origin.shape[0]):
+        for k in range(3):
+            local[0, k] = origin[i, k] - centre[k]
+        if own[i] >= 0:
+            onto_plane(corners, own[i], local, 0)
+        o, d = vector(local, 0), vector(direction, i)
+        answer[i] = holds_ahead(bvh, corners, o, d, own[i], origin_bound(o, centre))
+    return answer
+
+
+@kernel
 def every_hit(bvh, corners, local, direction):
     """All hits of each ray: index (h,) and t (h,), nearest first."""
     found, entering = np.empty(corners.shape[0]), np.empty(corners.shape[0], np.bool_)
@@ -351,14 +369,14 @@ def tests_made(bvh, corners, local, direction, t_max, own, bound):
 
 @kernel
 def mesh_surface(
-    corners, faces, normals, centre, direction, met, index, triangle, uv,
+    corners, rows, normals, centre, direction, met, index, triangle, uv,
     point, normal, geometric, inside,
 ):  # fmt: skip
     """Fills point, shading normal, geometric normal and side of rays that met object `index`.
 
     Both normals face the incoming ray; the side is the geometric one's. An interpolated
     normal that still looks away at a silhouette is bent back until it is square to the ray.
-    normals: (v, 3), or (0, 3) for a flat mesh.
+    normals: (n, 3), or (0, 3) for a flat mesh; rows: (f, 3) of its corners' normals.
     """
     for i in range(direction.shape[0]):
         if met[i] != index:
@@ -375,14 +393,14 @@ def mesh_surface(
         geometric[i, 0], geometric[i, 1], geometric[i, 2] = sign * gx, sign * gy, sign * gz
         nx, ny, nz = sign * gx, sign * gy, sign * gz
         if normals.shape[0] > 0:
-            nx, ny, nz = smooth_normal(normals, faces, k, u, v, sign, d, nx, ny, nz)
+            nx, ny, nz = smooth_normal(normals, rows, k, u, v, sign, d, nx, ny, nz)
         normal[i, 0], normal[i, 1], normal[i, 2] = nx, ny, nz
 
 
 @kernel
-def smooth_normal(normals, faces, k, u, v, sign, d, gx, gy, gz):
+def smooth_normal(normals, rows, k, u, v, sign, d, gx, gy, gz):
     """Unit interpolated normal on the ray's side; the geometric one g where that has no length."""
-    a, b, c, w = faces[k, 0], faces[k, 1], faces[k, 2], 1.0 - u - v
+    a, b, c, w = rows[k, 0], rows[k, 1], rows[k, 2], 1.0 - u - v
     x = sign * (w * normals[a, 0] + u * normals[b, 0] + v * normals[c, 0])
     y = sign * (w * normals[a, 1] + u * normals[b, 1] + v * normals[c, 1])
     z = sign * (w * normals[a, 2] + u * normals[b, 2] + v * normals[c, 2])

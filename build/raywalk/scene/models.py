@@ -8,6 +8,8 @@ from typing import Annotated
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from raywalk.models.faults import shown
+from raywalk.models.read import READABLE
 from raywalk.scene.fields import Allowed, Text
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MeshTable
@@ -16,7 +18,6 @@ from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 CATALOGUE = "models/models.toml"
-READABLE = (".ply", ".obj", ".stl", ".off")
 
 Count = Annotated[int, Field(strict=True, ge=1), Allowed("a whole number of at least 1")]
 
@@ -98,7 +99,7 @@ def _named(name: str, models: Models, at: Location, problems: Problems) -> tuple
         )
         return None
     path = models.path(name)
-    if not path.is_file():
+    if not _is_file(path):
         problems.add(at, f"the model's file {quoted(models.tables[name].file)} is missing")
         return None
     return name, path
@@ -111,11 +112,27 @@ def _own_file(file: str, at: Location, problems: Problems) -> tuple[str, Path] |
             at, f"{quoted(file)} is not a mesh file", allowed=f"allowed: {joined(READABLE)}"
         )
         return None
-    if path.is_file():
+    if _is_file(path):
         return file, path
-    beside = sorted(p.name for p in path.parent.glob("*") if p.suffix.lower() in READABLE)
-    hint = did_you_mean(path.name, beside)
     problems.add(
-        at, f"there is no file {quoted(file)}", hint=hint, allowed="seen from the scene file"
+        at,
+        f"there is no file {quoted(shown(file))}",
+        hint=did_you_mean(path.name, _beside(path)),
+        allowed="seen from the scene file",
     )
     return None
+
+
+def _is_file(path: Path) -> bool:
+    """Also of a name that no file can have, of 5,000 characters or with a zero in it."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _beside(path: Path) -> list[str]:
+    try:
+        return sorted(p.name for p in path.parent.glob("*") if p.suffix.lower() in READABLE)
+    except (OSError, ValueError):
+        return []

@@ -155,20 +155,33 @@ class TriangleTable(ObjectTable):
     c: Point = Field(description="the last corner")
 
 
+Weld = Annotated[
+    float, Field(strict=True, ge=0, le=0.1, allow_inf_nan=False), Allowed("a number from 0 to 0.1")
+]
+
+
 class MeshTable(ObjectTable):
     type: Literal["mesh"]
     model: Maybe[Name] = Field(
         default=None, description="a name in models/models.toml, or give `file`"
     )
     file: Maybe[Name] = Field(
-        default=None, description="a .ply, .obj, .stl or .off file, relative to the scene file"
+        default=None,
+        description="a .obj, .stl, .ply or .off file, relative to the scene file",
     )
     smooth: Flag = Field(
-        default=True, description="normals interpolated from the vertices, else one per triangle"
+        default=True,
+        description="normals of the file, by its smoothing groups, or averaged at each vertex; "
+        "false: one per triangle",
     )
     subdivide: Annotated[
         int, Field(strict=True, ge=0, le=3), Allowed("a whole number from 0 to 3")
     ] = Field(default=0, description="rounds of Loop subdivision: each makes four triangles of one")
+    weld: Maybe[Weld] = Field(
+        default=None,
+        description="corners of open edges nearer than this share of the model's size are one "
+        "(default 1e-6; 0: only equal ones)",
+    )
 
 
 SHAPES: dict[str, type[ObjectTable]] = {

@@ -266,6 +266,7 @@ class Mesh(Shape):
     path: Path
     smooth: bool = True  # normals interpolated from the vertices, else one per triangle
     subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
+    weld: float | None = None  # corners nearer than this share of the size are one; None: 1e-6
 
     canonical = MESH
 

@@ -1,0 +1,1 @@
+"""Files of triangles that other programs wrote: read, cleaned, told about. Knows no scene."""

@@ -1,0 +1,72 @@
+"""Edges of triangles: how many use each, which way; and what hangs together by them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Edges(NamedTuple):
+    """Sides of f triangles, three each, sorted so that those of one edge follow one another."""
+
+    side: np.ndarray  # (3 f,) int64: 3 * triangle + which side
+    along: np.ndarray  # (3 f,) int8: 1 from the lower vertex to the higher, -1 back
+    start: np.ndarray  # (e,) int64: where each edge's sides begin
+    uses: np.ndarray  # (e,) int64: how many there are
+    ends: np.ndarray  # (e, 2) int64 vertices
+
+
+def edges_of(faces: np.ndarray) -> Edges:
+    """faces: (f, 3) vertices."""
+    begin, end = faces.reshape(-1), np.roll(faces, -1, axis=1).reshape(-1)
+    low, high = np.minimum(begin, end), np.maximum(begin, end)
+    key = low * (int(high.max(initial=0)) + 1) + high
+    side = np.argsort(key, kind="stable")
+    ordered = key[side]
+    start = np.flatnonzero(np.concatenate([[True], ordered[1:] != ordered[:-1]]))
+    if not len(faces):
+        start = start[:0]
+    uses = np.diff(np.append(start, len(ordered)))
+    along = np.where(begin < end, 1, -1).astype(np.int8)[side]
+    first = side[start]
+    return Edges(side, along, start, uses, np.column_stack([low[first], high[first]]))
+
+
+def open_edges(edges: Edges) -> np.ndarray:
+    """(k, 2) vertices of edges at which an odd number of triangles meet: surfaces end there."""
+    return edges.ends[edges.uses % 2 == 1]
+
+
+def neighbours_of(edges: Edges) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Triangles (p,) and (p,) that share an edge with nobody else, and (p,) bool: they are wound
+    against each other."""
+    first = edges.start[edges.uses == 2]
+    one, other = edges.side[first] // 3, edges.side[first + 1] // 3
+    return one, other, edges.along[first] == edges.along[first + 1]
+
+
+def joined(
+    count: int, one: np.ndarray, other: np.ndarray, turned: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Things that hang together: the lowest of each's group (n,), whether it is turned against
+    that (n,) bool, and which ties (p,) bool contradict the others.
+
+    one, other: (p,) ties; turned: (p,) bool, whether a tie turns. Each round hangs every group
+    that has a lower neighbour below it, so that they at least halve (Shiloach and Vishkin, 1982).
+    """
+    root, parity = np.arange(count), np.zeros(count, bool)
+    while True:
+        at, to = root[one], root[other]
+        live = at != to
+        if not live.any():
+            break
+        across = (parity[one] ^ parity[other] ^ turned)[live]
+        high, low = np.maximum(at, to)[live], np.minimum(at, to)[live]
+        # Of several the last one counts, in both.
+        root[high], parity[high] = low, across
+        while (root[root] != root).any():
+            parity ^= parity[root]
+            root = root[root]
+    torn = parity[one] ^ parity[other] ^ turned
+    return root, parity, np.asarray(torn, bool)
