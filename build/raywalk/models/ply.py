@@ -69,7 +69,7 @@ def _polygons(
         counts, corners = counts[keep], corners[np.repeat(keep, counts)]
     elif strips is not None:
         values = next((strips.lists[n].values for n in INDICES if n in strips.lists), np.zeros(0))
-        corners = _cut_strips(values.astype(np.int64)).reshape(-1)
+        corners = cut_strips(values.astype(np.int64)).reshape(-1)
         counts = np.full(len(corners) // 3, 3)
     else:
         raise ModelFault(
@@ -90,7 +90,7 @@ def _polygons(
     return counts, corners, whose
 
 
-def _cut_strips(values: np.ndarray) -> np.ndarray:
+def cut_strips(values: np.ndarray) -> np.ndarray:
     """(t, 3): every three corners in a row, each second one turned; -1 begins a strip anew."""
     if len(values) < 3:
         return np.empty((0, 3), np.int64)

@@ -9,7 +9,7 @@ from raywalk.models.faults import ModelFault, shown
 from raywalk.models.model import Model
 
 # Ending -> what reads it. Each is imported only where a file ends so.
-READABLE = (".obj", ".stl", ".ply", ".off")
+READABLE = (".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".3mf")
 LARGEST = 1 << 31  # bytes
 
 
@@ -59,6 +59,14 @@ def _reader(kind: str) -> Callable[[Path, bytes], Model]:
             from raywalk.models.ply import read_ply
 
             return read_ply
-    from raywalk.models.off import read_off
+        case ".off":
+            from raywalk.models.off import read_off
 
-    return read_off
+            return read_off
+        case ".3mf":
+            from raywalk.models.threemf import read_3mf
+
+            return read_3mf
+    from raywalk.models.gltf import read_gltf
+
+    return read_gltf

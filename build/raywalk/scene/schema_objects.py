@@ -167,7 +167,8 @@ class MeshTable(ObjectTable):
     )
     file: Maybe[Name] = Field(
         default=None,
-        description="a .obj, .stl, .ply or .off file, relative to the scene file",
+        description="a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene "
+        "file",
     )
     smooth: Flag = Field(
         default=True,

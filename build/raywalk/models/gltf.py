@@ -1,0 +1,239 @@
+"""glTF 2.0, as text with its buffers beside it or within, or binary (GLB): the triangles of all
+nodes of the scene where these put them, with base colours.
+
+Our own: trimesh 5.2 says nothing of skins, animations and Draco, which are left out here by name,
+and answers damaged files with errors of numpy. Format: Khronos, "glTF 2.0 Specification", 2021.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raywalk.models.faults import ModelFault, quoted
+from raywalk.models.gltf_buffers import Buffers, beside_gltf, whole
+from raywalk.models.gltf_nodes import Placed, placed_meshes
+from raywalk.models.model import FileMaterial, Model, PerCorner
+from raywalk.models.ply import cut_strips
+
+TRIANGLES, STRIP, FAN = 4, 5, 6
+MOST_TRIANGLES = 20_000_000  # also of instances, which cost a file nothing
+FLOAT32 = 2.0**-23
+# Extensions of primitives and materials that change what is seen; others are of no concern here.
+COMPRESSED = {"KHR_draco_mesh_compression": "Draco", "EXT_meshopt_compression": "meshopt"}
+
+
+def read_gltf(path: Path, data: bytes) -> Model:
+    """The model. Raises ModelFault with the part of the file."""
+    try:
+        return _Reader(path, data).model()
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError, OverflowError) as problem:
+        # The JSON is not as the specification has it: a number for a list, an index too high.
+        said = quoted(str(problem)) if str(problem) else type(problem).__name__
+        raise ModelFault(
+            path, "", f"its JSON is not that of a glTF file ({said})", "export the model again"
+        ) from None
+
+
+class _Reader:
+    def __init__(self, path: Path, data: bytes):
+        self.path = path
+        document, chunk = _parts(path, data)
+        self.json: dict[str, Any] = document
+        self.buffers = Buffers(path, document, chunk)
+        self.vertices: list[np.ndarray] = []
+        self.faces: list[np.ndarray] = []
+        self.normals: list[np.ndarray] = []
+        self.colours: list[np.ndarray] = []
+        self.textures: list[np.ndarray] = []
+        self.material: list[np.ndarray] = []
+        self.part: list[np.ndarray] = []
+        self.parts: dict[str, int] = {}
+        self.count = 0
+        self.left_out: dict[str, None] = {}
+
+    def model(self) -> Model:
+        """All of it."""
+        for placed in placed_meshes(self.path, self.json):
+            for primitive in self.json["meshes"][placed.mesh]["primitives"]:
+                self._add(primitive, placed)
+        if not self.faces:
+            why = f" ({', '.join(self.left_out)})" if self.left_out else ""
+            raise ModelFault(
+                self.path, "", f"its scene holds no triangle that is read{why}",
+                "export it uncompressed, as triangles",
+            )  # fmt: skip
+        materials = [
+            _material(self.path, self.json, k) for k in range(len(self.json.get("materials", [])))
+        ]
+        faces = np.concatenate(self.faces)
+        return Model(
+            path=self.path,
+            format="GLB" if self.path.suffix.lower() == ".glb" else "glTF",
+            vertices=np.concatenate(self.vertices),
+            faces=faces,
+            parts=tuple(self.parts),
+            part=np.concatenate(self.part),
+            materials=tuple(materials),
+            material=np.concatenate(self.material) if materials else None,
+            normals=_whole(self.normals, faces),
+            texture_places=_whole(self.textures, faces),
+            colours=_whole(self.colours, faces),
+            colours_of="vertices" if _whole(self.colours, faces) else "",
+            ignored=tuple(self._ignored()),
+            grain=FLOAT32,
+            unit="metre",
+            beside=tuple(beside_gltf(self.path, self.json)),
+        )
+
+    def _add(self, primitive: dict[str, Any], placed: Placed) -> None:
+        """One primitive's triangles, where a node puts them."""
+        extensions = primitive.get("extensions", {})
+        packed = [name for key, name in COMPRESSED.items() if key in extensions]
+        mode = primitive.get("mode", TRIANGLES)
+        attributes = primitive["attributes"]
+        if mode not in (TRIANGLES, STRIP, FAN):
+            self.left_out["points and lines"] = None
+            return
+        if packed and "bufferView" not in self.json["accessors"][attributes["POSITION"]]:
+            self.left_out[f"triangles compressed by {packed[0]}"] = None
+            return
+        at = self.buffers.accessor(attributes["POSITION"], (3,))
+        faces = self._faces(primitive, mode, len(at))
+        if self.count + len(faces) > MOST_TRIANGLES:
+            raise ModelFault(
+                self.path, "", f"its nodes place more than {MOST_TRIANGLES} triangles",
+                "leave out some of its instances",
+            )  # fmt: skip
+        linear, offset = placed.matrix[:3, :3], placed.matrix[:3, 3]
+        if np.linalg.det(linear) < 0:
+            faces = faces[:, ::-1]
+        with np.errstate(all="ignore"):
+            self.vertices.append(at @ linear.T + offset)
+            self.normals.append(self._normals(attributes, at, linear))
+        self.colours.append(self._attribute(attributes, "COLOR_0", len(at), 3))
+        self.textures.append(self._attribute(attributes, "TEXCOORD_0", len(at), 2))
+        first = sum(len(each) for each in self.vertices[:-1])
+        self.faces.append(faces + first)
+        self.count += len(faces)
+        material = whole(primitive["material"]) if "material" in primitive else -1
+        if material >= len(self.json.get("materials", [])):
+            raise IndexError(f"there is no material {material}")
+        self.material.append(np.full(len(faces), material, np.int32))
+        part = self.parts.setdefault(placed.name, len(self.parts))
+        self.part.append(np.full(len(faces), part, np.int32))
+        if primitive.get("targets"):
+            self.left_out["morph targets"] = None
+
+    def _faces(self, primitive: dict[str, Any], mode: int, count: int) -> np.ndarray:
+        index = np.arange(count)
+        if "indices" in primitive:
+            index = self.buffers.accessor(primitive["indices"], (1,))[:, 0].astype(np.int64)
+        beyond = index[(index < 0) | (index >= count)]
+        if len(beyond):
+            raise ModelFault(
+                self.path, f"accessor {primitive['indices']}",
+                f"it names vertex {beyond[0]}, and there are 0 to {count - 1}",
+                "the file is damaged: export the model again",
+            )  # fmt: skip
+        if mode == STRIP:
+            return cut_strips(index)
+        if mode == FAN:
+            last = np.arange(2, max(2, len(index)))
+            hub = np.broadcast_to(index[:1], len(last))
+            return np.column_stack([hub, index[last - 1], index[last]])
+        return index[: len(index) // 3 * 3].reshape(-1, 3)
+
+    def _normals(
+        self, attributes: dict[str, Any], at: np.ndarray, linear: np.ndarray
+    ) -> np.ndarray:
+        found = self._attribute(attributes, "NORMAL", len(at), 3)
+        a, b, c = linear
+        return found @ np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)]).T
+
+    def _attribute(
+        self, attributes: dict[str, Any], name: str, count: int, wide: int
+    ) -> np.ndarray:
+        """(count, wide); NaN where the primitive has none."""
+        if name not in attributes:
+            return np.full((count, wide), np.nan)
+        found = self.buffers.accessor(attributes[name], (wide, wide + 1))[:, :wide]
+        return found if len(found) == count else np.full((count, wide), np.nan)
+
+    def _ignored(self) -> list[str]:
+        """What would be seen in another program."""
+        told = [f"{what} are left out" for what in self.left_out]
+        for key, what in (("skins", "skins"), ("animations", "animations"), ("cameras", "cameras")):
+            if self.json.get(key):
+                told.append(f"{what} are not used: it is shown in its pose at rest"
+                            if key == "skins" else f"{what} are not used")  # fmt: skip
+        extensions = self.json.get("extensions", {})
+        if "KHR_lights_punctual" in extensions:
+            told.append("lights are not used: a scene has its own")
+        unknown = [
+            each for each in self.json.get("extensionsRequired", [])
+            if each not in COMPRESSED and each != "KHR_lights_punctual"
+        ]  # fmt: skip
+        return told + [f"the extension {quoted(str(each))} is not known" for each in unknown]
+
+
+def _parts(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
+    """The JSON, and of a GLB its binary chunk."""
+    chunk = b""
+    if data[:4] == b"glTF":
+        if len(data) < 20 or int.from_bytes(data[8:12], "little") > len(data):
+            raise ModelFault(
+                path, "", f"the file ends at byte {len(data)}, before the end that it tells",
+                "it is cut short: copy or export it again",
+            )  # fmt: skip
+        if data[4:8] != b"\2\0\0\0":
+            raise ModelFault(path, "header", "it is not of version 2", "export it as glTF 2.0")
+        size = int.from_bytes(data[12:16], "little")
+        text, rest = data[20 : 20 + size], data[20 + size :]
+        if len(rest) >= 8 and rest[4:8] == b"BIN\0":
+            chunk = rest[8 : 8 + int.from_bytes(rest[:4], "little")]
+    else:
+        text = data
+    try:
+        document = json.loads(text)
+    except (ValueError, RecursionError) as problem:
+        line = getattr(problem, "lineno", 0)
+        raise ModelFault(
+            path, f"line {line}" if line else "", f"its JSON cannot be read ({problem})"[:200],
+            "export the model again",
+        ) from None  # fmt: skip
+    if not isinstance(document, dict) or "asset" not in document:
+        raise ModelFault(path, "", "it has no `asset`: it is no glTF file", "export it as glTF 2.0")
+    version = str(document["asset"].get("version", ""))
+    if not version.startswith("2."):
+        raise ModelFault(path, "asset", f"version {quoted(version)} is not read",
+                         "export it as glTF 2.0")  # fmt: skip
+    return document, chunk
+
+
+def _material(path: Path, document: dict[str, Any], index: int) -> FileMaterial:
+    told = document["materials"][index]
+    name = str(told.get("name") or f"material {index + 1}")
+    surface = told.get("pbrMetallicRoughness", {})
+    r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in surface.get("baseColorFactor", [1] * 4))
+    picture = None
+    if "baseColorTexture" in surface:
+        texture = document["textures"][surface["baseColorTexture"]["index"]]
+        image = document["images"][texture["source"]] if "source" in texture else {}
+        uri = str(image.get("uri", ""))
+        picture = path.parent / uri if uri and not uri.startswith("data:") else None
+    return FileMaterial(name, (r, g, b), opacity=a, texture=picture)
+
+
+def _whole(tables: list[np.ndarray], faces: np.ndarray) -> PerCorner | None:
+    """All primitives' in one; where they have none, corners have no row."""
+    if not tables:
+        return None
+    table = np.concatenate(tables)
+    known = np.isfinite(table).all(axis=1)
+    if not known.any():
+        return None
+    return PerCorner(table, np.where(known[faces], faces, -1))

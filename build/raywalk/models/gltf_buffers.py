@@ -1,0 +1,126 @@
+"""The numbers of a glTF file: accessors into views of buffers."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import numpy as np
+
+from raywalk.models.faults import ModelFault, quoted
+
+KINDS = {5120: "i1", 5121: "u1", 5122: "i2", 5123: "u2", 5125: "u4", 5126: "f4"}
+WIDE = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+CUT = "it is cut short or damaged: export the model again"
+
+
+class Buffers:
+    """Reads accessors; a buffer when it is first asked for."""
+
+    def __init__(self, path: Path, document: dict[str, Any], chunk: bytes):
+        self.path, self.json, self.chunk = path, document, chunk
+        self._read: dict[int, bytes] = {}
+
+    def accessor(self, index: int, wide: tuple[int, ...]) -> np.ndarray:
+        """(n, w) float64, w one of those wanted. Raises ModelFault."""
+        told = self.json["accessors"][whole(index)]
+        kind, size = KINDS.get(told["componentType"]), WIDE.get(told["type"])
+        count = whole(told["count"])
+        if kind is None or size not in wide:
+            raise self._fault(index, f"it holds {told['type']} of {told['componentType']}")
+        if "bufferView" in told:
+            values = self._view(
+                index, told["bufferView"], told.get("byteOffset", 0), kind, count, size
+            )
+        elif "sparse" in told and count <= 64 * len(self.chunk) + 1_000_000:
+            values = np.zeros((count, size), kind)
+        else:
+            raise self._fault(index, f"its {count} values stand in no buffer")
+        values = self._sparse(index, told, values, kind, size)
+        found = values.astype(float)
+        if told.get("normalized") and kind[0] in "iu":
+            found = np.maximum(found / np.iinfo(kind).max, -1.0)
+        return found
+
+    def _sparse(
+        self, index: int, told: dict[str, Any], values: np.ndarray, kind: str, size: int
+    ) -> np.ndarray:
+        """With the values that are given one by one."""
+        if "sparse" not in told:
+            return values
+        sparse = told["sparse"]
+        count, places = whole(sparse["count"]), sparse["indices"]
+        rows = self._view(
+            index, places["bufferView"], places.get("byteOffset", 0),
+            KINDS[places["componentType"]], count, 1,
+        )[:, 0].astype(np.int64)  # fmt: skip
+        given = sparse["values"]
+        new = self._view(index, given["bufferView"], given.get("byteOffset", 0), kind, count, size)
+        if ((rows < 0) | (rows >= len(values))).any():
+            raise self._fault(index, f"a sparse value has a place beyond its {len(values)}")
+        values = values.copy()
+        values[rows] = new
+        return values
+
+    def _view(
+        self, index: int, view: int, offset: int, kind: str, count: int, size: int
+    ) -> np.ndarray:
+        told = self.json["bufferViews"][whole(view)]
+        data = self._buffer(whole(told["buffer"]))
+        begin, length = whole(told.get("byteOffset", 0)), whole(told["byteLength"])
+        item = np.dtype(kind).itemsize * size
+        step = whole(told.get("byteStride", 0)) or item
+        end = whole(offset) + (count - 1) * step + item if count else 0
+        if step < item or end > length or begin + length > len(data) or count < 0:
+            raise self._fault(index, f"its {count} values do not fit into their buffer")
+        table = np.ndarray(
+            (count, size), np.dtype(kind).newbyteorder("<"), data, begin + offset,
+            (step, np.dtype(kind).itemsize),
+        )  # fmt: skip
+        return np.ascontiguousarray(table)
+
+    def _buffer(self, index: int) -> bytes:
+        if index not in self._read:
+            self._read[index] = self._bytes(index)
+        return self._read[index]
+
+    def _bytes(self, index: int) -> bytes:
+        uri = self.json["buffers"][index].get("uri")
+        if uri is None:
+            return self.chunk
+        if uri.startswith("data:"):
+            try:
+                return base64.b64decode(uri.split(",", 1)[1], validate=True)
+            except (IndexError, binascii.Error):
+                raise ModelFault(
+                    self.path, f"buffer {index}", "its base64 is damaged", CUT
+                ) from None
+        try:
+            return (self.path.parent / unquote(uri)).read_bytes()
+        except (OSError, ValueError):
+            raise ModelFault(
+                self.path, f"buffer {index}", f"its file {quoted(uri)} is not there",
+                "copy it beside the model, or export it as one .glb file",
+            ) from None  # fmt: skip
+
+    def _fault(self, index: int, cause: str) -> ModelFault:
+        return ModelFault(self.path, f"accessor {index}", cause, CUT)
+
+
+def beside_gltf(path: Path, document: dict[str, Any]) -> Iterator[Path]:
+    """The files that hold its buffers."""
+    for buffer in document.get("buffers", []):
+        uri = buffer.get("uri")
+        if isinstance(uri, str) and not uri.startswith("data:"):
+            yield path.parent / unquote(uri)
+
+
+def whole(value: Any) -> int:
+    """An index or size. Raises TypeError for what is none."""
+    if not isinstance(value, int) or isinstance(value, bool) or value < 0:
+        raise TypeError(f"{value!r} is not a whole number of at least 0")
+    return value

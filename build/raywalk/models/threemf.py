@@ -1,0 +1,236 @@
+"""3MF: the build items of a package, with their components, materials and colours.
+
+Our own: trimesh 5.2 wants networkx for it, which we do not have; lib3mf is 1.5 MB compiled.
+Format: 3MF Consortium, "Core Specification" 1.3, and "Materials and Properties" 1.2 for colours.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from array import array
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, NoReturn
+from xml.etree.ElementTree import Element, ParseError, iterparse
+from zlib import error as ZlibError
+
+import numpy as np
+
+from raywalk.models.faults import ModelFault, quoted
+from raywalk.models.model import Colour, FileMaterial, Model
+
+MODEL = "3d/3dmodel.model"
+MOST_TIMES = 40  # as large as the file its XML may be: 10 to 15 times is usual
+ALWAYS = 64 << 20  # bytes of XML that are read anyway
+MOST_TRIANGLES = 20_000_000  # with all copies
+DEEPEST = 32  # components within components
+CUT = "it is cut short or damaged: copy or export it again"
+
+
+@dataclass
+class _Object:
+    name: str
+    places: array = field(default_factory=lambda: array("d"))
+    corners: array = field(default_factory=lambda: array("q"))
+    colour: array = field(default_factory=lambda: array("q"))  # rows of all materials, -1 for none
+    parts: list[tuple[str, np.ndarray]] = field(default_factory=list)  # of other objects
+
+
+def read_3mf(path: Path, data: bytes) -> Model:
+    """The model. Raises ModelFault with the element."""
+    reader = _Reader(path)
+    try:
+        with zipfile.ZipFile(path) as package, package.open(_model_of(path, package, data)) as file:
+            reader.read(file)
+    except (
+        zipfile.BadZipFile,
+        ZlibError,
+        EOFError,
+        NotImplementedError,
+        RuntimeError,
+        OSError,
+    ) as problem:
+        raise ModelFault(
+            path, "", f"its package cannot be unpacked ({problem})"[:200], CUT
+        ) from None
+    except ParseError as problem:
+        raise ModelFault(path, "", f"its XML is broken ({problem})", CUT) from None
+    return reader.model()
+
+
+def _model_of(path: Path, package: zipfile.ZipFile, data: bytes) -> zipfile.ZipInfo:
+    found = [each for each in package.infolist() if each.filename.lower().lstrip("/") == MODEL]
+    found = found or [
+        each for each in package.infolist() if each.filename.lower().endswith(".model")
+    ]
+    if not found:
+        raise ModelFault(path, "", "there is no 3D/3dmodel.model in it", "export it as 3MF again")
+    if found[0].file_size > max(ALWAYS, MOST_TIMES * len(data)):
+        raise ModelFault(
+            path, "", f"its XML is {found[0].file_size / len(data):.0f} times as large as the file",
+            "export it as 3MF again",
+        )  # fmt: skip
+    return found[0]
+
+
+class _Reader:
+    def __init__(self, path: Path):
+        self.path = path
+        self.unit = "millimeter"
+        self.objects: dict[str, _Object] = {}
+        self.items: list[tuple[str, np.ndarray]] = []
+        self.groups: dict[str, int] = {}  # id of a group -> row of its first material
+        self.sizes: dict[str, int] = {}
+        self.materials: list[FileMaterial] = []
+        self.left_out: dict[str, None] = {}
+        self.now, self.default = _Object(""), -1
+
+    def read(self, file: IO[bytes]) -> None:
+        """Element by element, each forgotten once it is read."""
+        group = ""
+        stack: list[Element] = []
+        for event, element in iterparse(file, ("start", "end")):
+            kind = element.tag.rpartition("}")[2]
+            if event == "start":
+                stack.append(element)
+                if kind == "model":
+                    self.unit = element.get("unit", "millimeter")
+                elif kind == "object":
+                    self._begin(element)
+                elif kind in ("basematerials", "colorgroup"):
+                    group = element.get("id", "")
+                    self.groups[group], self.sizes[group] = len(self.materials), 0
+                continue
+            self._end(kind, element, group)
+            stack.pop()
+            if stack:
+                stack[-1].remove(element)
+
+    def _begin(self, element: Element) -> None:
+        id = element.get("id", "")
+        self.now = _Object(element.get("name") or f"object {id}")
+        self.objects[id] = self.now
+        self.default = self._row(element.get("pid"), element.get("pindex", "0"))
+        if element.get("type", "model") not in ("model", "solidsupport"):
+            self.left_out[f"objects of the type {quoted(element.get('type', ''))}"] = None
+
+    def _end(self, kind: str, element: Element, group: str) -> None:
+        match kind:
+            case "vertex":
+                self.now.places.extend(self._number(element, axis) for axis in "xyz")
+            case "triangle":
+                self.now.corners.extend(self._index(element, key) for key in ("v1", "v2", "v3"))
+                own = element.get("pid"), element.get("p1")
+                self.now.colour.append(self._row(*own) if own[1] else self.default)
+            case "component":
+                self.now.parts.append((element.get("objectid", ""), self._matrix(element)))
+            case "item":
+                self.items.append((element.get("objectid", ""), self._matrix(element)))
+            case "base" | "color" if group:
+                told = element.get("displaycolor") or element.get("color") or ""
+                name = element.get("name") or f"colour {told}"
+                self.materials.append(FileMaterial(name, _colour(told)))
+                self.sizes[group] += 1
+            case "texture2d" | "beamlattice" | "slicestack":
+                self.left_out[{"texture2d": "textures"}.get(kind, kind)] = None
+
+    def _fault(self, element: Element, cause: str) -> NoReturn:
+        kind = element.tag.rpartition("}")[2]
+        raise ModelFault(self.path, f"a <{kind}> of {quoted(self.now.name)}", cause, CUT)
+
+    def _number(self, element: Element, key: str) -> float:
+        try:
+            return float(element.attrib[key])
+        except KeyError:
+            self._fault(element, f"it has no {key}")
+        except ValueError:
+            self._fault(element, f"{key} is {quoted(element.attrib[key])}, which is not a number")
+
+    def _index(self, element: Element, key: str) -> int:
+        told = element.get(key, "")
+        if not (told.isascii() and told.isdigit() and len(told) < 18):
+            self._fault(element, f"{key} is {quoted(told)}, which is no vertex")
+        return int(told)
+
+    def _row(self, group: str | None, place: str | None) -> int:
+        """Of a material by its group and place; -1 for none that is known."""
+        if group not in self.groups or place is None or not place.isdigit():
+            return -1
+        return self.groups[group] + int(place) if int(place) < self.sizes[group] else -1
+
+    def _matrix(self, element: Element) -> np.ndarray:
+        """(4, 3): a row vector's last is its place."""
+        told = element.get("transform")
+        if told is None:
+            return np.eye(4, 3)
+        try:
+            return np.array([float(word) for word in told.split()]).reshape(4, 3)
+        except ValueError:
+            self._fault(element, f"{quoted(told)} is not a transform of 12 numbers")
+
+    def model(self) -> Model:
+        """All items of the build, or all objects if there is none."""
+        items = self.items or [(id, np.eye(4, 3)) for id in self.objects]
+        vertices, faces, colour, part = [], [], [], []
+        parts: dict[str, int] = {}
+        count = first = 0
+        for name, id, matrix in self._placed(items):
+            found = self.objects[id]
+            corners = np.array(found.corners, np.int64).reshape(-1, 3)
+            count += len(corners)
+            if count > MOST_TRIANGLES:
+                raise ModelFault(self.path, "", f"its items place more than {MOST_TRIANGLES} "
+                                 "triangles", "leave out some copies")  # fmt: skip
+            places = np.array(found.places).reshape(-1, 3)
+            if len(corners) and corners.max() >= len(places):
+                raise ModelFault(
+                    self.path, f"object {quoted(found.name)}",
+                    f"a triangle names vertex {corners.max()}, and there are 0 to "
+                    f"{len(places) - 1}", CUT,
+                )  # fmt: skip
+            if np.linalg.det(matrix[:3]) < 0:
+                corners = corners[:, ::-1]
+            vertices.append(places @ matrix[:3] + matrix[3])
+            faces.append(corners + first)
+            first += len(places)
+            colour.append(np.array(found.colour, np.int32))
+            part.append(np.full(len(corners), parts.setdefault(name, len(parts)), np.int32))
+        if not count:
+            raise ModelFault(self.path, "", "it holds no triangle", "export a mesh of triangles")
+        rows = np.concatenate(colour)
+        return Model(
+            self.path, "3MF", np.concatenate(vertices), np.concatenate(faces),
+            parts=tuple(parts), part=np.concatenate(part),
+            materials=tuple(self.materials), material=rows if (rows >= 0).any() else None,
+            ignored=tuple(f"{what} are not read" for what in self.left_out), unit=self.unit,
+        )  # fmt: skip
+
+    def _placed(self, items: list[tuple[str, np.ndarray]]) -> Iterator[tuple[str, str, np.ndarray]]:
+        """Name, id and matrix (4, 3) of every mesh that stands in the build."""
+        waiting = [("", id, matrix, 0) for id, matrix in reversed(items)]
+        met = 0
+        while waiting:
+            name, id, matrix, depth = waiting.pop()
+            met += 1
+            if id not in self.objects or depth > DEEPEST or met > 100_000:
+                cause = f"it names object {quoted(id)}, which is not there"
+                if id in self.objects:
+                    cause = "its components hold one another too often"
+                raise ModelFault(self.path, "build", cause, CUT)
+            found = self.objects[id]
+            name = name or found.name
+            if found.corners:
+                yield name, id, matrix
+            for part, inner in reversed(found.parts):
+                linear = inner[:3] @ matrix[:3]
+                whole = np.vstack([linear, inner[3] @ matrix[:3] + matrix[3]])
+                waiting.append((name, part, whole, depth + 1))
+
+
+def _colour(told: str) -> Colour | None:
+    try:
+        r, g, b = bytes.fromhex(told.lstrip("#")[:6])
+    except ValueError:
+        return None
+    return (r / 255.0, g / 255.0, b / 255.0)
