@@ -50,7 +50,7 @@ async function bundled(contents, { noteInputs, ...more }) {
 }
 
 /** The viewer's script, its parts by name, and the modules in each: { viewer, parts, modules }. */
-export async function bundleViewer(noteInputs = () => {}) {
+export async function bundleViewer(noteInputs = () => {}, without = "") {
   const first = { format: "esm", external: ["three"], plugins: [partsApart, tightShaders] };
   const alone = await bundled('import "./viewer/main"', first);
   const parts = new Map(alone.imports.filter(({ kind }) => kind === "dynamic-import").map(({ path }) => path.replace("part:", "")).map((path) => [path.split("/").at(-1), path]));
@@ -65,7 +65,7 @@ export async function bundleViewer(noteInputs = () => {}) {
   }
   const entry = `import "./viewer/main";\n${handingOut(taken)}`;
   const own = await bundled(entry, first);
-  const three = await slimThree(own.text, TARGET, noteInputs);
+  const three = await slimThree(own.text, TARGET, noteInputs, without);
   const slim = {
     name: "slim",
     setup(build) {

@@ -48,8 +48,6 @@ function namesSet(settings, firstValueOf) {
         return node.operator === ">" && node.right.value === 0 && isNothing(node.left, name);
       case "LogicalExpression":
         return node.operator === "&&" ? isNothing(node.left, name) || isNothing(node.right, name) : isNothing(node.left, name) && isNothing(node.right, name);
-      case "AssignmentExpression":
-        return node.operator === "=" && isNothing(node.right, name);
       case "ObjectExpression": // the definition of a uniform
         return node.properties.some((each) => each.type === "Property" && nameOf(each) === "value");
       default:
@@ -61,13 +59,6 @@ function namesSet(settings, firstValueOf) {
     for (const [name, value] of settings) if (!something.has(name) && !isNothing(value, name)) something.add(name);
   }
   return something;
-}
-
-/** Is only asked whether it is true. */
-function isCondition(node, parent) {
-  if (parent.type === "UnaryExpression") return parent.operator === "!";
-  if (/^(IfStatement|ConditionalExpression)$/.test(parent.type)) return parent.test === node;
-  return false;
 }
 
 /** others: scripts that are not changed but may set properties too. */
@@ -93,24 +84,11 @@ export function withConstants(source, others) {
   return changed(source, [...changes, ...inlined(tree, source, variables)]);
 }
 
-/** Messages to the console as their first word: that something is wrong must be seen, where is enough. */
-export function withShortMessages(source) {
-  const changes = [];
-  walk(treeOf(source), (node) => {
-    if (node.type !== "CallExpression" || !/^(warn|warnOnce|error|log)$/.test(node.callee.name) || !node.arguments.length) return;
-    const text = source.slice(node.arguments[0].start, node.arguments.at(-1).end);
-    const word = text.match(/["'`]([\w.]+)/)?.[1] ?? "three";
-    if (isQuiet(node)) changes.push({ start: node.arguments[0].start, end: node.arguments.at(-1).end, text: JSON.stringify(word) });
-  });
-  return changed(source, changes);
-}
-const isQuiet = (call) => call.arguments.every((each) => !["AssignmentExpression", "UpdateExpression", "AwaitExpression"].includes(each.type));
-
 /** Is it only asked whether this is true? a && b: the left one is, the right one if the whole is. */
 function isAsked(node, above) {
   for (let at = node; ; at = above.get(at)) {
     const parent = above.get(at);
-    if (isCondition(at, parent)) return true;
+    if (parent.test === at || (parent.type === "UnaryExpression" && parent.operator === "!")) return true;
     if (parent.type !== "LogicalExpression" || parent.operator === "??") return false;
     if (parent.operator === "&&" && parent.left === at) return true;
   }

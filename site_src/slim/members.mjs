@@ -18,7 +18,8 @@ export function namesIn(source) {
   return names;
 }
 
-/** Parts that may go wait under their name; what reads the name brings them in. */
+/** Parts that may go wait under their name; what reads the name brings them in. A method for each type of node: true
+ *  if it has visited what is below. */
 class Shaker {
   constructor(members) {
     this.read = { member: new Set([...IMPLICIT, ...members]), local: new Set() };
@@ -30,15 +31,14 @@ class Shaker {
   unnamed(tree) {
     for (const node of tree.body) this.visit(node);
     while (this.todo.length) this.visit(this.todo.pop());
-    return Object.values(this.waiting).flatMap((parts) => [...parts.values()].flat());
+    return Object.values(this.waiting).flatMap((parts) => [...parts.values()].flat()).map(({ node }) => node);
   }
 
-  /** inside: what is needed with it. list: the comma-separated parts it is one of, and all of them. */
-  mayGo(space, name, node, inside, list = null) {
-    if (this.read[space].has(name)) return void this.todo.push(...inside);
+  /** inside: what is needed with it. */
+  mayGo(space, name, node, inside) {
+    if (this.read[space].has(name)) return this.todo.push(...inside);
     const parts = this.waiting[space];
-    if (!parts.has(name)) parts.set(name, []);
-    parts.get(name).push({ node, inside, list });
+    return parts.set(name, [...(parts.get(name) ?? []), { node, inside }]);
   }
 
   reads(space, name) {
@@ -61,63 +61,27 @@ class Shaker {
     return true;
   }
 
-  /** `this.name = function` and the like, alone or several with commas between. */
-  ExpressionStatement(node) {
-    const { expression } = node;
-    if (expression.type === "SequenceExpression") return this.sequence(expression, expression.expressions.length, node);
-    return this.ownSetting(expression, node, null);
+  ExpressionStatement({ expression }) {
+    expression.isUnused = true;
   }
 
-  SequenceExpression(node) {
-    return this.sequence(node, node.expressions.length - 1, null); // the last one is its value
+  SequenceExpression({ expressions, isUnused }) {
+    for (const [at, each] of expressions.entries()) each.isUnused = isUnused || at < expressions.length - 1;
   }
 
-  sequence({ expressions }, count, whole) {
-    const list = { parts: expressions, whole };
-    expressions.forEach((each, at) => {
-      if (at >= count || !this.ownSetting(each, each, list)) this.visit(each);
-    });
-    return true;
-  }
-
-  ownSetting({ type, operator, left, right }, node, list) {
-    const isOwn = type === "AssignmentExpression" && operator === "=" && left.type === "MemberExpression" && left.object.type === "ThisExpression";
-    if (!isOwn || left.computed || !isPure(right)) return false;
-    this.mayGo("member", left.property.name, node, [right], list);
-    return true;
-  }
-
-  /** What a maker of an object hands out: `return { setMask: setMask, ... }`. */
-  ReturnStatement({ argument }) {
-    if (argument?.type !== "ObjectExpression") return false;
-    const list = { parts: argument.properties, whole: null };
-    for (const each of argument.properties) {
-      const name = each.type === "Property" ? nameOf(each) : null;
-      if (name === null || !isPure(each.value)) this.visit(each);
-      else this.mayGo("member", name, each, [each.value], list);
-    }
-    return true;
+  /** `this.name = function` and the like. */
+  AssignmentExpression(node) {
+    const { isUnused, operator, left, right } = node;
+    const isOwn = isUnused && operator === "=" && left.type === "MemberExpression" && left.object.type === "ThisExpression" && !left.computed;
+    return isOwn && isPure(right) && this.mayGo("member", left.property.name, node, [right]);
   }
 
   BlockStatement({ body }) {
     for (const each of body) each.isInner = true;
-    return false;
   }
 
   FunctionDeclaration(node) {
-    if (!node.isInner) return false;
-    this.mayGo("local", node.id.name, node, [...node.params, node.body]);
-    return true;
-  }
-
-  VariableDeclaration(node) {
-    if (!node.isInner) return false;
-    const list = { parts: node.declarations, whole: node };
-    for (const each of node.declarations) {
-      if (each.id.type !== "Identifier" || !isPure(each.init)) this.visit(each);
-      else this.mayGo("local", each.id.name, each, each.init ? [each.init] : [], list);
-    }
-    return true;
+    return node.isInner && this.mayGo("local", node.id.name, node, [...node.params, node.body]);
   }
 
   MemberExpression(node) {
@@ -148,32 +112,14 @@ class Shaker {
 
   Identifier({ name }) {
     this.reads("local", name);
-    return true;
   }
 
   Literal({ value }) {
     if (typeof value === "string") this.reads("member", value);
-    return true;
   }
 }
 
-/** Where to cut: a part alone; of a list also the commas; all of a list with what holds it. */
-function cutsOf(gone) {
-  const cuts = gone.filter(({ list }) => !list).map(({ node }) => ({ start: node.start, end: node.end }));
-  const lists = new Map();
-  for (const { node, list } of gone) if (list) lists.set(list, (lists.get(list) ?? new Set()).add(node));
-  for (const [{ parts, whole }, those] of lists) {
-    if (whole && those.size === parts.length) cuts.push({ start: whole.start, end: whole.end });
-    else
-      parts.forEach((part, at) => {
-        if (!those.has(part)) return;
-        const next = parts.slice(at + 1).find((each) => !those.has(each));
-        const before = parts.slice(0, at).findLast((each) => !those.has(each));
-        cuts.push(next || !before ? { start: part.start, end: parts[at + 1]?.start ?? part.end } : { start: before.end, end: part.end });
-      });
-  }
-  return cuts;
-}
-
-/** The script without members and inner functions that neither it nor `members` names. */
-export const withoutUnnamed = (source, members) => changed(source, cutsOf(new Shaker(members).unnamed(treeOf(source))));
+/** The script without members and inner functions that neither it nor `members` names; of an assignment a 0 is left,
+ *  which the bundler drops. */
+export const withoutUnnamed = (source, members) =>
+  changed(source, new Shaker(members).unnamed(treeOf(source)).map(({ type, start, end }) => ({ start, end, text: type === "AssignmentExpression" ? "0" : "" })));

@@ -28,9 +28,6 @@ export const nameOf = (node) => {
   return key.type === "Identifier" ? key.name : String(key.value);
 };
 
-/** Making one of these changes nothing else. */
-const HARMLESS = /^(Vector[234]|Matrix[34]|Color|Quaternion|Euler|Plane|Sphere|Box3|Frustum|Set|Map|WeakMap|Float32Array|Uint32Array|Int32Array)\d*$/;
-
 /** Working it out changes nothing but what it is assigned to. */
 export function isPure(node) {
   if (!node) return true;
@@ -44,8 +41,6 @@ export function isPure(node) {
       return node.operator !== "delete" && isPure(node.argument);
     case "MemberExpression":
       return !node.computed && isPure(node.object);
-    case "NewExpression":
-      return node.callee.type === "Identifier" && HARMLESS.test(node.callee.name) && node.arguments.every(isPure);
     case "ArrayExpression":
       return node.elements.every(isPure);
     case "ObjectExpression":

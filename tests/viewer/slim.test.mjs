@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { withConstants } from "../../site_src/slim/constants.mjs";
 import { namesIn, withoutUnnamed } from "../../site_src/slim/members.mjs";
+import { withShortMessages } from "../../site_src/slim/messages.mjs";
 import { withoutUnusedParts } from "../../site_src/slim/never.mjs";
 import { preprocessed, tight, withLeanShaders } from "../../site_src/slim/shaders.mjs";
 
@@ -20,18 +21,15 @@ test("a name in a string, a key or a pattern is named too", () => {
   assert.ok(["near", "far"].every((name) => namesIn('a.near(); b("far")').has(name)));
 });
 
-test("of a list of settings or variables only the unnamed go, wherever they stand", () => {
-  const settings = (names) => withoutUnnamed("class C { constructor() { this.a = 1, this.b = f, this.c = 2; } }", new Set(names)).replace(/\s+/g, " ");
-  assert.match(settings(["a", "c"]), /this\.a = 1, this\.c = 2;/);
-  assert.match(settings(["c"]), /\{ this\.c = 2; \}/);
-  assert.match(settings(["a"]), /\{ this\.a = 1; \}/);
-  assert.match(settings([]), /constructor\(\) \{ \}/);
-  const inner = withoutUnnamed("function f() { let a = 1, b = 2, c = a; function g() {} return b; }", none).replace(/\s+/g, " ");
-  assert.equal(inner, "function f() { let b = 2; return b; }");
+test("of settings only the unnamed go, wherever they stand, and a 0 is left for the bundler; so do inner functions", () => {
+  const settings = (names) => withoutUnnamed("class C { constructor() { this.a = 1, this.b = f, this.c = 2; } }", new Set(names));
+  assert.match(settings(["a", "c"]), /\{ this\.a = 1, 0, this\.c = 2; \}/);
+  assert.match(settings([]), /\{ 0, 0, 0; \}/);
+  assert.equal(withoutUnnamed("function f() { function g() {} return b; }", none), "function f() {  return b; }");
 });
 
-test("what has effects stays, named or not", () => {
-  for (const kept of ["this.a = start();", "let a = start();"]) assert.ok(withoutUnnamed(`function f() { ${kept} }`, none).includes(kept));
+test("what has effects stays, named or not, and so does a setting whose value is used", () => {
+  for (const kept of ["this.a = start();", "return this.a = 1;", "let b = (this.c = 2, this.a = 1);"]) assert.ok(withoutUnnamed(`function f() { ${kept} }`, new Set(["c"])).includes(kept), kept);
 });
 
 test("a flag that nothing sets is undefined, a property set to nothing else than null is no condition", () => {
@@ -57,11 +55,15 @@ test("shaders lose comments and what hangs on macros that are off, else and elif
 });
 
 test("a shader chunk that nothing includes goes, and so does an include of an empty one", () => {
-  const source = 'var a = "#ifdef OFF\\nx;\\n#endif", b = "float f() { return 1.0; }\\nfloat g() { return 2.0; }", c = "z;", ShaderChunk = { a, b, c };\nvar main = "#include <a>\\n#include <b>\\nvoid main() { f(); }";\nexport { ShaderChunk, main };';
+  const source = 'var a = "#ifdef OFF\\nx;\\n#endif", b = "float f();\\n#include <d>", c = "z;", d = "y;", ShaderChunk = { a, b, c, d };\nvar main = "#include <a>\\n#include <b>\\nvoid main() { f(); }";\nexport { ShaderChunk, main };';
   const lean = withLeanShaders(source, "", () => false);
-  assert.match(lean, /ShaderChunk = \{ b \}/);
+  assert.match(lean, /ShaderChunk = \{ b, d \}/);
   assert.match(lean, /main = "\\n#include <b>\\nvoid main/);
-  assert.doesNotMatch(lean, /float g/);
+  assert.match(withLeanShaders(source, "ShaderChunk.c", () => false), /ShaderChunk = \{ b, c, d \}/);
+});
+
+test("messages are their first word, but for what does something while it is said", () => {
+  assert.equal(withShortMessages('warn("WebGLRenderer: lost.", gl); error(`${name}: no`, at++);'), 'warn("WebGLRenderer"); error(`${name}: no`, at++);');
 });
 
 test("three's parts that are left out by hand throw if they are called, and come back when they are named", () => {
