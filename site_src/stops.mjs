@@ -46,11 +46,11 @@ function answer({ do: what, size, pixel, words, spoken, ...files }) {
 }
 
 for await (const line of createInterface({ input: process.stdin })) {
-  let told;
+  let reply;
   try {
-    told = { answer: answer(JSON.parse(line)) };
+    reply = { answer: answer(JSON.parse(line)) };
   } catch (error) {
-    told = { fault: error.message };
+    reply = { fault: error.message };
   }
-  process.stdout.write(`${JSON.stringify(told)}\n`);
+  process.stdout.write(`${JSON.stringify(reply)}\n`);
 }

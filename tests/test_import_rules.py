@@ -43,8 +43,8 @@ VIEWER_MAY_IMPORT = {
     "state": {"state", "trace"},
     "stage": {"stage", "state", "trace"},
     # event-words holds the sentences for the state's events, which only panels show; what a panel
-    # shows later is asked of on-demand.
-    "panels": {"panels", "state", "trace", "event-words", "on-demand"},
+    # shows later is asked of on-demand; of actions only the types: what it may do.
+    "panels": {"panels", "state", "trace", "event-words", "on-demand", "actions"},
     # Files beside the folders: what is listed knows nothing of who ties it together.
     "palette.ts": {"trace"},
     "event-words.ts": {"state", "trace"},

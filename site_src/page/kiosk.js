@@ -24,7 +24,7 @@
       hook.viewer = viewer;
       hook.arrived(viewer);
     },
-    told: () => null,
+    status: () => null,
   };
   window.raywalkKiosk = hook;
   window.addEventListener("error", (event) => event.error && hook.faults.push(String(event.message)));

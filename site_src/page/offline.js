@@ -28,13 +28,13 @@
 
   /** The gallery's button that keeps all of it. */
   async function offer(panel, active) {
-    const [button, told] = [panel.querySelector("button"), panel.querySelector("output")];
+    const [button, status] = [panel.querySelector("button"), panel.querySelector("output")];
     const size = (bytes) => panel.dataset.size.replace("{size}", (bytes / MEGABYTE).toFixed(1).replace(".", panel.dataset.decimal));
     const { bytes, missing } = await ask(active, { does: "list" });
     panel.hidden = false;
     const finish = () => {
       button.hidden = true;
-      told.textContent = panel.dataset.kept.replace("{size}", size(bytes));
+      status.textContent = panel.dataset.kept.replace("{size}", size(bytes));
     };
     if (!missing.length) return finish();
     button.textContent = panel.dataset.keep.replace("{size}", size(bytes));
@@ -44,11 +44,11 @@
       const left = missing.map(([path]) => path);
       let rest = missing.reduce((sum, [, each]) => sum + each, 0);
       while (left.length) {
-        told.textContent = panel.dataset.keeping.replace("{done}", size(bytes - rest)).replace("{size}", size(bytes));
+        status.textContent = panel.dataset.keeping.replace("{done}", size(bytes - rest)).replace("{size}", size(bytes));
         const some = left.splice(0, AT_ONCE);
         if (!(await ask(active, { does: "keep", paths: some }))) {
           button.disabled = false;
-          told.textContent = panel.dataset.failed;
+          status.textContent = panel.dataset.failed;
           return;
         }
         rest -= missing.filter(([path]) => some.includes(path)).reduce((sum, [, each]) => sum + each, 0);
@@ -59,23 +59,23 @@
   }
 
   /** A newer build waits until nobody looks at the old one; who wants it now may have it. */
-  function tellOfUpdate(registration) {
-    const place = document.getElementById("newer");
-    const told = () => {
-      if (!registration.waiting || !navigator.serviceWorker.controller || !place) return;
-      place.hidden = false;
-      place.querySelector("button").onclick = () => {
+  function offerUpdate(registration) {
+    const panel = document.getElementById("newer");
+    const show = () => {
+      if (!registration.waiting || !navigator.serviceWorker.controller || !panel) return;
+      panel.hidden = false;
+      panel.querySelector("button").onclick = () => {
         navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
         registration.waiting.postMessage({ does: "take over" });
       };
     };
-    registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", told));
-    told();
+    registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", show));
+    show();
   }
 
   async function start() {
     const registration = await navigator.serviceWorker.register(root + worker);
-    tellOfUpdate(registration);
+    offerUpdate(registration);
     const { active } = await navigator.serviceWorker.ready;
     await ask(active, { does: "keep", paths: usedFiles() });
     const panel = document.getElementById("offline");

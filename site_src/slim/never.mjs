@@ -1,9 +1,9 @@
 /**
- * What of three the viewer never uses, told by hand where names do not tell it (constants.mjs and
+ * What of three the viewer never uses, listed by hand where names do not show it (constants.mjs and
  * members.mjs find the rest). Each rule says why, what is replaced by what in which file, and which names
  * in the viewer's script, if it ever holds one, bring the part back by themselves (`unless`).
- * A pattern that is not found stops the build: three has changed there, look again. What a rule saves is
- * told by pays.mjs.
+ * A pattern that is not found stops the build: three has changed there, look again. pays.mjs
+ * shows what each rule saves.
  */
 
 const PHYSICAL = ["MeshStandardMaterial", "MeshPhysicalMaterial"];

@@ -29,13 +29,13 @@ function textsOf(tree) {
 
 const TERM = /(! ?)?(?:defined ?\( ?(\w+) ?\)|(\w+) > 0|\w[^()!&|]*)/g;
 
-/** One condition of the preprocessor, with what cannot be told beforehand as true and as false: null where they differ. */
+/** One condition of the preprocessor, with what is not known beforehand as true and as false: null where they differ. */
 function truth(condition, isOff) {
   const value = (unknown) => Function(`return ${condition.replace(TERM, (_, not, defined, positive) => (isOff(defined ?? positive ?? "") ? !!not : unknown))}`)();
   return value(true) ? value(false) || null : false;
 }
 
-/** The text as the preprocessor leaves it, as far as it can be told beforehand. */
+/** The text as the preprocessor leaves it, as far as that is known beforehand. */
 export function preprocessed(text, isOff) {
   const out = [];
   const open = []; // { keeps: is this branch kept, isDone: one that is surely taken came, isShown: its #if is written }

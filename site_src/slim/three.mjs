@@ -30,8 +30,8 @@ const slimming = (names, without) => ({
 
 const importsOf = (script) => new Set([...script.matchAll(/import \{([^}]*)\} from "three"/g)].flatMap(([, names]) => names.split(",").map((name) => name.trim().split(" as ")[0])).filter(Boolean));
 
-/** own: the viewer's script with its imports of three left in. target: as esbuild takes it. noteInputs: told the
- *  files that went into it. without: a pass or a rule that is left out, to know what it saves. */
+/** own: the viewer's script with its imports of three left in. target: as esbuild takes it. noteInputs: is given
+ *  the files that went into it. without: a pass or a rule that is left out, to know what it saves. */
 export async function slimThree(own, target, noteInputs = () => {}, without = "") {
   const names = namesIn(own);
   const tidy = { format: "esm", target, minifySyntax: true, treeShaking: true, legalComments: "none" };

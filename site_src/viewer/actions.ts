@@ -56,35 +56,35 @@ const lessonActs = (session: Session, doing: Doing, turnScene: Outside["turnScen
 });
 
 function playerActs(session: Session) {
-  /** Without a timeline nothing can be told. */
-  const telling = (act: (now: ViewState, told: Timeline) => ViewState) => {
-    const told = session.timeline();
-    if (session.state && told) session.set(act(session.state, told));
+  /** Nothing without a timeline. */
+  const playing = (act: (now: ViewState, timeline: Timeline) => ViewState) => {
+    const timeline = session.timeline();
+    if (session.state && timeline) session.set(act(session.state, timeline));
   };
   return {
-    play: () => telling(player.pressPlay),
-    event: (by: 1 | -1) => telling((now, of) => player.stepEvent(now, of, by)),
-    time: (seconds: number) => telling((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
+    play: () => playing(player.pressPlay),
+    event: (by: 1 | -1) => playing((now, of) => player.stepEvent(now, of, by)),
+    time: (seconds: number) => playing((now, of) => player.goToTime({ ...now, playing: false }, of, seconds)),
     /** To the event in which that happens to a ray, its arrival if nothing is named. */
-    tell: (ray: number, light: number, ...whats: RayEvent["what"][]) =>
-      telling((now, of) => {
+    goToEvent: (ray: number, light: number, ...whats: RayEvent["what"][]) =>
+      playing((now, of) => {
         const wanted = whats.length || light >= 0 ? whats : ["meets", "background"];
         const at = of.events.findIndex((event) => event.ray === ray && event.light === light && (!wanted.length || wanted.includes(event.what)));
         return at < 0 ? now : player.goToEvent(now, of, at);
       }),
-    endEvents: () => telling((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
+    endEvents: () => playing((now, of) => (now.event === null ? now : player.goToEvent(now, of, null))),
   };
 }
 
 function switchActs(session: Session, doing: Doing) {
-  /** The player stays at what it tells, where that is still there. */
+  /** The player stays at its event, where that is still there. */
   const switching = (make: (now: Switches, scene: SceneData) => Switches) => {
-    const told = session.told();
+    const before = session.currentEvent();
     doing((now, of) => change.setSwitches(now, make(now.switches, of)));
     const timeline = session.timeline();
-    if (!told || !timeline || !session.state) return;
-    const event = eventLike(timeline, told);
-    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NOT_TOLD } : { ...session.state, event });
+    if (!before || !timeline || !session.state) return;
+    const event = eventLike(timeline, before);
+    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NO_EVENT } : { ...session.state, event });
   };
   return {
     bounces: (by: 1 | -1) => switching((now, of) => switches.stepBounces(now, of, by)),
@@ -97,7 +97,7 @@ function switchActs(session: Session, doing: Doing) {
   };
 }
 
-/** What the pointer is on: no state of the page's, only drawn. */
+/** What the pointer is on: no state of the page, only drawn. */
 const pointerActs = (session: Session, draw: () => void) => ({
   point(tile: readonly [number, number] | null) {
     if (tile?.join() === session.pointed?.join()) return;

@@ -34,12 +34,14 @@ export function createBeat(acts: BeatActs) {
   function ask() {
     if (!frame) frame = requestAnimationFrame(tick);
   }
+  function light() {
+    clearTimeout(blinkTimer);
+    blinkTimer = 0;
+    dark = false;
+  }
   function blink() {
-    if (!acts.blinks()) {
-      clearTimeout(blinkTimer);
-      blinkTimer = 0;
-      dark = false;
-    } else if (blinked < BLINKS)
+    if (!acts.blinks()) light();
+    else if (blinked < BLINKS)
       blinkTimer ||= window.setTimeout(() => {
         blinkTimer = 0;
         dark = !dark;
@@ -50,10 +52,8 @@ export function createBeat(acts: BeatActs) {
   return {
     /** Something has changed: shows it in the next frame, the selector lit. */
     draw() {
-      dark = false;
+      light();
       blinked = 0;
-      clearTimeout(blinkTimer);
-      blinkTimer = 0;
       ask();
     },
     isDark: () => dark,

@@ -1,15 +1,14 @@
-/** The player's events told: one sentence each, and under it its numbers. */
+/** The player's events in words: a sentence each, and under it its numbers. */
 import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
+import { isAll } from "./state/vectors";
 import type { Vec3 } from "./trace/types";
 import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 
-export interface Told {
+export interface Caption {
   says: readonly Phrase[];
   numbers: string;
 }
 
-const isWhite = (v: Vec3) => v.every((each) => each === 1);
-const isBlack = (v: Vec3) => v.every((each) => each === 0);
 /** Numbers that stand beside one another. */
 const beside = (...parts: readonly string[]) => parts.filter(Boolean).join(" \u00b7 ");
 const degrees = (angle: number) => fixed(angle, 1);
@@ -23,10 +22,10 @@ function lightNumbers({ name, seen, diffuse, specular, colour }: LightShare, of:
   if (seen === "off") return say("event.local.isOff", { light: name });
   if (seen === "away") return say("event.local.facesAway", { light: name });
   const part = (what: "diffuse" | "specular", factor: number, paint: Vec3) =>
-    isBlack(paint) || number(factor) === number(0) ? [] : [say(`event.local.${what}`, { factor: number(factor), colour: tone(paint) })];
+    isAll(paint, 0) || number(factor) === number(0) ? [] : [say(`event.local.${what}`, { factor: number(factor), colour: tone(paint) })];
   const parts = [...part("diffuse", diffuse, of.diffuse), ...part("specular", specular, of.specular)];
-  const sum = parts.length > 1 && !isWhite(colour) ? `(${parts.join(" + ")})` : parts.join(" + ");
-  if (sum === "" || isWhite(colour)) return say("event.local.gives", { light: name, sum: sum || "0" });
+  const sum = parts.length > 1 && !isAll(colour, 1) ? `(${parts.join(" + ")})` : parts.join(" + ");
+  if (sum === "" || isAll(colour, 1)) return say("event.local.gives", { light: name, sum: sum || "0" });
   return say("event.local.givesColoured", { light: name, sum, colour: tone(colour) });
 }
 
@@ -46,7 +45,7 @@ export function whyDark({ tone, end, ray, share, name, reasons }: Why): Phrase[]
   return [...phrases(`why.${tone}`), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
 }
 
-export function tell(event: RayEvent): Told {
+export function captionOf(event: RayEvent): Caption {
   const { what } = event;
   switch (what) {
     case "camera":
@@ -102,4 +101,4 @@ export function tell(event: RayEvent): Told {
 }
 
 /** The sentence alone, for the scrub bar's value. */
-export const sentence = (event: RayEvent): string => plain(tell(event).says);
+export const sentence = (event: RayEvent): string => plain(captionOf(event).says);

@@ -39,7 +39,7 @@ export function exposeSession(session: Session, asked: Asked) {
     pending: () => [...read.loading(), ...asked.moving()],
     lesson: () => session.scene?.lesson ?? [],
     stats() {
-      const bright = session.lit ?? session.told();
+      const bright = session.lit ?? session.currentEvent();
       return {
         ...asked.stats(),
         ...countsOf(session.shown()),

@@ -1,31 +1,7 @@
-/** Keys, as VIEWER.md's table has them. A key is left alone while something else wants it. */
+/** What each key does. A key is left alone while something else wants it. */
+import type { Actions } from "./actions";
+import type { Modes } from "./modes";
 import { singleKeys } from "./panels/remember";
-import type { RayChoice } from "./state/view-state";
-
-export interface KeyActs {
-  render: () => void;
-  rays: (choice: RayChoice) => void;
-  move: (right: number, down: number) => void;
-  level: (by: 1 | -1) => void;
-  sceneKey: (key: string) => void;
-  /** The lesson's next or previous stop while one is given, else the next or previous scene. */
-  page: (by: 1 | -1) => void;
-  camera: () => void;
-  nextLook: () => void;
-  nextSlice: () => void;
-  play: () => void;
-  event: (by: 1 | -1) => void;
-  endEvents: () => void;
-  fullScreen: () => void;
-  projector: () => void;
-  help: () => void;
-  /** A key has done something. */
-  pressed: (key: string) => void;
-  bounces: (by: 1 | -1) => void;
-  turnLamp: (lamp: number) => void;
-  shadows: () => void;
-  nextColours: () => void;
-}
 
 const LAMP_WAITS = 2500; // ms for the number after L
 
@@ -33,7 +9,7 @@ const SLIDER = "input[type=range]";
 const TYPING = "input:not([type=range]), textarea, select, [contenteditable]:not([contenteditable=false])";
 const PRESSABLE = "button, a[href], summary";
 
-export function listenToKeys(acts: KeyActs) {
+export function listenToKeys(acts: Actions & Modes) {
   const table: Readonly<Record<string, () => void>> = {
     " ": acts.render,
     a: () => acts.rays("all"),

@@ -105,8 +105,8 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
   const sections = kept(KEPT_SCENES, sectionsFrom);
   const words = kept(KEPT_SCENES, wordsFrom);
   const spoken = async (id: string): Promise<SceneData> => {
-    const [scene, said] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
-    return said ? inWords(scene, said) : scene; // better told in its own language than not at all
+    const [scene, translated] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
+    return translated ? inWords(scene, translated) : scene; // better in its own language than not at all
   };
   return {
     scene: (id: string) => (languageCode() === OWN_LANGUAGE ? scenes(`${id}/scene`) : spoken(id)),

@@ -81,7 +81,7 @@ function start(own: HTMLScriptElement) {
     whole,
     loading,
     moving: beat.moving,
-    stats: () => ({ ...parts.stats(), notice: notice.text(), kiosk: window.raywalkKiosk?.told() ?? null }),
+    stats: () => ({ ...parts.stats(), notice: notice.text(), kiosk: window.raywalkKiosk?.status() ?? null }),
     loseContext: parts.loseContext,
   });
 }

@@ -36,6 +36,7 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
   return {
     fullScreen,
     help,
+    /** A key has done something. */
     pressed(key: string) {
       if (session.state?.projector) sign.use(({ show }) => show(key));
     },
@@ -47,3 +48,5 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
     },
   };
 }
+
+export type Modes = ReturnType<typeof createModes>;

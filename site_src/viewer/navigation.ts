@@ -10,8 +10,8 @@ import type { SceneData } from "./trace/types";
 import { awaited, troubleOfNextScene, troubleOfScene } from "./trouble";
 import { list, say } from "./words";
 
-const TOLD_KEYS = 6; // of an address; more, and longer ones, would only be noise
-const TOLD_LETTERS = 16;
+const SHOWN_KEYS = 6; // of an address; more, and longer ones, would only be noise
+const SHOWN_LETTERS = 16;
 
 /** What an address says: of a scene that is known by then. */
 type Fields = (scene: SceneData) => ReadonlyMap<string, string>;
@@ -48,9 +48,9 @@ function createScenes(session: Session, home: string, loader: Loader, notice: No
   /** To the last event where a later one was asked for: how many there are is known with the trace. Was it? */
   function stepBack(): boolean {
     const { state } = session;
-    const told = session.timeline();
-    if (!told || !state?.event || state.event < told.events.length) return false;
-    session.set(goToEvent(state, told, told.events.length - 1));
+    const timeline = session.timeline();
+    if (!timeline || !state?.event || state.event < timeline.events.length) return false;
+    session.set(goToEvent(state, timeline, timeline.events.length - 1));
     return true;
   }
 
@@ -144,6 +144,6 @@ function sceneOfPath(links: readonly HTMLAnchorElement[]): string | undefined {
 
 /** What an address asks for may be anything: so much of it is said again. */
 const shortened = (keys: readonly string[]): string[] => {
-  const short = keys.slice(0, TOLD_KEYS).map((key) => (key.length > TOLD_LETTERS ? `${key.slice(0, TOLD_LETTERS)}\u2026` : key));
-  return keys.length > TOLD_KEYS ? [...short, "\u2026"] : short;
+  const short = keys.slice(0, SHOWN_KEYS).map((key) => (key.length > SHOWN_LETTERS ? `${key.slice(0, SHOWN_LETTERS)}\u2026` : key));
+  return keys.length > SHOWN_KEYS ? [...short, "\u2026"] : short;
 };

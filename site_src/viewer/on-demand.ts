@@ -98,7 +98,7 @@ export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
           isAsked = true;
           want(name, (part) => act(makeOnce(part)));
         },
-        /** For what is drawn again and again: null until it is there. The first time it is asked for, and `come` is told. */
+        /** For what is drawn again and again: null until it is there. The first time it is asked for, and `come` is called then. */
         nowOr(come: () => void) {
           if (!here.has(name) && !isAsked) this.use(() => come());
           return this.now();

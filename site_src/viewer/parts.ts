@@ -67,7 +67,7 @@ function presentOf(session: Session) {
   const { state, scene, lit, missing } = session;
   const now = session.switched();
   const view = session.shown();
-  return state && scene && now && view && { state, lit, missing, ...now, view, event: session.told(), recombined: session.recombined(), traced: { scene, trace: session.traced() } };
+  return state && scene && now && view && { state, lit, missing, ...now, view, event: session.currentEvent(), recombined: session.recombined(), traced: { scene, trace: session.traced() } };
 }
 type Present = NonNullable<ReturnType<typeof presentOf>>;
 
@@ -96,7 +96,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     simpler(why ? say(`trouble.${why}`) : "");
   };
   const drawnFlat = onDemand.one("flat", (part) => part);
-  const telling = onDemand.one("event-words", (part) => part);
+  const eventWords = onDemand.one("event-words", (part) => part);
   const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)) }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   const panels = createPanels(session, stage, acts, onDemand, surroundings);
   layOut(home, stage, panels);
@@ -134,7 +134,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       if (!present) return;
       renders++;
       const { state, scene, trace, view } = present;
-      showPanels(panels, session, () => telling.nowOr(session.changed), present);
+      showPanels(panels, session, () => eventWords.nowOr(session.changed), present);
       showStage(present, dark); // last: its labels keep clear of the panels that stand on it now
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },

@@ -89,8 +89,8 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     /** Of the selected pixel; null until its rays are here. */
     timeline: (): Timeline | null => session.shown()?.timeline ?? null,
 
-    /** The event the player is at. */
-    told: (): RayEvent | null => {
+    /** The one the player is at. */
+    currentEvent: (): RayEvent | null => {
       const event = session.state?.event ?? null;
       return event === null ? null : (session.timeline()?.events[event] ?? null);
     },

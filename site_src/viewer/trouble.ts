@@ -1,4 +1,4 @@
-/** What went wrong or takes long, as the sentence a person reads and the way on. */
+/** What went wrong or takes long, as the sentence a person reads and a remedy. */
 import { LoadError } from "./load";
 import type { More, Notice } from "./panels/notice";
 import { say } from "./words";
@@ -24,7 +24,7 @@ type Trouble = readonly [sentence: string, more: More];
 function troubleOf(error: unknown, about: "scene" | "trace", lost: Readonly<Record<"missing" | "damaged", string>>, again: () => void): Trouble {
   const why = error instanceof LoadError ? error.why : "damaged";
   if (why === "old browser") return [say("trouble.noUnpacking"), { about }];
-  if (why === "other version") return [say("trouble.otherVersion"), { about, ways: [reload()] }];
+  if (why === "other version") return [say("trouble.otherVersion"), { about, remedies: [reload()] }];
   return [lost[why], { about, again }];
 }
 
@@ -38,18 +38,18 @@ export const troubleOfScene = (error: unknown, again: () => void): Trouble =>
 /** Of the scene that was to come: the one that is shown goes on. page: its own, which says what it can without its data. */
 export const troubleOfNextScene = (title: string, page: string, again: () => void): Trouble => [
   say("trouble.nextScene", { title }),
-  { about: "scene", again, ways: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
+  { about: "scene", again, remedies: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
 ];
 
 /** Of a part that comes when asked for: the rest goes on. Of an older build it may be gone for good. */
-export const troubleOfPart = (name: string, again: () => void): Trouble => [say("trouble.partMissing"), { about: `part ${name}`, again, ways: [reload()] }];
+export const troubleOfPart = (name: string, again: () => void): Trouble => [say("trouble.partMissing"), { about: `part ${name}`, again, remedies: [reload()] }];
 
 /** What nobody foresaw: it is said, and the page goes on as far as it can. own: the address of the viewer's script;
- *  other scripts (a damaged trace is one) are told where they were asked for. */
+ *  errors of other scripts (a damaged trace is one) are reported where they were asked for. */
 export function listenToErrors(own: string, notice: Notice) {
-  const tell = () => notice.say(say("trouble.unexpected"), { about: "error", ways: [reload()] });
+  const report = () => notice.say(say("trouble.unexpected"), { about: "error", remedies: [reload()] });
   window.addEventListener("error", (event) => {
-    if (event instanceof ErrorEvent && event.filename === own) tell();
+    if (event instanceof ErrorEvent && event.filename === own) report();
   });
-  window.addEventListener("unhandledrejection", tell);
+  window.addEventListener("unhandledrejection", report);
 }

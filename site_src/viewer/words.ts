@@ -1,6 +1,6 @@
 /**
  * Sentences and numbers for people, in the page's language. They stand in site_src/words/<language>.json, which
- * Python tells from too; a script before the viewer's puts them into raywalkWords. Keys and slots are checked by
+ * Python speaks from too; a script before the viewer's puts them into raywalkWords. Keys and slots are checked by
  * the compiler (word-keys.d.ts is made from en.json).
  */
 import type { Vec3 } from "./trace/types";

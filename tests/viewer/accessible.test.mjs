@@ -159,7 +159,7 @@ test("axe finds nothing wrong on the page of benchmarks, measured here or not", 
   rmSync(out, { recursive: true });
 });
 
-test("the selected ray is told in words once the selection rests, not while it moves or plays", async () => {
+test("the selected ray is put into words once the selection rests, not while it moves or plays", async () => {
   const page = await newPage(browser, { held: true });
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
   const spoken = page.locator("p.unseen[role=status]");

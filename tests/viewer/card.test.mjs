@@ -63,7 +63,7 @@ before(async () => {
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name, exact: true });
 const tab = (name) => page.getByRole("tab", { name });
-const told = async () => (await state(page)).event;
+const current = async () => (await state(page)).event;
 
 test("tabs show one panel at a time, by click and by arrow key, and the choice outlasts a reload", async () => {
   const visible = () => page.locator("[role=tabpanel]").evaluateAll((panels) => panels.filter((panel) => panel.checkVisibility()).map((panel) => panel.firstElementChild.className));
@@ -80,7 +80,7 @@ test("tabs show one panel at a time, by click and by arrow key, and the choice o
   assert.deepEqual(await visible(), ["sums"]);
 });
 
-test("a row, a node and a sum go to their event by click and by Enter, and the told one is marked in each", async () => {
+test("a row, a node and a sum go to their event by click and by Enter, and the current one is marked in each", async () => {
   await follow(page, START);
   const { events } = await stats(page);
   const at = (ray, ...whats) => events.findIndex((event) => event.ray === ray && event.light < 0 && whats.includes(event.what));
@@ -88,17 +88,17 @@ test("a row, a node and a sum go to their event by click and by Enter, and the t
   const second = page.locator("li.ray").nth(1);
   const ray = Number(await second.getAttribute("data-ray"));
   await second.click();
-  assert.equal(await told(), at(ray, "meets", "background"));
+  assert.equal(await current(), at(ray, "meets", "background"));
   await page.locator("li.ray").nth(2).focus();
   await press(page, "Enter");
-  assert.equal(await told(), events.findIndex(({ light }) => light >= 0));
+  assert.equal(await current(), events.findIndex(({ light }) => light >= 0));
   await tab("The tree").click();
   assert.equal(await page.locator(".node").count(), new Set(events.map((event) => event.ray)).size);
   await page.locator(".node").nth(0).click();
-  assert.equal(await told(), at(events[0].ray, "meets"));
+  assert.equal(await current(), at(events[0].ray, "meets"));
   await page.locator(".node").nth(0).focus();
   await press(page, "ArrowDown", "Enter");
-  assert.equal(await told(), at(ray, "meets"));
+  assert.equal(await current(), at(ray, "meets"));
   assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows walk the tree");
   await page.mouse.move(2, 2);
   await page.evaluate(() => document.activeElement.blur());
@@ -107,7 +107,7 @@ test("a row, a node and a sum go to their event by click and by Enter, and the t
   await tab("How the pixel").click();
   await page.locator(".sum").first().click();
   await settled(page);
-  assert.equal(await told(), events.length - 1);
+  assert.equal(await current(), events.length - 1);
   assert.equal(await page.locator(".sum.lit").count(), 1);
 });
 
@@ -123,7 +123,7 @@ test("the sum is native MathML with the pixel's numbers put in", async () => {
   assert.match(tree, /MathML/);
 });
 
-test("a large tree folds what hardly counts, unfolds at a press, and shows the told ray", async () => {
+test("a large tree folds what hardly counts, unfolds at a press, and shows the current event's ray", async () => {
   const { trace } = await readTrace(glass.id, 105);
   const sizes = new Int32Array(105 * 105);
   for (let k = 0; k < trace.count; k++) sizes[trace.pixel[k]]++;

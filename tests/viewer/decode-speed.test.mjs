@@ -34,8 +34,8 @@ for (const { id, text } of scenes) {
   test(`${id} at ${FINEST} x ${FINEST} has tiles and rays within ${START} floors of the dearest level, its lights within ${WHOLE}`, async (t) => {
     const isFast = ({ start, whole }) => start.length >= FEW && best(start) <= START * unit && best(whole) <= WHOLE * unit;
     const { count, times } = await decodingTimes(decoder, text, MANY, isFast);
-    const told = (each) => `${best(each).toFixed(1)} ms (middle ${middle(each).toFixed(1)})`;
-    t.diagnostic(`${id}: ${count} rays, unit ${unit.toFixed(2)} ms, start ${told(times.start)}, whole ${told(times.whole)}, longest slice of lights ${told(times.slice)}`);
+    const written = (each) => `${best(each).toFixed(1)} ms (middle ${middle(each).toFixed(1)})`;
+    t.diagnostic(`${id}: ${count} rays, unit ${unit.toFixed(2)} ms, start ${written(times.start)}, whole ${written(times.whole)}, longest slice of lights ${written(times.slice)}`);
     assert.ok(count >= FINEST * FINEST);
     assert.ok(best(times.start) <= START * unit, `tiles and rays after ${best(times.start) / unit} floors`);
     assert.ok(best(times.whole) <= WHOLE * unit, `the whole trace after ${best(times.whole) / unit} floors`);

@@ -8,9 +8,9 @@ import { load } from "./typescript.mjs";
 const { eventsOf } = await load("state/events.ts");
 const { treeOf, linesOf } = await load("state/lines.ts");
 const { timelineOf, linesUpTo } = await load("state/timeline.ts");
-const { advancePlay, goToEvent, goToTime, pressPlay, stepEvent, timeOf, NOT_TOLD } = await load("state/play.ts");
+const { advancePlay, goToEvent, goToTime, pressPlay, stepEvent, timeOf, NO_EVENT } = await load("state/play.ts");
 const { startState, select } = await load("state/view-state.ts");
-const { tell, sentence, whyDark } = await load("event-words.ts");
+const { captionOf, sentence, whyDark } = await load("event-words.ts");
 const { plain } = await load("words.ts");
 
 const DEPARTURES = ["camera", "reflected", "refracted", "total"];
@@ -19,9 +19,9 @@ const distance = (a, b) => Math.hypot(...a.map((v, k) => b[k] - v));
 const close = (a, b, tolerance = 1e-12) => assert.ok(a.every((v, k) => Math.abs(v - b[k]) <= tolerance), `${a} is not ${b}`);
 const sum = (terms) => terms.reduce((all, { share, colour }) => all.map((v, c) => v + share * colour[c]), [0, 0, 0]);
 
-const told = scenesOfSite().filter(({ key }) => ["1", "3", "5", "8"].includes(key));
+const walked = scenesOfSite().filter(({ key }) => ["1", "3", "5", "8"].includes(key));
 const seen = new Set();
-for (const { id } of told) {
+for (const { id } of walked) {
   const { scene, trace } = await readTrace(id, 15);
   const pixels = Array.from({ length: 225 }, (_, k) => k);
   const each = (check) => pixels.forEach((pixel) => check(eventsOf(trace, scene, pixel), treeOf(trace, pixel), pixel));
@@ -109,7 +109,7 @@ for (const { id } of told) {
     each((events, tree, pixel) => {
       for (const event of events) {
         assert.match(sentence(event), /^\S.*\.$/);
-        assert.doesNotMatch(`${sentence(event)} ${tell(event).numbers}`, /undefined|NaN|Infinity|\?/);
+        assert.doesNotMatch(`${sentence(event)} ${captionOf(event).numbers}`, /undefined|NaN|Infinity|\?/);
       }
       const timeline = timelineOf(trace, scene, pixel);
       const sorted = (lines) => lines.map(({ ray, light, to, growing }) => JSON.stringify([ray, light, to, growing])).sort();
@@ -117,12 +117,12 @@ for (const { id } of told) {
     }));
 }
 
-test("mirrors, glass, shadows, sums: the four scenes tell of all that can happen", () => {
+test("mirrors, glass, shadows, sums: the four scenes hold all that can happen", () => {
   const all = [...DEPARTURES, "meets", "background", "reached", "blocked", "away", "local", "gather", "pixel"];
-  if (told.length === 4) assert.deepEqual(all.filter((what) => !seen.has(what)), []);
+  if (walked.length === 4) assert.deepEqual(all.filter((what) => !seen.has(what)), []);
 });
 
-const { scene, trace } = await readTrace(told.at(-1).id, 15);
+const { scene, trace } = await readTrace(walked.at(-1).id, 15);
 const timeline = timelineOf(trace, scene, 112);
 const begun = pressPlay({ ...startState(scene, { speed: 1, still: false, gl: true }), n: 15 }, timeline);
 
@@ -163,7 +163,7 @@ test("stepping goes one by one, back out at the beginning, and stays at the end"
   }
   assert.equal(stepEvent(goToEvent(state, timeline, 0), timeline, -1).event, null);
   const { event, share, playing } = select(state, state.pixel[0] + 1, 0);
-  assert.deepEqual({ event, share, playing }, NOT_TOLD);
+  assert.deepEqual({ event, share, playing }, NO_EVENT);
 });
 
 test("a pixel that is dark or in shadow says why, through glass and mirrors too, and a lit one what lights it", () => {

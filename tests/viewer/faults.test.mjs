@@ -341,7 +341,7 @@ for (const [what, file] of Object.entries(SCRIPTS))
       assert.equal(await page.locator("#broken").isVisible(), false);
     });
 
-test("a language's words for a scene are missing: it is told in the scene's own", async () => {
+test("a language's words for a scene are missing: it is shown in the scene's own", async () => {
   await gone(`**/${rich.id}/words-de.js*`);
   await open(page, server.url, `de/${rich.path}`, "still=1&gl=none");
   await theRestWorks();
@@ -407,9 +407,9 @@ test(`links with nonsense show the nearest there is, or the start, and name what
       dispatchEvent(new PopStateEvent("popstate"));
       return window.raywalk.ready;
     }, hash);
-    const told = await notice();
-    assert.ok(told.startsWith("The address asks for something this scene does not have ("), `${hash}: ${told}`);
-    assert.ok(told.includes(`(${keys}`), `${hash}: ${told}`);
+    const text = await notice();
+    assert.ok(text.startsWith("The address asks for something this scene does not have ("), `${hash}: ${text}`);
+    assert.ok(text.includes(`(${keys}`), `${hash}: ${text}`);
     const now = await state(page);
     if (holds) holds(now, { ...scene, n: start.n }, await stats(page));
     else assert.deepEqual(now, start, hash);

@@ -43,15 +43,15 @@ async function loadedBy(path, hash = "") {
   return loaded;
 }
 const sum = (files) => files.reduce((all, { bytes }) => all + bytes, 0);
-const told = (files) => files.map(({ name, bytes }) => `${(bytes / KB).toFixed(1)} KB ${name}`).join("\n");
+const listed = (files) => files.map(({ name, bytes }) => `${(bytes / KB).toFixed(1)} KB ${name}`).join("\n");
 
 test("the first page weighs at most 200 KB beside its thumbnails, which are small and of each scene one", async () => {
   const loaded = await loadedBy("index.html");
   const thumbnails = loaded.filter(({ name }) => /thumb/.test(name));
   const rest = loaded.filter((file) => !thumbnails.includes(file));
-  assert.ok(sum(rest) <= FIRST_PAGE, told(rest));
+  assert.ok(sum(rest) <= FIRST_PAGE, listed(rest));
   assert.equal(thumbnails.length, scenesOfSite().length);
-  for (const each of thumbnails) assert.ok(each.bytes <= THUMBNAIL, told([each]));
+  for (const each of thumbnails) assert.ok(each.bytes <= THUMBNAIL, listed([each]));
 });
 
 /** How much of a scene's data its meshes are. */
@@ -68,9 +68,9 @@ for (const scene of [{ ...richScene(), meshes: 0 }, dearest])
     const loaded = await loadedBy(scene.path);
     const isPart = ({ name }) => name.startsWith("assets/part-");
     const first = loaded.filter((file) => !isPart(file) && !/picture/.test(file.name));
-    assert.ok(sum(first) - scene.meshes <= FIRST_VIEW, `${(sum(first) / KB).toFixed(1)} KB, ${scene.meshes} bytes of them meshes:\n${told(first)}`);
+    assert.ok(sum(first) - scene.meshes <= FIRST_VIEW, `${(sum(first) / KB).toFixed(1)} KB, ${scene.meshes} bytes of them meshes:\n${listed(first)}`);
     const scripts = first.filter(({ name }) => /^assets\/(viewer|page)-/.test(name));
-    assert.ok(scripts.length === 2 && sum(scripts) <= SCRIPTS, told(scripts));
+    assert.ok(scripts.length === 2 && sum(scripts) <= SCRIPTS, listed(scripts));
     const [lastOfFirst, firstPart] = [loaded.findLastIndex(({ name }) => /scenes\/.*\.js$/.test(name)), loaded.findIndex(isPart)];
-    assert.ok(firstPart < 0 || firstPart > lastOfFirst, told(loaded));
+    assert.ok(firstPart < 0 || firstPart > lastOfFirst, listed(loaded));
   });

@@ -44,13 +44,13 @@ async function tabTo(name) {
 }
 
 const words = (html) => html.replace(/<[^>]+>/g, "").replace(/&[^;]+;/g, "").replace(/\s+/g, " ").trim();
-const told = async () => words(await page.locator(".lesson-text").innerText());
+const shown = async () => words(await page.locator(".lesson-text").innerText());
 const fits = async (step, revealed) => {
   await settled(page);
   const now = await state(page);
   assert.deepEqual([now.step, now.revealed], [step, revealed]);
   const stop = revealed ? lesson[step].answer : lesson[step];
-  assert.ok((await told()).startsWith(words(stop.html).slice(0, 50)), `step ${step + 1} is told`);
+  assert.ok((await shown()).startsWith(words(stop.html).slice(0, 50)), `step ${step + 1} is shown`);
 };
 
 test(`${id} by keyboard alone: from the address to the last answer, ${lesson.length} steps, each question revealed`, async () => {

@@ -18,7 +18,7 @@ afterEach(() => page.close());
 
 const PACE = 7; // seconds that a stop is shown, where the address does not say
 const FADES = 400; // ms, of cover and warning
-const told = async (of = page) => (await stats(of)).kiosk;
+const status = async (of = page) => (await stats(of)).kiosk;
 const isAttract = (s, t) => t.kiosk?.attract === true && document.documentElement.classList.contains("attract");
 const isVisited = (s, t) => t.kiosk?.attract === false && t.kiosk.left !== null;
 /** Flat where the stage is not what is asked about: it needs no compiled shaders. */
@@ -40,9 +40,9 @@ test("unattended it walks every scene's lesson, in order and round again, under 
   for (const [k, stop] of [...scenes, first].flatMap(stopsOf).entries()) {
     await until(page, (s, t, [stops, stop]) => t.kiosk.stops === stops && `${s.scene} ${s.step} ${s.revealed}` === stop, [k + 1, stop]);
     await pass(page, 1000 * PACE - 100); // asking took a little, too
-    if (k === 20) assert.equal((await told(page)).stops, 21, "not before its time"); // by now we ask soon after it has come
+    if (k === 20) assert.equal((await status(page)).stops, 21, "not before its time"); // by now we ask soon after it has come
   }
-  assert.equal((await told(page)).cycles, scenes.length);
+  assert.equal((await status(page)).cycles, scenes.length);
   assert.match(page.url(), /#kiosk=1&/);
   assert.equal(await page.evaluate(() => history.length <= 3), true, "no way back that piles up");
   assert.deepEqual(page.faults, []);
@@ -86,9 +86,9 @@ test("left alone it asks, counts down, goes on at a touch, and else starts again
   await warning.getByRole("button").click();
   await pass(page, FADES);
   assert.ok(!(await warning.isVisible()));
-  assert.ok((await told()).left > 79);
+  assert.ok((await status()).left > 79);
   await pass(page, 78_000);
-  assert.equal((await told()).attract, false);
+  assert.equal((await status()).attract, false);
   await pass(page, 2000);
   await until(page, isAttract);
   const now = await state(page);
@@ -184,7 +184,7 @@ test("after hours unattended the page begins anew, between two rounds and not be
   assert.equal(loads, 0);
   await Promise.all([page.waitForEvent("load"), pass(page, 1000 * PACE * (2 * readScene(scenes.at(-1).id).lesson.length + 1))]);
   await until(page, isAttract);
-  assert.deepEqual([(await state(page)).scene, (await told()).strikes], [first.id, 0]);
+  assert.deepEqual([(await state(page)).scene, (await status()).strikes], [first.id, 0]);
   assert.match(page.url(), new RegExp(`${first.path}#kiosk=1&`));
   assert.deepEqual(page.faults, []);
 });
@@ -228,7 +228,7 @@ test("a drawing context that is lost while nobody is there comes back with a fre
   await loadsAnew(() => page.evaluate(() => window.raywalk.loseContext()));
   await until(page, isAttract);
   assert.equal((await stats(page)).renderer, "webgl");
-  assert.equal((await told()).strikes, 1);
+  assert.equal((await status()).strikes, 1);
 });
 
 test("settings that are no numbers, or too large, are clamped and named; reduced motion shows stops only", async () => {
@@ -240,7 +240,7 @@ test("settings that are no numbers, or too large, are clamped and named; reduced
   }
   await open(page, ON_DISK, first.path, "kiosk=1&idle=soon&warn=999&visitor=1");
   assert.match((await stats(page)).notice, /idle, warn/);
-  assert.ok((await told()).left > 85);
+  assert.ok((await status()).left > 85);
 });
 
 test("axe finds nothing wrong: unattended, with a visitor, while it warns, and on the page that is not kept", async () => {

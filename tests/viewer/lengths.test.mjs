@@ -28,7 +28,7 @@ function outermost(file) {
   return found;
 }
 const functions = program.getSourceFileNames().filter((file) => file.startsWith(VIEWER)).flatMap(outermost).sort((a, b) => b.length - a.length);
-const told = (some) => some.map(({ name, length }) => `${length} lines: ${name}`).join("\n");
+const listed = (some) => some.map(({ name, length }) => `${length} lines: ${name}`).join("\n");
 
 test("all of the viewer is measured", () => {
   assert.ok(functions.length > 400, `only ${functions.length} functions were found`);
@@ -37,10 +37,10 @@ test("all of the viewer is measured", () => {
 
 test(`no function of the viewer is longer than ${LONGEST} lines`, () => {
   const long = functions.filter(({ length }) => length > LONGEST);
-  assert.equal(long.length, 0, told(long));
+  assert.equal(long.length, 0, listed(long));
 });
 
 test(`nine in ten have at most ${NINE_IN_TEN} lines`, () => {
   const tenth = Math.floor(functions.length / 10);
-  assert.ok(functions[tenth].length <= NINE_IN_TEN, `${functions.filter(({ length }) => length > NINE_IN_TEN).length} of ${functions.length} have more:\n${told(functions.slice(0, tenth + 1))}`);
+  assert.ok(functions[tenth].length <= NINE_IN_TEN, `${functions.filter(({ length }) => length > NINE_IN_TEN).length} of ${functions.length} have more:\n${listed(functions.slice(0, tenth + 1))}`);
 });

@@ -63,7 +63,7 @@ export function objectsIn(snapshot) {
   return found;
 }
 
-/** What has grown most between two such, to be told where a bound breaks. */
+/** What has grown most between two such, to be shown where a bound breaks. */
 export function grown(before, after, count = 6) {
   const by = [...after.of].map(([what, bytes]) => [bytes - (before.of.get(what) ?? 0), what]).sort(([a], [b]) => b - a);
   return by.slice(0, count).map(([bytes, what]) => `${what} ${bytes}`).join(", ");

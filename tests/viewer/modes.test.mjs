@@ -159,7 +159,7 @@ for (const where of ["a file", "another origin"])
     }
   });
 
-test("the pseudo-code has a tab of the card, marks the told event's line, also while a question waits, and is remembered", async () => {
+test("the pseudo-code has a tab of the card, marks the current event's line, also while a question waits, and is remembered", async () => {
   await open(page, ON_DISK, rich.path, START);
   const code = page.getByRole("region", { name: "The algorithm" });
   assert.equal(await code.isVisible(), false);

@@ -82,12 +82,12 @@ test("one button keeps all scenes, tells how far it is, and then every scene ope
   const panel = page.locator("#offline");
   const button = panel.getByRole("button", { name: /Keep all scenes for offline use \([\d.]+ MB\)/ });
   await button.waitFor();
-  const told = [];
-  await page.exposeFunction("heard", (text) => told.push(text));
+  const heard = [];
+  await page.exposeFunction("heard", (text) => heard.push(text));
   await panel.locator("output").evaluate((output) => new MutationObserver(() => window.heard(output.textContent)).observe(output, { childList: true }));
   await button.click();
   await panel.getByText("All scenes are kept for offline use").waitFor();
-  assert.ok(told.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, told.join("; "));
+  assert.ok(heard.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, heard.join("; "));
   await context.setOffline(true);
   for (const { id, path } of scenesOfSite()) {
     await open(page, server.url, path, "still=1&tiles=filled");

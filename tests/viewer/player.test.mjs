@@ -15,17 +15,17 @@ before(async () => {
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
 const scrub = () => page.getByRole("slider", { name: "Event" });
-const told = async () => (await state(page)).event;
+const current = async () => (await state(page)).event;
 const says = () => page.locator(".lesson-text").innerText();
 const lines = async () => (await stats(page)).lines.length;
 
-test("at first no event is told: all of the pixel's rays show, and the scene's sentence", async () => {
-  assert.equal(await told(), null);
+test("at first there is no current event: all of the pixel's rays show, and the scene's sentence", async () => {
+  assert.equal(await current(), null);
   const { lines, events } = await stats(page);
   assert.equal(lines.length, events.filter((event) => event.long > 0).length);
   assert.equal(await page.locator(".event-says").count(), 0);
   await press(page, ",");
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
 });
 
 test("full stop and comma go on and back: each event's line, row and sentence belong together", async () => {
@@ -34,7 +34,7 @@ test("full stop and comma go on and back: each event's line, row and sentence be
   const sentences = new Set();
   for (const [k, event] of events.entries()) {
     await press(page, ".");
-    assert.equal(await told(), k);
+    assert.equal(await current(), k);
     const now = await stats(page);
     assert.deepEqual(now.lit, { ray: event.ray, light: event.light });
     assert.equal(now.lines.length, events.slice(0, k + 1).filter((each) => each.long > 0).length);
@@ -50,25 +50,25 @@ test("full stop and comma go on and back: each event's line, row and sentence be
   const { tiles } = await stats(page);
   assert.ok((await says()).includes(tiles.slice(3 * (8 * 15 + 5), 3 * (8 * 15 + 5) + 3).join(", ")), "the last one names the pixel's colour");
   await press(page, ".");
-  assert.equal(await told(), events.length - 1);
+  assert.equal(await current(), events.length - 1);
   await press(page, ",");
-  assert.equal(await told(), events.length - 2);
+  assert.equal(await current(), events.length - 2);
   await press(page, "Escape");
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
 });
 
 test("the buttons do the same", async () => {
   await follow(page, START);
   await button("One event on").click();
   await button("One event on").click();
-  assert.equal(await told(), 1);
+  assert.equal(await current(), 1);
   await button("One event back").click();
   await button("One event back").click();
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
   await button("One event on").click();
   await button("Leave the step-by-step player").click();
   await settled(page);
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
   assert.ok(!(await button("Leave the step-by-step player").isVisible()));
 });
 
@@ -78,10 +78,10 @@ test("the event is in the address, and its end is what a link shows", async () =
   await page.waitForFunction(() => location.hash.includes("e=3"));
   const there = await lines();
   await follow(page, `${START}&e=3`);
-  assert.equal(await told(), 2);
+  assert.equal(await current(), 2);
   assert.equal(await lines(), there);
   await follow(page, `${START}&e=99`);
-  assert.equal(await told(), 7, "the nearest there is: the last of eight events");
+  assert.equal(await current(), 7, "the nearest there is: the last of eight events");
   assert.match(await page.locator("#notice").innerText(), /\(e\)/);
 });
 
@@ -89,39 +89,39 @@ test("another pixel, another grid and a lesson's step begin anew", async () => {
   for (const key of ["ArrowRight", "+"]) {
     await follow(page, `${START}&e=3`);
     await press(page, key);
-    assert.equal(await told(), null);
+    assert.equal(await current(), null);
   }
   await follow(page, `${START}&step=1&e=3`);
-  assert.equal(await told(), 2);
+  assert.equal(await current(), 2);
   await button("Next step").click();
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
 });
 
 test("the scrub bar is a slider for hand and keyboard, and says the sentence", async () => {
   await follow(page, START);
   await scrub().focus();
   await press(page, "ArrowRight", "ArrowRight");
-  assert.equal(await told(), 1);
+  assert.equal(await current(), 1);
   assert.match(await scrub().getAttribute("aria-valuetext"), /^2 of \d+: It meets /);
   await press(page, "ArrowLeft");
-  assert.equal(await told(), 0);
+  assert.equal(await current(), 0);
   await press(page, "End");
-  assert.equal(await told(), (await stats(page)).events.length - 1);
+  assert.equal(await current(), (await stats(page)).events.length - 1);
   await press(page, "Home");
-  assert.equal(await told(), null);
+  assert.equal(await current(), null);
   assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows move the bar, not the pixel");
   await press(page, ".", "Escape");
-  assert.equal(await told(), null, "other keys still work from there");
+  assert.equal(await current(), null, "other keys still work from there");
   const box = await scrub().boundingBox();
   await page.mouse.click(box.x + 0.5 * box.width, box.y + box.height / 2);
-  assert.ok((await told()) > 1);
+  assert.ok((await current()) > 1);
   await scrub().evaluate((bar) => bar.blur());
 });
 
 test("without a clock P is at the end at once", async () => {
   await follow(page, "n=15&p=5,8&still=1");
   await press(page, "p");
-  assert.equal(await told(), (await stats(page)).events.length - 1);
+  assert.equal(await current(), (await stats(page)).events.length - 1);
 });
 
 test("P plays: time moves the line on, P pauses it there, and the end is the last event", async () => {
@@ -186,7 +186,7 @@ test("while the player tells, the legend stays as it is", async () => {
   assert.deepEqual((await stats(page)).kinds, all);
 });
 
-test("pointing at a row wins over the told event as long as it lasts", async () => {
+test("pointing at a row wins over the current event as long as it lasts", async () => {
   await follow(page, `${START}&e=1`);
   await page.locator("li.ray").nth(1).hover();
   await settled(page);

@@ -77,9 +77,9 @@ test("a saved lesson shows by itself, and the address keeps its place", async ()
 test("a mistake in a scene shows as text, markup in it too, while the old page stands", async () => {
   await save((text) => text.replace('"coloured"', '"<img src=x onerror=alert(1)>"'));
   await page.waitForFunction(() => document.querySelector("#raywalk-serve.trouble"));
-  const told = await panel().innerText();
-  assert.match(told, /scene\.toml: objects\[0\]\.material: no material is named "<img src=x/);
-  assert.match(told, /1 error; nothing was traced/);
+  const text = await panel().innerText();
+  assert.match(text, /scene\.toml: objects\[0\]\.material: no material is named "<img src=x/);
+  assert.match(text, /1 error; nothing was traced/);
   assert.equal(await page.locator("#raywalk-serve img").count(), 0);
   assert.ok(await panel().isVisible());
   assert.ok((await page.locator("#page").textContent()).includes("Other words."));

@@ -5,7 +5,9 @@ import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite,
 import { readSections, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
-const { sectionOf, frameOf, offPlane, startState, select, picturePlane } = await load("state/section.ts", "state/view-state.ts", "state/frustum.ts");
+const { sectionOf, frameOf, startState, select, picturePlane } = await load("state/section.ts", "state/view-state.ts", "state/frustum.ts");
+/** How far a point is from a section's plane, in world units. */
+const offPlane = ({ eye }, section, point) => Math.sqrt(Math.max(0, point.reduce((sum, v, k) => sum + (v - eye[k]) ** 2, 0) - Math.hypot(...section.flat(point)) ** 2));
 const { silhouetteOf } = await load("state/silhouette.ts");
 const rich = richScene();
 let browser, page;

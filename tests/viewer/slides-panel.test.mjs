@@ -15,7 +15,7 @@ before(async () => {
 after(() => browser.close());
 const isOpen = () => page.evaluate(() => document.querySelector("#take").matches(":popover-open"));
 const boxes = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("#viewer *, header *, nav *")].filter((each) => !each.closest("#take")).map((each) => each.getBoundingClientRect())));
-const links = () => page.evaluate(() => [...document.querySelectorAll("#take a")].filter((a) => !a.parentElement.hidden).map((a) => ({ href: a.href, told: a.textContent })));
+const links = () => page.evaluate(() => [...document.querySelectorAll("#take a")].filter((a) => !a.parentElement.hidden).map((a) => ({ href: a.href, size: a.textContent })));
 
 test("it opens and closes by keyboard, nothing of the page moves, and the keys of the page rest meanwhile", async () => {
   const [still, pixel] = [await boxes(), (await state(page)).pixel];
@@ -39,10 +39,10 @@ test("every file it names is there, with its size; another scene's after turning
     await until(page, (_state, _stats, scene) => document.querySelector("nav.scenes [aria-current]").dataset.scene === scene, id);
     const files = (await links()).filter(({ href }) => !href.includes("index.html"));
     assert.ok(files.length >= 8, `${id}: ${files.length} files`);
-    for (const { href, told } of files) {
+    for (const { href, size } of files) {
       assert.match(href, new RegExp(`/slides/${id}[.-]`));
       assert.ok(existsSync(fileURLToPath(href)), href);
-      assert.match(told, /\d (KB|MB)\s*$/);
+      assert.match(size, /\d (KB|MB)\s*$/);
     }
     assert.ok((await links()).some(({ href }) => href.endsWith(`slides/index.html#${id}`)));
   }

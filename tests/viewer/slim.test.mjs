@@ -1,4 +1,4 @@
-/** three is shipped without what nothing names: what goes, what stays, and that the site draws is told by all other tests. */
+/** three is shipped without what nothing names: what goes, what stays, and that the site draws is shown by all other tests. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { withConstants } from "../../site_src/slim/constants.mjs";
@@ -42,7 +42,7 @@ test("a flag that nothing sets is undefined, a property set to nothing else than
   assert.match(withConstants("if (object.isSprite) a();", ["thing.isSprite = true;"]), /object\.isSprite/);
 });
 
-test("shaders lose comments and what hangs on macros that are off, else and elif told right", () => {
+test("shaders lose comments and what hangs on macros that are off, else and elif read right", () => {
   const isOff = (macro) => macro === "OFF";
   const kept = (text) => preprocessed(text, isOff).split("\n");
   assert.deepEqual(kept("#ifdef OFF\na\n#else\nb\n#endif"), ["b"]);

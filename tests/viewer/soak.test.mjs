@@ -97,8 +97,8 @@ test(`${CYCLES} lessons shown unattended: heap, nodes, listeners, buffers, textu
   const heaps = [first, ...others].map(({ heap }) => heap);
   const rising = stillRising(heaps);
   const both = (what) => [first[what], last[what]];
-  const told = { cycles: last.cycles, seconds: Math.round((Date.now() - start) / 1000), objects: [earlier.objects, later.objects], strings: [earlier.strings, later.strings], code: [earlier.code, later.code], heaps, rising, counts: Object.fromEntries(COUNTED.map((what) => [what, both(what)])), faults: page.faults.length };
-  console.log(`soak ${JSON.stringify(told)}`);
+  const result = { cycles: last.cycles, seconds: Math.round((Date.now() - start) / 1000), objects: [earlier.objects, later.objects], strings: [earlier.strings, later.strings], code: [earlier.code, later.code], heaps, rising, counts: Object.fromEntries(COUNTED.map((what) => [what, both(what)])), faults: page.faults.length };
+  console.log(`soak ${JSON.stringify(result)}`);
   assert.ok(later.objects <= earlier.objects + OBJECT_SLACK, `objects: ${earlier.objects}, after ${last.cycles} lessons ${later.objects}: ${grown(earlier, later)}`);
   assert.ok(later.strings <= earlier.strings + STRING_SLACK, `strings: ${earlier.strings}, after ${last.cycles} lessons ${later.strings}`);
   assert.ok(rising <= STILL_RISING, `heap still rising: ${rising} from quarter to quarter`);

@@ -30,7 +30,7 @@ test("at first the panel is closed, nothing is switched and nothing says so", as
   assert.equal(await recombined().isVisible(), false);
 });
 
-test("brackets lower and raise the bounce limit, and tell where it ends", async () => {
+test("brackets lower and raise the bounce limit, and say where it ends", async () => {
   await follow(page, START);
   await press(page, "]");
   assert.equal((await switches()).bounces, null);
@@ -78,8 +78,8 @@ test("a switch keeps the player at its event, and leaves it where that is gone",
   const at = events.findIndex(({ what }) => what === "blocked");
   for (let k = 0; k <= at; k++) await press(page, ".");
   await press(page, "s");
-  const told = (await stats(page)).events[(await state(page)).event];
-  assert.deepEqual([told.ray, told.light, told.what], [events[at].ray, events[at].light, "unasked"]);
+  const current = (await stats(page)).events[(await state(page)).event];
+  assert.deepEqual([current.ray, current.light, current.what], [events[at].ray, events[at].light, "unasked"]);
   await follow(page, "still=1&n=15&p=9,7");
   for (let k = 0; k < 4; k++) await press(page, ".");
   for (let k = 0; k < scene.depth; k++) await press(page, "[");

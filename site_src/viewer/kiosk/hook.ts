@@ -22,7 +22,7 @@ export interface KioskHook {
   arrived: (viewer: KioskViewer) => void;
   attach: (viewer: KioskViewer) => void;
   /** For tests. */
-  told: () => object | null;
+  status: () => object | null;
 }
 
 declare global {

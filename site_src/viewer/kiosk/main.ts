@@ -53,7 +53,7 @@ function start() {
   else begin.show();
   hook.arrived = (viewer) => void arrived(viewer);
   if (hook.viewer) hook.arrived(hook.viewer);
-  hook.told = () => ({
+  hook.status = () => ({
     attract: attract?.runs() ?? false,
     ...(attract?.counts() ?? { stops: 0, cycles: 0 }),
     strikes: strikes.count(),

@@ -1,23 +1,19 @@
 /** The card's head: which pixel, its colour, arrows to its neighbours, and copies to take away. */
+import type { Actions } from "../actions";
 import { say } from "../words";
 import { sayDone } from "./done";
-import { button, element, swatch } from "./element";
+import { button, disable, element, swatch } from "./element";
 
 export type Copy = "text" | "table";
 
-export interface HeadActs {
-  move: (right: number, down: number) => void;
-  /** done: the clipboard has it. */
-  copy: (what: Copy, done: () => void) => void;
-}
-
 const MOVES = [["\u2190", "left", -1, 0], ["\u2191", "up", 0, -1], ["\u2193", "down", 0, 1], ["\u2192", "right", 1, 0]] as const;
 
-export function createCardHead(acts: HeadActs) {
+/** copy: calls `done` when the clipboard has it. */
+export function createCardHead(acts: Pick<Actions, "move"> & { copy: (what: Copy, done: () => void) => void }) {
   const chip = swatch("#000");
   const name = element("span", "pixel-name");
   const rgb = element("span", "pixel-colour numbers");
-  const arrows = MOVES.map(([sign, way, right, down]) => button(sign, say(`controls.moves.${way}`), () => acts.move(right, down), { className: "sign" }));
+  const arrows = MOVES.map(([sign, side, right, down]) => button(sign, say(`controls.moves.${side}`), () => acts.move(right, down), { className: "sign" }));
   const copies = (["text", "table"] as const).map((what) => {
     const made = button(say(`copy.${what}.word`), say(`copy.${what}.help`), () => acts.copy(what, () => sayDone(made, say(`copy.${what}.done`))));
     return made;
@@ -29,7 +25,7 @@ export function createCardHead(acts: HeadActs) {
       name.textContent = say("card.pixel", { column, row });
       rgb.textContent = colour?.join(", ") ?? "";
       chip.style.backgroundColor = colour ? `rgb(${colour.join()})` : "transparent";
-      for (const each of copies) each.setAttribute("aria-disabled", String(!colour));
+      for (const each of copies) disable(each, !colour);
     },
   };
 }

@@ -1,11 +1,12 @@
 /** The selected pixel's rays as an indented list: every number of every ray. */
+import type { Actions } from "../actions";
 import { isGiving } from "../state/events";
 import type { RayEvent } from "../state/event-types";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import type { SceneData, Trace, Vec3 } from "../trace/types";
 import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
-import { element, marked, swatch } from "./element";
+import { clickable, element, marked, swatch } from "./element";
 import { markRow } from "./lit-row";
 
 /** What the card is about. */
@@ -16,30 +17,33 @@ export interface PixelRays {
   pixel: number; // index into the trace
 }
 
-/** One of the ways in which the card shows a pixel's rays. */
+/** A pixel's rays as a list, a tree, a sum or code. */
 export interface RaysView {
   element: HTMLElement;
   show: (of: PixelRays) => void;
-  /** Marks what belongs to the line that is lit up on the stage, or else to the told event, which comes into sight. */
-  light: (line: LitLine | null, told: RayEvent | null) => void;
+  /** Marks what belongs to the line that is lit up on the stage, or else to the current event, and scrolls to it. */
+  light: (line: LitLine | null, event: RayEvent | null) => void;
 }
 
-export interface LineActs {
-  light: (line: LitLine | null) => void;
-  tell: (ray: number, light: number) => void;
-}
+export type LineActs = Pick<Actions, "light" | "goToEvent">;
 
 const MOST_ROWS = 160; // of a tree: more is no longer read
 const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for words
 
 const joined = (...parts: string[]) => parts.join(" \u00b7 ");
-const shown = (colour: Vec3, words: string) => element("span", "shown-colour", swatch(hexOf(colour)), words);
+const sample = (colour: Vec3, words: string) => element("span", "shown-colour", swatch(hexOf(colour)), words);
 const figures = (className: string, ...parts: (Node | string)[]) => element("span", `${className} numbers`, ...parts);
 
-/** What a row says first. */
+/** A row's first words. */
 export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind as "camera"}`, { object: row.object }) : phrases(`card.leaves.${row.kind as "camera"}`));
 export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
   seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
+
+/** Calls `light` while it is pointed at or has the focus. */
+export function lightsUp(row: Element, light: (on: boolean) => void) {
+  for (const on of ["pointerenter", "focus"]) row.addEventListener(on, () => light(true));
+  for (const off of ["pointerleave", "blur"]) row.addEventListener(off, () => light(false));
+}
 
 export function createRays(acts: LineActs): RaysView {
   const list = element("ul", "rays");
@@ -47,17 +51,8 @@ export function createRays(acts: LineActs): RaysView {
   function item(kind: string, depth: number, line: LitLine, ...content: Node[]) {
     const made = element("li", `ray ${kind}`, ...content);
     Object.assign(made.dataset, { depth: Math.min(depth, DEEPEST), ray: line.ray, light: line.light });
-    made.tabIndex = 0;
-    const tell = () => acts.tell(line.ray, line.light);
-    const on = () => acts.light(line);
-    const off = () => acts.light(null);
-    made.addEventListener("pointerenter", on);
-    made.addEventListener("pointerleave", off);
-    made.addEventListener("focus", on);
-    made.addEventListener("blur", off);
-    made.addEventListener("click", tell);
-    made.addEventListener("keydown", (event) => event.key === "Enter" && tell());
-    return made;
+    lightsUp(made, (on) => acts.light(on ? line : null));
+    return clickable(made, () => acts.goToEvent(line.ray, line.light));
   }
 
   function rayItem(row: RayRow) {
@@ -70,7 +65,7 @@ export function createRays(acts: LineActs): RaysView {
           figures("where", joined(say("card.normal", { normal: vector(row.normal) }), tests)),
         ]
       : [figures("where", tests)];
-    const brings = figures("brings", shown(row.colour, listed(row.colour.map(number))));
+    const brings = figures("brings", sample(row.colour, listed(row.colour.map(number))));
     brings.title = say("card.brings");
     if (row.of) brings.append(` \u00b7 ${say("card.share", { share: percent(row.weight), ray: row.of })}`);
     const [nearest, ...others] = row.hits.map(({ name, t }) => `${name} ${number(t)}`);
@@ -81,7 +76,7 @@ export function createRays(acts: LineActs): RaysView {
 
   function lightItem(row: RayRow, light: LightRow) {
     const kind = light.seen === "reached" || light.seen === "blocked" ? light.seen : "away";
-    const gives = figures("where", joined(say("card.light", { diffuse: number(light.diffuse), specular: number(light.specular) }), say("card.gives")), " ", shown(light.gives, tone(light.gives)));
+    const gives = figures("where", joined(say("card.light", { diffuse: number(light.diffuse), specular: number(light.specular) }), say("card.gives")), " ", sample(light.gives, tone(light.gives)));
     const says = element("span", "says", ...marked(lightWords(light)));
     return item(kind, row.depth + 1, { ray: row.ray, light: light.light }, says, ...(isGiving(light) ? [gives] : []));
   }
@@ -94,8 +89,8 @@ export function createRays(acts: LineActs): RaysView {
       list.replaceChildren(...made, ...(left > 0 ? [element("li", "note", say("card.more", { count: left }))] : []));
       list.scrollTop = 0;
     },
-    light(line, told) {
-      const lit = line ?? told;
+    light(line, event) {
+      const lit = line ?? event;
       const items = [...list.querySelectorAll<HTMLElement>("li.ray")];
       markRow(list, items, items.find(({ dataset }) => dataset.ray === String(lit?.ray) && dataset.light === String(lit?.light)) ?? null, !line);
     },

@@ -1,29 +1,27 @@
 /** How the pixel's colour adds up: a formula a ray, with the numbers put in. */
+import type { Actions } from "../actions";
 import type { LightRow, RayRow } from "../state/ray-rows";
-import type { RayEvent } from "../state/event-types";
+import { isAll } from "../state/vectors";
 import { tileColour } from "../state/view-state";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
 import { fixed, number, phrases, say } from "../words";
 import type { RaysView } from "./card-rays";
-import { element, marked } from "./element";
+import { clickable, element, marked } from "./element";
 import { markRow } from "./lit-row";
 
 /** Colours of one formula: as columns as soon as one of them is not grey. */
 type Colours = (v: Vec3) => MathMLElement;
 const coloursOf = (all: readonly Vec3[]): Colours => (all.every(isGrey) ? (v) => figure(v[0]) : (v) => column(v.map(number)));
 
-const isBlack = (v: Vec3) => v.every((each) => each === 0);
-const isWhite = (v: Vec3) => v.every((each) => each === 1);
-
 function lightTerm({ name, seen, by, diffuse, specular, colour }: LightRow, of: MaterialData, show: Colours) {
   if (seen === "blocked") return piece(operator("+"), under(math("mn", "0"), say("sum.blocked", { light: name, by })));
   if (seen === "off") return piece(operator("+"), under(math("mn", "0"), say("sum.isOff", { light: name })));
   if (seen === "away") return piece(operator("+"), under(math("mn", "0"), say("sum.away", { light: name })));
-  const paints = ([[diffuse, of.diffuse], [specular, of.specular]] as const).filter(([factor, paint]) => factor !== 0 && !isBlack(paint));
+  const paints = ([[diffuse, of.diffuse], [specular, of.specular]] as const).filter(([factor, paint]) => factor !== 0 && !isAll(paint, 0));
   const parts = paints.flatMap(([factor, paint], k) => [...(k ? [operator("+")] : []), figure(factor), times(), show(paint)]);
   const sum = parts.length ? parts : [math("mn", "0")];
-  const lit = isWhite(colour) ? sum : [...(paints.length > 1 ? [operator("("), ...sum, operator(")")] : sum), times(), show(colour)];
+  const lit = isAll(colour, 1) ? sum : [...(paints.length > 1 ? [operator("("), ...sum, operator(")")] : sum), times(), show(colour)];
   return piece(operator("+"), under(math("mrow", ...lit), name));
 }
 
@@ -68,17 +66,13 @@ function bytesFormula({ colour, number }: RayRow, tile: Vec3) {
 
 type What = "local" | "gather" | "pixel" | "background" | "meets";
 
-export function createSums(acts: { tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void }): RaysView {
+export function createSums(acts: Pick<Actions, "goToEvent">): RaysView {
   const list = element("ol", "sums");
 
   function item(row: RayRow, whats: readonly What[], title: HTMLElement, formulas: readonly MathMLElement[][], ...more: HTMLElement[]) {
     const made = element("li", `sum ${row.kind}`, title, ...formulas.map((pieces) => element("div", "formula", ...pieces)), ...more);
     Object.assign(made.dataset, { ray: row.ray, whats: whats.join(" ") });
-    made.tabIndex = 0;
-    const tell = () => acts.tell(row.ray, -1, ...whats);
-    made.addEventListener("click", tell);
-    made.addEventListener("keydown", (event) => event.key === "Enter" && tell());
-    return made;
+    return clickable(made, () => acts.goToEvent(row.ray, -1, ...whats));
   }
 
   function items(row: RayRow, rows: readonly RayRow[], scene: SceneData, trace: Trace, tile: Vec3) {
@@ -105,9 +99,9 @@ export function createSums(acts: { tell: (ray: number, light: number, ...whats: 
       list.scrollTop = 0;
     },
     /** Only an event has its formula. */
-    light(_, told) {
+    light(_, event) {
       const all = [...list.children] as HTMLElement[];
-      markRow(list, all, (told && all.find(({ dataset }) => dataset.ray === String(told.ray) && dataset.whats!.split(" ").includes(told.what))) ?? null, true);
+      markRow(list, all, (event && all.find(({ dataset }) => dataset.ray === String(event.ray) && dataset.whats!.split(" ").includes(event.what))) ?? null, true);
     },
   };
 }

@@ -25,7 +25,7 @@ export function createTree(acts: LineActs): RaysView {
     const { row } = at;
     if (!row) return foldNode(at, open);
     const line = { ray: row.ray, light: -1 };
-    const node = rayNode(at, row, () => acts.tell(row.ray, -1), (on) => acts.light(on ? line : null));
+    const node = rayNode(at, row, () => acts.goToEvent(row.ray, -1), (on) => acts.light(on ? line : null));
     nodes.set(row.ray, node);
     return node;
   }
@@ -60,9 +60,9 @@ export function createTree(acts: LineActs): RaysView {
       view.toTop();
       showNode(rootNode());
     },
-    light(line, told) {
-      lit = line ?? told;
-      const ray = line ? undefined : told?.ray;
+    light(line, event) {
+      lit = line ?? event;
+      const ray = line ? undefined : event?.ray;
       if (ray !== undefined && !nodes.has(ray) && rows.some((row) => row.ray === ray)) {
         isOpen = true;
         draw();

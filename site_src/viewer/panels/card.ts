@@ -1,4 +1,5 @@
 /** The selected pixel's card: where it is, its colour, and its rays as a list, as a tree, as a sum and in the algorithm. */
+import type { Actions } from "../actions";
 import type { OnDemand } from "../on-demand";
 import type { RayEvent } from "../state/event-types";
 import { rayRows } from "../state/ray-rows";
@@ -9,17 +10,12 @@ import { say } from "../words";
 import { createCardHead, type Copy } from "./card-head";
 import { createRays, type PixelRays, type RaysView } from "./card-rays";
 import { copy } from "./clipboard";
-import { element } from "./element";
+import { element, named } from "./element";
 import { createTabs } from "./tabs";
 
-export interface CardActs {
-  move: (right: number, down: number) => void;
-  light: (line: LitLine | null) => void;
-  /** Goes to the event in which that happens to the ray. */
-  tell: (ray: number, light: number, ...whats: RayEvent["what"][]) => void;
-}
-
 const TABS = ["rays", "tree", "sum", "code"] as const;
+
+type CardActs = Pick<Actions, "move" | "light" | "goToEvent">;
 
 /** The tabs' panels and what is in them: all but the list comes when its tab is first chosen. */
 function createViews(acts: CardActs, onDemand: OnDemand) {
@@ -44,8 +40,7 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
   const head = createCardHead({ move: acts.move, copy: copyRays });
   const note = element("p", "note");
   const body = element("div", "card-body", ...tabs.panels);
-  const root = element("section", "card", tabs.bar, note, body);
-  root.setAttribute("aria-label", say("card.region"));
+  const root = named(element("section", "card", tabs.bar, note, body), say("card.region"));
 
   let heading = "";
   let now: PixelRays | null = null;
@@ -75,14 +70,14 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
   return {
     element: root,
     head: head.element,
-    /** missing: this grid's rays could not be loaded. line: what is lit up on the stage. told: the event the player is at. */
-    show(state: ViewState, scene: SceneData, trace: Trace | null, missing: boolean, line: LitLine | null, told: RayEvent | null) {
+    /** missing: this grid's rays could not be loaded. line: what is lit up on the stage. event: the current one. */
+    show(state: ViewState, scene: SceneData, trace: Trace | null, missing: boolean, line: LitLine | null, event: RayEvent | null) {
       const [pixel, asking] = [pixelIndex(state), isAsking(state, scene)];
       const next = [trace, pixel, missing, asking];
       const isSame = trace && next.every((each, k) => each === shown[k]);
-      if (isSame && line === lit[0] && told === lit[1]) return;
-      lit = [line, told];
-      if (isSame) return body.hidden ? undefined : views[tabs.chosen()].now()?.light(line, told);
+      if (isSame && line === lit[0] && event === lit[1]) return;
+      lit = [line, event];
+      if (isSame) return body.hidden ? undefined : views[tabs.chosen()].now()?.light(line, event);
       shown = next;
       isCovered = !trace || asking;
       now = trace && { rows: asking ? [] : rayRows(trace, scene, pixel), scene, trace, pixel };

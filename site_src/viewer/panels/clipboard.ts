@@ -1,7 +1,7 @@
 /** A text into the clipboard or, where that is refused, to be copied by hand. */
 import { say } from "../words";
 import { createDialog } from "./dialog";
-import { element } from "./element";
+import { element, named } from "./element";
 
 /** done: the clipboard has it. */
 export async function copy(text: string, done: () => void) {
@@ -9,9 +9,8 @@ export async function copy(text: string, done: () => void) {
     await navigator.clipboard.writeText(text);
     done();
   } catch {
-    const area = element("textarea", "by-hand", text);
+    const area = named(element("textarea", "by-hand", text), say("copy.byHand"));
     area.readOnly = true;
-    area.setAttribute("aria-label", say("copy.byHand"));
     createDialog(say("copy.byHand"), area).open();
     area.select();
   }

@@ -1,11 +1,11 @@
-/** The algorithm beside the player, as pseudo-code to read: the line that the told event belongs to is marked. Nothing here runs. */
+/** The algorithm beside the player, as pseudo-code to read: the line that the current event belongs to is marked. Nothing here runs. */
 import type { RayEvent } from "../state/event-types";
 import { treeOf } from "../state/lines";
 import { BRANCHES, RAY_KINDS, RAYS, type SentKind } from "../trace/kinds";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
 import type { PixelRays, RaysView } from "./card-rays";
-import { element } from "./element";
+import { element, named } from "./element";
 
 type Sent = Exclude<SentKind, "total">; // in place of a reflected ray: the same line
 type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | Sent | "back", ...whats: RayEvent["what"][]];
@@ -25,7 +25,7 @@ const LINES: readonly Line[] = [
   ...sentLines(),
   [1, "back", "gather"],
 ];
-/** What else the event has come through. */
+/** Lines that the event has come through too. */
 const WITH: Readonly<Record<string, readonly string[]>> = { reached: ["add"], unasked: ["add"], local: ["ambient", "add"], ...Object.fromEntries(RAY_KINDS.map((kind) => [kind, ["trace"]])) };
 
 /** A line for each branch: a hit sends on at most one ray of it. */
@@ -34,7 +34,7 @@ function sentLines(): Line[] {
   return branches.map((kinds) => [2, kinds[0] as Sent, ...kinds]);
 }
 
-const MOST_CALLS = 4; // told of a chain
+const MOST_CALLS = 4; // shown of a chain
 
 export function createCode(): RaysView {
   const lines = LINES.map(([indent, name]) => {
@@ -43,23 +43,22 @@ export function createCode(): RaysView {
     return line;
   });
   const calls = element("p", "code-calls numbers");
-  const root = element("section", "code", calls, element("ol", "code-lines", ...lines));
-  root.setAttribute("aria-label", say("code.title"));
+  const root = named(element("section", "code", calls, element("ol", "code-lines", ...lines)), say("code.title"));
   root.tabIndex = 0; // where it scrolls, by keyboard too
   let of: PixelRays | null = null;
 
   return {
     element: root,
     show: (next) => void (of = next),
-    light(_, told) {
+    light(_, event) {
       LINES.forEach(([, name, ...whats], k) => {
-        const isHere = !!told && whats.includes(told.what);
+        const isHere = !!event && whats.includes(event.what);
         lines[k].classList.toggle("here", isHere);
-        lines[k].classList.toggle("with", !!told && !isHere && !!WITH[told.what]?.includes(name));
+        lines[k].classList.toggle("with", !!event && !isHere && !!WITH[event.what]?.includes(name));
         if (isHere) lines[k].setAttribute("aria-current", "step");
         else lines[k].removeAttribute("aria-current");
       });
-      calls.textContent = told && of ? callsOf(told.ray, of.trace, of.pixel) : say("code.idle");
+      calls.textContent = event && of ? callsOf(event.ray, of.trace, of.pixel) : say("code.idle");
     },
   };
 }

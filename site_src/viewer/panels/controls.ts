@@ -1,18 +1,13 @@
 /** The strip of controls under the stage: render, which rays, which grid. */
+import type { Actions } from "../actions";
 import { RAY_CHOICES, type RayChoice, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, element, pressed, setWord } from "./element";
-
-export interface ControlActs {
-  render: () => void;
-  rays: (choice: RayChoice) => void;
-  level: (by: 1 | -1) => void;
-}
+import { button, disable, element, group, pressed, setWord } from "./element";
 
 const KEYS: Readonly<Record<RayChoice, string>> = { pixel: "", row: "H", column: "V", all: "A" };
 
-export function createControls(acts: ControlActs) {
+export function createControls(acts: Pick<Actions, "render" | "rays" | "level">) {
   const render = button(say("controls.render.empty"), say("controls.renderHelp"), acts.render, { key: "Space", className: "render" });
   const choices = new Map(
     RAY_CHOICES.map((choice) => {
@@ -24,19 +19,13 @@ export function createControls(acts: ControlActs) {
   const finer = button("+", say("controls.finer"), () => acts.level(1), { className: "sign" });
   const size = element("output", "grid-size");
 
-  const group = (name: string, className: string, ...parts: HTMLElement[]) => {
-    const joined = element("div", "joined", ...parts);
-    const whole = element("div", `group ${className}`, element("span", "group-name", name), joined);
-    whole.setAttribute("role", "group");
-    whole.setAttribute("aria-label", name);
-    return whole;
-  };
+  const joined = (label: string, className: string, ...parts: HTMLElement[]) => group(label, className, element("div", "joined", ...parts));
   const root = element(
     "div",
     "controls",
     element("div", "group", render),
-    group(say("controls.rays"), "choices", ...choices.values()),
-    group(say("controls.grid"), "levels", coarser, size, finer),
+    joined(say("controls.rays"), "choices", ...choices.values()),
+    joined(say("controls.grid"), "levels", coarser, size, finer),
   );
   return {
     element: root,
@@ -44,9 +33,8 @@ export function createControls(acts: ControlActs) {
       setWord(render, say(`controls.render.${state.tiles}`));
       for (const [choice, each] of choices) pressed(each, state.rays.includes(choice));
       size.textContent = say("controls.gridSize", { n: state.n });
-      // Not `disabled`: the focus would fall off the button under a keyboard user's finger.
-      coarser.setAttribute("aria-disabled", String(state.n === scene.levels[0]));
-      finer.setAttribute("aria-disabled", String(state.n === scene.levels[scene.levels.length - 1]));
+      disable(coarser, state.n === scene.levels[0]);
+      disable(finer, state.n === scene.levels[scene.levels.length - 1]);
     },
   };
 }

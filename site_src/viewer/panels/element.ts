@@ -10,18 +10,27 @@ export function element<K extends keyof HTMLElementTagNameMap>(tag: K, className
   return made;
 }
 
+/** Gives it the name that is read aloud, and its role. */
+export function named<E extends Element>(of: E, label: string, role = ""): E {
+  of.setAttribute("aria-label", label);
+  if (role) of.setAttribute("role", role);
+  return of;
+}
+
+export const group = (label: string, className: string, ...parts: HTMLElement[]) => named(element("div", `group ${className}`, element("span", "group-name", label), ...parts), label, "group");
+
 /** What is read aloud: it holds the word on the button, so that it can be spoken to as well (WCAG 2.5.3). */
-function name(of: HTMLElement, word: string, help: string) {
+function explain(of: HTMLElement, word: string, help: string) {
   const isSign = !/[\p{L}\p{N}]/u.test(word);
   of.title = help;
-  of.setAttribute("aria-label", isSign || help.toLowerCase().startsWith(word.toLowerCase()) ? help : `${word}: ${help}`);
+  named(of, isSign || help.toLowerCase().startsWith(word.toLowerCase()) ? help : `${word}: ${help}`);
 }
 
 /** A button whose help is read aloud and shown on hover. `key`: the key that does the same, shown beside the word. */
 export function button(text: string, help: string, press: () => void, { key = "", className = "" } = {}): HTMLButtonElement {
   const made = element("button", className, element("span", "word", text));
   made.type = "button";
-  name(made, text, help);
+  explain(made, text, help);
   if (key) {
     const sign = element("kbd"); // drawn, not text: the button's name has it in words
     sign.dataset.key = key === "Space" ? say("key.space") : key;
@@ -40,10 +49,20 @@ export function setWord(of: HTMLElement, text: string, help = of.title) {
   const word = of.querySelector(".word") ?? of;
   if (word.textContent === text && of.title === help) return;
   word.textContent = text;
-  if (help) name(of, text, help);
+  if (help) explain(of, text, help);
 }
 
 export const pressed = (of: HTMLElement, on: boolean) => of.setAttribute("aria-pressed", String(on));
+/** Not `disabled`: the focus would fall off the button under a keyboard user's finger. */
+export const disable = (of: HTMLElement, on: boolean) => of.setAttribute("aria-disabled", String(on));
+
+/** A row that does what a click on it means, by key too. */
+export function clickable(row: HTMLElement, act: () => void): HTMLElement {
+  row.tabIndex = 0;
+  row.addEventListener("click", act);
+  row.addEventListener("keydown", (event) => event.key === "Enter" && act());
+  return row;
+}
 
 export function swatch(colour: string): HTMLElement {
   const made = element("span", "swatch");

@@ -5,35 +5,42 @@ import { button, element, pressed } from "./element";
 import { singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */
-const ROWS = [
-  { name: "render", keys: [" "] },
-  { name: "all", keys: ["a"] },
-  { name: "row", keys: ["h"] },
-  { name: "column", keys: ["v"] },
-  { name: "move", keys: ["ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight"] },
-  { name: "level", keys: ["+", "-"] },
-  { name: "colours", keys: ["c"] },
-  { name: "slice", keys: ["x"] },
-  { name: "stage", keys: ["t"] },
-  null,
-  { name: "play", keys: ["p"] },
-  { name: "event", keys: [",", "."] },
-  { name: "bounces", keys: ["[", "]"] },
-  { name: "lamp", keys: ["l"] },
-  { name: "shadows", keys: ["s"] },
-  null,
-  { name: "drag", keys: [] },
-  { name: "shiftDrag", keys: [] },
-  { name: "wheel", keys: [] },
-  { name: "camera", keys: ["r"] },
-  null,
-  { name: "scene", keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0"] },
-  { name: "page", keys: ["PageUp", "PageDown"] },
-  { name: "fullScreen", keys: ["f"] },
-  { name: "projector", keys: ["j"] },
-  { name: "help", keys: ["?"] },
-  { name: "back", keys: ["Escape"] },
+const GROUPS = [
+  [
+    { name: "render", keys: [" "] },
+    { name: "all", keys: ["a"] },
+    { name: "row", keys: ["h"] },
+    { name: "column", keys: ["v"] },
+    { name: "move", keys: ["ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight"] },
+    { name: "level", keys: ["+", "-"] },
+    { name: "colours", keys: ["c"] },
+    { name: "slice", keys: ["x"] },
+    { name: "stage", keys: ["t"] },
+  ],
+  [
+    { name: "play", keys: ["p"] },
+    { name: "event", keys: [",", "."] },
+    { name: "bounces", keys: ["[", "]"] },
+    { name: "lamp", keys: ["l"] },
+    { name: "shadows", keys: ["s"] },
+  ],
+  [
+    { name: "drag", keys: [] },
+    { name: "shiftDrag", keys: [] },
+    { name: "wheel", keys: [] },
+    { name: "camera", keys: ["r"] },
+  ],
+  [
+    { name: "scene", keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0"] },
+    { name: "page", keys: ["PageUp", "PageDown"] },
+    { name: "fullScreen", keys: ["f"] },
+    { name: "projector", keys: ["j"] },
+    { name: "help", keys: ["?"] },
+    { name: "back", keys: ["Escape"] },
+  ],
 ] as const;
+const ROWS = GROUPS.flat();
+type Row = (typeof ROWS)[number];
 
 const SIGNS: Readonly<Record<string, string>> = { ArrowLeft: "\u2190", ArrowUp: "\u2191", ArrowDown: "\u2193", ArrowRight: "\u2192", "-": "\u2212" };
 const signOf = (key: string) => {
@@ -52,21 +59,18 @@ function keySwitch() {
   return element("p", "note", made);
 }
 
+function rowOf({ name, keys }: Row) {
+  const signs = name === "scene" ? ["1", "\u2026", "9", "0"] : keys.length ? keys.map(signOf) : [say(`key.${name as "drag"}.sign`)];
+  const term = element("dt", "", ...signs.map((sign) => (sign === "\u2026" ? sign : element("kbd", "", sign))), ...(name === "lamp" ? [` ${say("key.number")}`] : []));
+  return element("div", "", term, element("dd", "", say(`key.${name}.does`)));
+}
+
 /** A sheet that opens and closes by the same key. */
 export function createHelp() {
   let sheet: ReturnType<typeof createDialog> | null = null;
   return () => {
     if (sheet?.isOpen()) return sheet.close();
-    const lists = [element("dl", "keys")];
-    for (const row of ROWS) {
-      if (!row) {
-        lists.push(element("dl", "keys"));
-        continue;
-      }
-      const signs = row.name === "scene" ? ["1", "\u2026", "9", "0"] : row.keys.length ? row.keys.map(signOf) : [say(`key.${row.name as "drag"}.sign`)];
-      const term = element("dt", "", ...signs.map((sign) => (sign === "\u2026" ? sign : element("kbd", "", sign))), ...(row.name === "lamp" ? [` ${say("key.number")}`] : []));
-      lists[lists.length - 1].append(element("div", "", term, element("dd", "", say(`key.${row.name}.does`))));
-    }
+    const lists = GROUPS.map((rows: readonly Row[]) => element("dl", "keys", ...rows.map(rowOf)));
     sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")), keySwitch());
     sheet.sheet.addEventListener("keydown", (event) => event.key === "?" && sheet?.close());
     sheet.open();
@@ -84,7 +88,7 @@ export function createKeySign(body: HTMLElement) {
   let timer = 0;
   return {
     show(key: string) {
-      const row = ROWS.find((each) => each && (each.keys as readonly string[]).includes(key));
+      const row = ROWS.find(({ keys }) => (keys as readonly string[]).includes(key));
       if (!row) return;
       root.replaceChildren(element("kbd", "", signOf(key)), ` ${say(`key.${row.name}.does`)}`);
       root.hidden = false;

@@ -1,4 +1,4 @@
-/** The row of a list that belongs to what is lit up on the stage or told. */
+/** The row of a list that belongs to what is lit up on the stage or to the current event. */
 
 /** follow: and brings it into sight; the list alone is scrolled, the page stays where it is. */
 export function markRow(list: HTMLElement, rows: Iterable<HTMLElement>, lit: HTMLElement | null, follow: boolean) {

@@ -1,19 +1,19 @@
-/** What is wrong and what still works: a sentence for each subject, with a way on where there is one. */
+/** What is wrong and what still works: a sentence for each subject, with a remedy where there is one. */
 import { say } from "../words";
 import { button, element } from "./element";
 
 /** "act": what the person did last; every other subject has its sentence until it is put right. */
 export type Subject = "act" | "address" | "scene" | "trace" | "picture" | "stage" | "error" | `part ${string}`;
 
-export interface Way {
+export interface Remedy {
   word: string;
   go: () => void;
 }
 
-interface Told {
+interface Message {
   sentence: string;
   again: (() => void) | null;
-  ways: readonly Way[];
+  remedies: readonly Remedy[];
 }
 
 /** Of another scene they would no longer be true. */
@@ -23,48 +23,48 @@ export interface More {
   about?: Subject;
   /** Does what failed once more. */
   again?: () => void;
-  ways?: readonly Way[];
+  remedies?: readonly Remedy[];
 }
 
 export function createNotice(root: HTMLElement) {
-  const told = new Map<Subject, Told>();
+  const messages = new Map<Subject, Message>();
   const text = element("span", "notice-text");
-  const ways = element("span", "notice-ways");
-  const close = button("\u00d7", say("trouble.close"), () => (told.clear(), show()), { className: "sign quiet" });
-  root.replaceChildren(text, ways, close);
+  const remedies = element("span", "notice-ways");
+  const close = button("\u00d7", say("trouble.close"), () => (messages.clear(), show()), { className: "sign quiet" });
+  root.replaceChildren(text, remedies, close);
 
   /** Each of these two says that the other works. */
-  const areBoth = () => told.has("trace") && told.has("picture");
+  const areBoth = () => messages.has("trace") && messages.has("picture");
   function sentences() {
-    const others = [...told].filter(([about]) => !areBoth() || (about !== "trace" && about !== "picture")).map(([, { sentence }]) => sentence);
+    const others = [...messages].filter(([about]) => !areBoth() || (about !== "trace" && about !== "picture")).map(([, { sentence }]) => sentence);
     return [...(areBoth() ? [say("trouble.raysAndPicture")] : []), ...new Set(others)].join(" ");
   }
 
   function show() {
-    const all = [...told.values()];
+    const all = [...messages.values()];
     root.hidden = !all.length;
     text.textContent = sentences(); // one text: it is read out as a whole
     const isRepeatable = all.some(({ again }) => again);
-    const buttons = [...(isRepeatable ? [{ word: say("trouble.again"), go: tryAgain }] : []), ...all.flatMap((each) => each.ways)];
+    const buttons = [...(isRepeatable ? [{ word: say("trouble.again"), go: tryAgain }] : []), ...all.flatMap((each) => each.remedies)];
     const once = new Map(buttons.map((each) => [each.word, each]));
-    ways.replaceChildren(...[...once.values()].map(({ word, go }) => button(word, word, go)));
+    remedies.replaceChildren(...[...once.values()].map(({ word, go }) => button(word, word, go)));
   }
 
   function hide(...about: Subject[]) {
-    if (about.map((each) => told.delete(each)).includes(true)) show();
+    if (about.map((each) => messages.delete(each)).includes(true)) show();
   }
 
-  /** What cannot have changed meanwhile stays said. */
+  /** What cannot be repeated stays. */
   function tryAgain() {
-    const repeatable = [...told].filter(([, { again }]) => again);
+    const repeatable = [...messages].filter(([, { again }]) => again);
     hide(...repeatable.map(([about]) => about));
     for (const [, { again }] of repeatable) again!();
   }
 
   return {
-    say(sentence: string, { about = "act", again, ways: more = [] }: More = {}) {
-      told.delete(about);
-      told.set(about, { sentence, again: again ?? null, ways: more });
+    say(sentence: string, { about = "act", again, remedies: more = [] }: More = {}) {
+      messages.delete(about);
+      messages.set(about, { sentence, again: again ?? null, remedies: more });
       show();
     },
     hide,

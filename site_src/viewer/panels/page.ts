@@ -11,8 +11,8 @@ export interface PageParts {
 }
 
 /** Links and sizes of what can be taken away, for another scene than the one the pipeline wrote them for. */
-function writeSlides(root: string, { id }: SceneData, told: string | undefined) {
-  const [folder, ...sizes] = told?.split("|") ?? [];
+function writeSlides(root: string, { id }: SceneData, slides: string | undefined) {
+  const [folder, ...sizes] = slides?.split("|") ?? [];
   for (const [k, link] of document.querySelectorAll<HTMLAnchorElement>("#take [data-after]").entries()) {
     link.href = `${root}${folder}${id}${link.dataset.after}`;
     link.parentElement!.hidden = !(parseFloat(sizes[k]) > 0);

@@ -1,23 +1,24 @@
 /** The finished picture with the tile grid and the selected pixel on it. */
+import type { Actions } from "../actions";
 import { contrastWith } from "../palette";
 import { isAsking, pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { createTilePicture, type TilePicture } from "../tile-picture";
-import { element } from "./element";
+import { element, named } from "./element";
 
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
 const COVER = "#39434F";
 const LEAST_MARK = 7; // CSS pixels: a smaller frame would not be found
 
-interface Shown {
+interface Marked {
   state: ViewState;
   trace: Trace | null;
   covered: boolean;
 }
 
 /** size: CSS pixels. */
-function drawMarks(brush: CanvasRenderingContext2D, size: number, { state, trace, covered }: Shown) {
+function drawMarks(brush: CanvasRenderingContext2D, size: number, { state, trace, covered }: Marked) {
   brush.clearRect(0, 0, size, size);
   const tile = size / state.n;
   if (covered) {
@@ -49,17 +50,16 @@ function drawGrid(brush: CanvasRenderingContext2D, size: number, n: number) {
   brush.stroke();
 }
 
-export function createPicture(root: string, acts: { pick: (column: number, row: number) => void; point: (tile: readonly [number, number] | null) => void; failed: (again: () => void) => void }) {
+export function createPicture(root: string, acts: Pick<Actions, "pick" | "point"> & { failed: (again: () => void) => void }) {
   const image = element("img");
   image.alt = ""; // until there is a scene
   const marks = element("canvas", "marks");
   const recombined = createTilePicture("recombined");
   const badge = element("span", "recombined-size");
   const frame = element("div", "picture-frame", image, recombined.element, marks, badge);
-  const whole = element("section", "picture", frame);
-  whole.setAttribute("aria-label", say("picture.region"));
+  const whole = named(element("section", "picture", frame), say("picture.region"));
   const brush = marks.getContext("2d")!;
-  let now: Shown | null = null;
+  let now: Marked | null = null;
   let shownScene = "";
 
   function draw() {

@@ -1,19 +1,12 @@
 /** The step-by-step player's row: one event back, play, one on, a scrub bar coloured by ray kind, speed. */
+import type { Actions } from "../actions";
 import type { RayEvent } from "../state/event-types";
 import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
 import type { ViewState } from "../state/view-state";
 import { fraction, say } from "../words";
-import { button, element, setWord } from "./element";
+import { button, disable, element, named, setWord } from "./element";
 import { icon } from "./icons";
-
-export interface PlayerActs {
-  play: () => void;
-  event: (by: 1 | -1) => void;
-  time: (seconds: number) => void;
-  endEvents: () => void;
-  speed: () => void;
-}
 
 const QUIET = "var(--ray-none)"; // events without a ray: sums
 const GAPS_UP_TO = 60; // events: with more, gaps would eat the colours
@@ -30,7 +23,7 @@ function paint({ events, starts }: Timeline): string {
   return `linear-gradient(90deg, ${stops.join(", ")})`;
 }
 
-export function createPlayer(acts: PlayerActs) {
+export function createPlayer(acts: Pick<Actions, "play" | "event" | "time" | "endEvents" | "speed">) {
   const back = button("", say("player.back"), () => acts.event(-1), { className: "sign" });
   const play = button(say("player.play.word"), say("player.play.help"), acts.play, { key: "P", className: "play" });
   const on = button("", say("player.on"), () => acts.event(1), { className: "sign" });
@@ -42,11 +35,8 @@ export function createPlayer(acts: PlayerActs) {
   play.prepend(sign);
   const colours = element("span", "segments");
   const ahead = element("span", "ahead");
-  const range = element("input", "scrub");
-  range.type = "range";
-  range.min = "0";
-  range.step = "any";
-  range.setAttribute("aria-label", say("player.scrub"));
+  const range = named(element("input", "scrub"), say("player.scrub"));
+  Object.assign(range, { type: "range", min: "0", step: "any" });
   range.addEventListener("input", () => acts.time(Number(range.value)));
   range.addEventListener("keydown", (event) => {
     const by = ({ ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 } as const)[event.key as "ArrowUp"];
@@ -58,14 +48,13 @@ export function createPlayer(acts: PlayerActs) {
   });
   const bar = element("div", "timeline", colours, ahead, range);
   const count = element("span", "event-count numbers");
-  const root = element("section", "player", back, play, on, bar, count, speed, end);
-  root.setAttribute("aria-label", say("player.region"));
+  const root = named(element("section", "player", back, play, on, bar, count, speed, end), say("player.region"));
   let shown: { timeline?: Timeline | null; playing?: boolean } = {};
 
   return {
     element: root,
-    /** said: the event it is at, in a sentence, once words have come. */
-    show(state: ViewState, timeline: Timeline | null, said: string) {
+    /** sentence: of the current event, once words have come. */
+    show(state: ViewState, timeline: Timeline | null, sentence: string) {
       const { event, playing } = state;
       if (shown.timeline !== timeline) {
         colours.style.backgroundImage = timeline ? paint(timeline) : "none";
@@ -82,12 +71,12 @@ export function createPlayer(acts: PlayerActs) {
       range.value = String(now);
       range.disabled = !timeline;
       ahead.style.left = `${event === null ? 100 : (100 * now) / Number(range.max)}%`;
-      const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: said });
+      const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: sentence });
       if (range.getAttribute("aria-valuetext") !== text) range.setAttribute("aria-valuetext", text);
       count.textContent = !timeline ? "" : event === null ? say("player.count", { of }) : say("player.countAt", { event: event + 1, of });
       end.classList.toggle("away", event === null);
-      back.setAttribute("aria-disabled", String(event === null));
-      on.setAttribute("aria-disabled", String(!timeline || event === of - 1));
+      disable(back, event === null);
+      disable(on, !timeline || event === of - 1);
       setWord(speed, say("controls.speed", { speed: fraction(state.speed) }));
     },
   };

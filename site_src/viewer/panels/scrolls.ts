@@ -1,7 +1,8 @@
-/** What has more in it than it shows can be scrolled by keyboard too: then, and only then, it takes the focus. */
+/** What has more in it than it shows can be scrolled by keyboard too: then, and only then, it takes the focus. Returns
+ *  what to call when its content has changed. */
 export function reachable(element: HTMLElement): () => void {
   const hasMore = () => element.scrollHeight > element.clientHeight + 1 || element.scrollWidth > element.clientWidth + 1;
-  const look = () => void (hasMore() ? (element.tabIndex = 0) : element.removeAttribute("tabindex"));
-  new ResizeObserver(look).observe(element); // goes with the element
-  return look; // for when its content has changed
+  const update = () => void (hasMore() ? (element.tabIndex = 0) : element.removeAttribute("tabindex"));
+  new ResizeObserver(update).observe(element); // goes with the element
+  return update;
 }

@@ -1,12 +1,13 @@
-/** The selected ray in words, for those who listen: said once the selection rests, and not while anything plays. */
+/** The selected ray in words, for those who listen: spoken once the selection rests, and not while anything plays. */
 import { lightShares } from "../state/events";
 import { treeOf } from "../state/lines";
+import { memo } from "../state/memo";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { element } from "./element";
 
-const RESTS = 500; // ms: while arrows are held down nothing is said
+const RESTS = 500; // ms: while arrows are held down nothing is spoken
 
 function lightsOf(trace: Trace, scene: SceneData, ray: number): string {
   if (trace.localWeight[ray] === 0) return ""; // a mirror asks no light
@@ -18,28 +19,26 @@ function lightsOf(trace: Trace, scene: SceneData, ray: number): string {
 export function selectionInWords(state: ViewState, scene: SceneData, trace: Trace): string {
   const pixel = pixelIndex(state);
   const [camera, ...others] = treeOf(trace, pixel);
-  const told = { column: state.pixel[0], row: state.pixel[1], bytes: tileColour(trace, pixel).join(", ") };
+  const slots = { column: state.pixel[0], row: state.pixel[1], bytes: tileColour(trace, pixel).join(", ") };
   const object = scene.objects[trace.object[camera]];
-  if (!object) return say("spoken.miss", told);
-  return say("spoken.hit", { ...told, count: others.length + 1, object: object.name, lights: lightsOf(trace, scene, camera) }).replace("  ", " "); // a mirror asks none
+  if (!object) return say("spoken.miss", slots);
+  return say("spoken.hit", { ...slots, count: others.length + 1, object: object.name, lights: lightsOf(trace, scene, camera) }).replace("  ", " "); // a mirror asks none
 }
 
 export function createSpoken() {
   const root = element("p", "unseen");
   root.setAttribute("role", "status");
   root.setAttribute("aria-live", "polite");
-  let asked: readonly unknown[] = [];
+  const spoken = memo<void>();
   let timer = 0;
   return {
     element: root,
     show(state: ViewState, scene: SceneData, trace: Trace | null, isCovered: boolean) {
-      const isBusy = !trace || isCovered || state.playing || state.tiles === "filling" || state.event !== null; // an event's sentence is said in its own place
-      const key = isBusy ? [] : [trace, pixelIndex(state)];
-      if (key.length === asked.length && key.every((each, k) => each === asked[k])) return;
-      asked = key;
-      clearTimeout(timer);
-      if (isBusy || !trace) return;
-      timer = window.setTimeout(() => (root.textContent = selectionInWords(state, scene, trace)), RESTS);
+      const isBusy = !trace || isCovered || state.playing || state.tiles === "filling" || state.event !== null; // an event's sentence is read out where it stands
+      spoken(isBusy ? [] : [trace, pixelIndex(state)], () => {
+        clearTimeout(timer);
+        if (!isBusy) timer = window.setTimeout(() => (root.textContent = selectionInWords(state, scene, trace)), RESTS);
+      });
     },
   };
 }

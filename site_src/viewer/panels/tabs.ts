@@ -1,5 +1,5 @@
 /** One of several panels at a time, chosen by tabs. The choice is remembered. */
-import { button, element } from "./element";
+import { button, element, named } from "./element";
 import { recall, remember } from "./remember";
 
 export interface Tab<Id extends string> {
@@ -22,9 +22,7 @@ export function createTabs<Id extends string>(name: string, label: string, tabs:
     made.setAttribute("aria-controls", panel.id);
     return made;
   });
-  const bar = element("div", "joined tabs", ...buttons);
-  bar.setAttribute("role", "tablist");
-  bar.setAttribute("aria-label", label);
+  const bar = named(element("div", "joined tabs", ...buttons), label, "tablist");
   bar.addEventListener("keydown", (event) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!by) return;

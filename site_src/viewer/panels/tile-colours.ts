@@ -1,4 +1,5 @@
 /** What the tiles show: a menu; what their colours mean comes when they show something else than the picture. */
+import type { Actions } from "../actions";
 import type { OnDemand } from "../on-demand";
 import { TILE_VIEWS, type TileView } from "../state/costs";
 import type { Shown } from "../state/shown";
@@ -8,12 +9,7 @@ import { say } from "../words";
 import { element } from "./element";
 import type { Pointed } from "./tile-legend";
 
-export interface TileColourActs {
-  colours: (view: TileView) => void;
-  draw: () => void;
-}
-
-export function createTileColours(acts: TileColourActs, onDemand: OnDemand) {
+export function createTileColours(acts: Pick<Actions, "colours"> & { draw: () => void }, onDemand: OnDemand) {
   const menu = element("select", "tile-menu");
   for (const view of TILE_VIEWS) menu.append(new Option(say(`tileView.view.${view}`), view));
   let byPointer = false;

@@ -58,10 +58,10 @@ export function createTileLegend(legend: HTMLElement) {
       means.textContent = say(`tileView.means.${costs.view}`);
       const end = (value: number) => (costs.values ? written(costs.view as ScaledView, value, true) : "");
       [least.textContent, most.textContent] = [end(costs.least), end(costs.most)];
-      const tell = (tile: readonly [number, number]) => ({ pixel: list(tile.map(String)), value: valueOf(costs, trace, tile) });
-      const lines = [say("tileView.selected", tell(pixel))];
+      const slotsOf = (tile: readonly [number, number]) => ({ pixel: list(tile.map(String)), value: valueOf(costs, trace, tile) });
+      const lines = [say("tileView.selected", slotsOf(pixel))];
       if (boxes) lines.push(...boxWords(boxes, trace.tests[pixelIndex({ pixel, n: trace.n })]));
-      lines.push(pointed ? say("tileView.pointed", tell(pointed)) : ""); // last: it comes and goes
+      lines.push(pointed ? say("tileView.pointed", slotsOf(pointed)) : ""); // last: it comes and goes
       values.replaceChildren(...lines.map((line) => element("span", "", line)));
     },
   };

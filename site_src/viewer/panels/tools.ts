@@ -1,24 +1,22 @@
 /** The page's own buttons: link, picture, full screen, projector, help; and embedded, the way to the whole page. */
+import type { Actions } from "../actions";
 import { say } from "../words";
 import { copy } from "./clipboard";
 import { sayDone } from "./done";
-import { button, element, pressed } from "./element";
+import { button, element, named, pressed } from "./element";
 
-export interface ToolActs {
+export type ToolActs = Pick<Actions, "projector"> & {
   /** Writes the view into the address now, and gives it. */
   link: () => string;
   /** done: with the file's name. */
   save: (done: (file: string) => void) => void;
   slide: (done: (file: string) => void) => void;
   fullScreen: () => void;
-  projector: () => void;
   help: () => void;
-}
+};
 
 export function createTools(acts: ToolActs) {
-  const link = button(say("tools.link.word"), say("tools.link.help"), () =>
-    void copy(acts.link(), () => sayDone(link, say("tools.link.done"))),
-  );
+  const link = button(say("tools.link.word"), say("tools.link.help"), () => void copy(acts.link(), () => sayDone(link, say("tools.link.done"))));
   const saving = (what: "save" | "slide") => {
     const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts[what]((file) => sayDone(made, say(`tools.${what}.done`, { file }))));
     return made;
@@ -36,9 +34,6 @@ export function createTools(acts: ToolActs) {
     screen,
     button("?", say("tools.keys"), acts.help, { className: "sign" }),
   );
-  root.setAttribute("role", "group");
-  root.setAttribute("aria-label", say("tools.region"));
-
   const whole = element("a", "whole", say("tools.whole"));
   whole.target = "_blank";
   whole.rel = "noopener";
@@ -46,7 +41,7 @@ export function createTools(acts: ToolActs) {
   for (const on of ["pointerenter", "focus", "pointerdown"]) whole.addEventListener(on, direct);
 
   return {
-    element: root,
+    element: named(root, say("tools.region"), "group"),
     /** For a page within another one. */
     whole: element("p", "embed-bar", whole),
     show(isProjector: boolean) {

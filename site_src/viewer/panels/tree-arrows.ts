@@ -1,24 +1,19 @@
 /** Arrow keys in a drawn tree: up to the parent, down to the first child, sideways along the row. */
 import type { Placed } from "./tree-layout";
 
-/** Where a key leads to from the node at `at`: an index, -1 for nowhere; null for a key of no meaning here. */
-function next(key: string, places: readonly Placed[], at: number): number | null {
+/** Where a key leads to from a node: to another one, to none, or null for a key of no meaning here. */
+function next(key: string, places: readonly Placed[], from: Placed): Placed | undefined | null {
   const beside = (by: 1 | -1) => {
-    const level = places.filter(({ depth }) => depth === places[at].depth).sort((a, b) => a.x - b.x);
-    return places.indexOf(level[level.indexOf(places[at]) + by]);
+    const level = places.filter(({ depth }) => depth === from.depth).sort((a, b) => a.x - b.x);
+    return level[level.indexOf(from) + by];
   };
-  switch (key) {
-    case "ArrowUp":
-      return places.findIndex(({ below }) => below.includes(places[at]));
-    case "ArrowDown":
-      return places.indexOf(places[at].below[0]);
-    case "ArrowLeft":
-      return beside(-1);
-    case "ArrowRight":
-      return beside(1);
-    default:
-      return null;
-  }
+  const steps: Readonly<Record<string, () => Placed | undefined>> = {
+    ArrowUp: () => places.find(({ below }) => below.includes(from)),
+    ArrowDown: () => from.below[0],
+    ArrowLeft: () => beside(-1),
+    ArrowRight: () => beside(1),
+  };
+  return key in steps ? steps[key]() : null;
 }
 
 /** nodes: of these places, in their order. One of them takes the focus, the root at first. */
@@ -26,14 +21,14 @@ export function walkWithArrows(places: readonly Placed[], nodes: readonly SVGEle
   nodes[0].setAttribute("tabindex", "0");
   nodes.forEach((node, at) =>
     node.addEventListener("keydown", (event) => {
-      const to = next(event.key, places, at);
-      if (to === null) return;
-      event.preventDefault();
-      if (to < 0) return;
+      const place = next(event.key, places, places[at]);
+      if (place !== null) event.preventDefault();
+      if (!place) return;
+      const to = nodes[places.indexOf(place)];
       node.setAttribute("tabindex", "-1");
-      nodes[to].setAttribute("tabindex", "0");
-      nodes[to].focus();
-      show(nodes[to]);
+      to.setAttribute("tabindex", "0");
+      to.focus();
+      show(to);
     }),
   );
 }

@@ -4,7 +4,7 @@ import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import { RAYS } from "../trace/kinds";
 import { hexOf, percent, plain, say } from "../words";
-import { lightWords, rayWords } from "./card-rays";
+import { lightsUp, lightWords, rayWords } from "./card-rays";
 import { element } from "./element";
 import { svg } from "./svg";
 import { left, NODE, top, type Placed } from "./tree-layout";
@@ -75,8 +75,7 @@ export function rayNode(at: Placed, row: RayRow, press: () => void, light: (on: 
     text("node-name", 36, short(row.object || say("tree.leaves"))),
     ...(row.lights.length ? [marks(row.lights)] : []),
   );
-  for (const on of ["pointerenter", "focus"]) made.addEventListener(on, () => light(true));
-  for (const off of ["pointerleave", "blur"]) made.addEventListener(off, () => light(false));
+  lightsUp(made, light);
   return made;
 }
 

@@ -1,6 +1,6 @@
 /** Nine buttons in the stage's corner that do what dragging and the wheel do. */
 import { say } from "../words";
-import { button, element, pressed, setWord } from "./element";
+import { button, element, named, pressed, setWord } from "./element";
 
 export interface ViewActs {
   /** Degrees to the right and up. */
@@ -16,22 +16,16 @@ const DEGREES = 10;
 const SHARE = 0.08;
 const CLOSER = 0.85;
 
+const ARROWS = [["\u2191", "up", 0, 1], ["\u2190", "left", -1, 0], ["\u2192", "right", 1, 0], ["\u2193", "down", 0, -1]] as const;
+
 export function createViewPad(acts: ViewActs) {
   let shifting = false;
-  const arrow = (sign: string, way: "up" | "down" | "left" | "right", right: number, up: number) => {
-    const made = button(sign, "", () => (shifting ? acts.shift(-right * SHARE, -up * SHARE) : acts.turn(right * DEGREES, up * DEGREES)), {
-      className: "sign",
-    });
-    return { made, way };
-  };
-  const arrows = [
-    arrow("\u2191", "up", 0, 1),
-    arrow("\u2190", "left", -1, 0),
-    arrow("\u2192", "right", 1, 0),
-    arrow("\u2193", "down", 0, -1),
-  ];
+  const arrows = ARROWS.map(([sign, side, right, up]) => {
+    const press = () => (shifting ? acts.shift(-right * SHARE, -up * SHARE) : acts.turn(right * DEGREES, up * DEGREES));
+    return { side, made: button(sign, "", press, { className: "sign" }) };
+  });
   const [up, left, right, down] = arrows.map((each) => each.made);
-  const mode = button(say("pad.turn.word"), say("pad.turn.help"), () => toggle());
+  const mode = button(say("pad.turn.word"), say("pad.turn.help"), () => choose(!shifting));
   const root = element(
     "div",
     "view-pad",
@@ -45,24 +39,14 @@ export function createViewPad(acts: ViewActs) {
     down,
     button(say("pad.camera.word"), say("pad.camera.help"), acts.camera, { key: "R" }),
   );
-  root.setAttribute("role", "group");
-  root.setAttribute("aria-label", say("pad.name"));
 
-  function toggle() {
-    shifting = !shifting;
-    name();
-  }
-  function name() {
+  function choose(shifts: boolean) {
+    shifting = shifts;
     const does = shifting ? "shift" : "turn";
-    const [word, help] = [say(`pad.${does}.word`), say(`pad.${does}.help`)];
-    setWord(mode, word, help);
+    setWord(mode, say(`pad.${does}.word`), say(`pad.${does}.help`));
     pressed(mode, shifting);
-    for (const { made, way } of arrows) {
-      const says = say(`pad.${does}.${way}`);
-      made.title = says;
-      made.setAttribute("aria-label", says);
-    }
+    for (const { made, side } of arrows) named(made, (made.title = say(`pad.${does}.${side}`)));
   }
-  name();
-  return { element: root };
+  choose(false);
+  return { element: named(root, say("pad.name"), "group") };
 }

@@ -2,20 +2,16 @@
  * In the stage's corner: the scene in space as a graphics card draws it or as the rays found it, or the plane of a
  * row's or a column's rays drawn flat. Under it one sentence says what is seen.
  */
-import { LOOKS, type Look } from "../state/look";
+import type { Actions } from "../actions";
+import { LOOKS } from "../state/look";
 import { SLICES, type Slice, type ViewState } from "../state/view-state";
 import { say } from "../words";
-import { button, element, pressed } from "./element";
-
-export interface ViewActs {
-  look: (look: Look) => void;
-  slice: (slice: Slice) => void;
-}
+import { button, element, named, pressed } from "./element";
 
 type Direction = Exclude<Slice, "none">;
 const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none");
 
-export function createViewSwitch(acts: ViewActs) {
+export function createViewSwitch(acts: Pick<Actions, "look" | "slice">) {
   const looks = LOOKS.map((look) => ({ look, choice: button(say(`look.${look}.word`), say(`look.${look}.help`), () => acts.look(look)) }));
   const slices = DIRECTIONS.map((slice) => ({ slice, choice: button(say(`slice.${slice}.word`), say(`slice.${slice}.help`), () => acts.slice(slice)) }));
   const joined = (...parts: HTMLElement[]) => element("div", "joined", ...parts);
@@ -26,10 +22,8 @@ export function createViewSwitch(acts: ViewActs) {
     joined(...looks.map((each) => each.choice)),
     joined(element("span", "between", say("slice.slice")), ...slices.map((each) => each.choice)),
   );
-  root.setAttribute("role", "group");
-  root.setAttribute("aria-label", say("slice.view"));
   return {
-    element: root,
+    element: named(root, say("slice.view"), "group"),
     note,
     show({ look, slice }: ViewState) {
       for (const each of looks) pressed(each.choice, slice === "none" && each.look === look);

@@ -1,18 +1,12 @@
 /** The what-if switches: how many bounces, which lamps, which parts of the light. */
-import { BRIGHTEST, bouncesOf, brightness, lampsOf, PARTS, partsOf, type Part } from "../state/switches";
+import type { Actions } from "../actions";
+import { BRIGHTEST, bouncesOf, brightness, lampsOf, PARTS, partsOf } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { percent, say } from "../words";
-import { button, element } from "./element";
+import { button, disable, element, group, named } from "./element";
 
-export interface WhatIfActs {
-  bounces: (by: 1 | -1) => void;
-  lamp: (lamp: number, factor: number) => void;
-  stepLamp: (lamp: number, by: 1 | -1) => void;
-  turnLamp: (lamp: number) => void;
-  shadows: () => void;
-  part: (part: Part) => void;
-}
+export type WhatIfActs = Pick<Actions, "bounces" | "lamp" | "stepLamp" | "turnLamp" | "shadows" | "part">;
 
 /** A box to tick with its word, both of which press it. */
 function tick(word: string, help: string, turn: () => void) {
@@ -24,19 +18,10 @@ function tick(word: string, help: string, turn: () => void) {
   return { box, label };
 }
 
-function group(name: string, className: string, ...parts: HTMLElement[]) {
-  const whole = element("div", `group ${className}`, element("span", "group-name", name), ...parts);
-  whole.setAttribute("role", "group");
-  whole.setAttribute("aria-label", name);
-  return whole;
-}
-
 function createLamp(acts: WhatIfActs, name: string, lamp: number) {
   const { box, label } = tick(name, say("whatIf.lamp", { light: name, key: (lamp + 1) % 10 }), () => acts.turnLamp(lamp));
-  const range = element("input", "brightness");
-  range.type = "range";
-  Object.assign(range, { min: "0", max: String(BRIGHTEST), step: "0.05" });
-  range.setAttribute("aria-label", say("whatIf.brightness", { light: name }));
+  const range = named(element("input", "brightness"), say("whatIf.brightness", { light: name }));
+  Object.assign(range, { type: "range", min: "0", max: String(BRIGHTEST), step: "0.05" });
   range.addEventListener("input", () => acts.lamp(lamp, Number(range.value)));
   const darker = button("\u2212", say("whatIf.darker", { light: name }), () => acts.stepLamp(lamp, -1), { className: "sign" });
   const brighter = button("+", say("whatIf.brighter", { light: name }), () => acts.stepLamp(lamp, 1), { className: "sign" });
@@ -49,8 +34,8 @@ function createLamp(acts: WhatIfActs, name: string, lamp: number) {
       const text = percent(factor);
       share.textContent = text;
       range.setAttribute("aria-valuetext", text);
-      darker.setAttribute("aria-disabled", String(factor === 0));
-      brighter.setAttribute("aria-disabled", String(factor === BRIGHTEST));
+      disable(darker, factor === 0);
+      disable(brighter, factor === BRIGHTEST);
     },
   };
 }
@@ -89,8 +74,8 @@ export function createSwitches(acts: WhatIfActs) {
       if (shown !== scene) showScene(scene);
       const bounces = bouncesOf(switches, scene);
       limit.textContent = String(bounces);
-      fewer.setAttribute("aria-disabled", String(bounces === 0));
-      more.setAttribute("aria-disabled", String(bounces === scene.depth));
+      disable(fewer, bounces === 0);
+      disable(more, bounces === scene.depth);
       for (const [k, lamp] of lamps.entries()) lamp.show(brightness(switches, k));
       shadows.box.checked = scene.shadows && switches.shadows;
       for (const { part, box } of parts) box.checked = !switches.without.includes(part);

@@ -1,17 +1,17 @@
 /** What if: the button that opens the switches, which come when first opened, under the stage, and the one that undoes them all. */
+import type { Actions } from "../actions";
 import type { OnDemand } from "../on-demand";
 import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, element } from "./element";
+import { button, element, named } from "./element";
 import type { WhatIfActs } from "./what-if-switches";
 
-export function createWhatIf(acts: WhatIfActs & { asTraced: () => void }, onDemand: OnDemand) {
+export function createWhatIf(acts: WhatIfActs & Pick<Actions, "asTraced">, onDemand: OnDemand) {
   const toggle = button(say("whatIf.open.word"), say("whatIf.open.help"), () => (root.hidden ? open() : close()), { className: "open-what-if" });
   const undo = button(say("whatIf.undo.word"), say("whatIf.undo.help"), acts.asTraced, { className: "undo-switches" });
-  const root = element("section", "what-if");
-  root.setAttribute("aria-label", say("whatIf.region"));
+  const root = named(element("section", "what-if"), say("whatIf.region"));
   root.id = "what-if";
   toggle.setAttribute("aria-controls", root.id);
   const switches = onDemand.one("what-if-switches", ({ createSwitches }) => {

@@ -1,4 +1,4 @@
-/** What fingers, a mouse or a wheel do on the stage, told in the stage's own terms. */
+/** What fingers, a mouse or a wheel do on the stage, in the stage's terms. */
 export interface GestureActs {
   /** May this point be selected? Then dragging from it selects on; elsewhere it turns the view. */
   isOnTiles: (x: number, y: number) => boolean;

@@ -23,21 +23,16 @@ const HEIGHT = 22;
 
 const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-/** Right, left, below, above: the first that is free, inside and not struck through by a line; failing
+/** Right, left, below, above, then the corners: before, at or after the thing across and down. */
+const SPOTS = [[2, 1], [0, 1], [1, 2], [1, 0], [2, 2], [2, 0], [0, 2], [0, 0]];
+
+/** Of these spots the first that is free, inside and not struck through by a line; failing
  *  that, the first that is free. strokes: places along the lines, x y x y ... */
 function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[], large: boolean): Box | null {
   const w = label.text.length * CHAR[label.kind] * (large ? LARGE.wide : 1) + 8;
   const high = large ? LARGE.high : HEIGHT;
-  const spots = [
-    [label.x + GAP, label.y - high / 2],
-    [label.x - GAP - w, label.y - high / 2],
-    [label.x - w / 2, label.y + GAP],
-    [label.x - w / 2, label.y - GAP - high],
-    [label.x + GAP, label.y + GAP],
-    [label.x + GAP, label.y - GAP - high],
-    [label.x - GAP - w, label.y + GAP],
-    [label.x - GAP - w, label.y - GAP - high],
-  ];
+  const [xs, ys] = [[label.x - GAP - w, label.x - w / 2, label.x + GAP], [label.y - GAP - high, label.y - high / 2, label.y + GAP]];
+  const spots = SPOTS.map(([x, y]) => [xs[x], ys[y]]);
   if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - high]);
   const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + high }));
   const inside = (b: Box) => b.left >= 4 && b.top >= 4 && b.right <= width - 4 && b.bottom <= height - 4;

@@ -25,18 +25,18 @@ export function namesOf({ view, projection }: Drawn): Label[] {
   ];
 }
 
-/** Where the ray that is told ends, else the camera ray; null before it has arrived, and where it leaves the scene. */
+/** Where the current event's ray ends, else the camera ray; null before it has arrived, and where it leaves the scene. */
 function hitOf({ trace, chosen, lit, state }: StageView): Vec3 | null {
   const ray = lit ? lit.ray : chosen.find((line) => line.light < 0)?.ray;
   const arrived = chosen.some((line) => line.ray === ray && line.light < 0 && !line.growing);
   return trace && ray !== undefined && arrived && state.tiles !== "filling" && trace.object[ray] >= 0 ? triple(trace.point, ray) : null;
 }
 
-/** Where shadow rays end too early, and at what: of the ray that is told, else of the first few. */
+/** Where shadow rays end too early, and at what: of the current event's ray, else of the first few. */
 function blockersOf({ trace, chosen, lit }: StageView) {
   const ended = trace ? chosen.filter((line) => line.kind === "blocked" && !line.growing) : [];
-  const told = ended.filter((line) => line.ray === lit?.ray);
-  return (told.length ? told : ended).slice(0, BLOCKERS).flatMap((line) => {
+  const current = ended.filter((line) => line.ray === lit?.ray);
+  return (current.length ? current : ended).slice(0, BLOCKERS).flatMap((line) => {
     const by = trace!.blocker[line.ray * trace!.lights + line.light];
     return by < 0 ? [] : [{ line, by }];
   });

@@ -110,9 +110,9 @@ type Reader = ReturnType<typeof createReader>;
 
 const oneOf = <T extends string>(all: readonly T[]) => (text: string): T | null => all.find((each) => each === text) ?? null;
 
-/** told: the view of the lesson's step that is asked for. */
-function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, told: View): View {
-  const resolution = read("n", (text) => nearest("n", text, scene.levels)) ?? told.resolution;
+/** stepView: of the lesson's step that is asked for. */
+function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, stepView: View): View {
+  const resolution = read("n", (text) => nearest("n", text, scene.levels)) ?? stepView.resolution;
   const n = resolution ?? scene.start.resolution;
   const pixel = read("p", (text) => {
     const [column, row, ...more] = text.split(",").map((each) => within("p", each, 0, n - 1));
@@ -129,14 +129,14 @@ function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, to
   });
   return {
     resolution,
-    pixel: pixel ?? (n === (told.resolution ?? scene.start.resolution) ? told.pixel : undefined),
-    rays: rays ?? told.rays,
-    tiles: read("tiles", oneOf(["empty", "filled"])) ?? told.tiles,
-    observer: observer ?? told.observer,
-    look: read("look", oneOf(LOOKS)) ?? told.look,
-    slice: read("slice", oneOf(SLICES)) ?? told.slice,
-    switches: told.switches,
-    colours: read("colours", oneOf(TILE_VIEWS)) ?? told.colours,
+    pixel: pixel ?? (n === (stepView.resolution ?? scene.start.resolution) ? stepView.pixel : undefined),
+    rays: rays ?? stepView.rays,
+    tiles: read("tiles", oneOf(["empty", "filled"])) ?? stepView.tiles,
+    observer: observer ?? stepView.observer,
+    look: read("look", oneOf(LOOKS)) ?? stepView.look,
+    slice: read("slice", oneOf(SLICES)) ?? stepView.slice,
+    switches: stepView.switches,
+    colours: read("colours", oneOf(TILE_VIEWS)) ?? stepView.colours,
   };
 }
 

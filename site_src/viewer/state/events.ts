@@ -5,7 +5,7 @@
 import { RAY_KINDS, type SentKind } from "../trace/kinds";
 import { VISIBILITY, type MaterialData, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
-import { originOf, treeOf } from "./lines";
+import { childrenIn, originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, triple, unit } from "./vectors";
 import { whyOf } from "./why";
@@ -116,8 +116,7 @@ function meeting(trace: Trace, scene: SceneData, ray: number, isLast: boolean): 
 /** One pixel's events in true order: each ray with all it leads to before the next. */
 export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEvent[] {
   const tree = treeOf(trace, pixel);
-  const children = new Map<number, number[]>();
-  for (const ray of tree) children.set(trace.parent[ray], [...(children.get(trace.parent[ray]) ?? []), ray]);
+  const children = childrenIn(trace, tree);
   const events: RayEvent[] = [];
 
   /** media: what the ray travels in; before: what its parent came through. */

@@ -1,6 +1,7 @@
 /** Rays as straight lines: which belong to which pixel, where each begins and ends. */
 import { RAY_KINDS, type LineKind } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import { onceFor } from "./memo";
 import { along, triple, type Vec3 } from "./vectors";
 import type { ViewState } from "./types";
 
@@ -14,36 +15,34 @@ export interface Line {
   growing?: true; // `to` is only as far as it has come: no dot either
 }
 
-interface PixelIndex {
-  start: Int32Array; // rays of pixel p: order[start[p]] .. order[start[p + 1]]
-  order: Int32Array;
+/** Counting sort by pixel, without what a switch leaves out: keeps the trace's order, so a parent comes before its children.
+ *  Rays of pixel p: order[start[p]] .. order[start[p + 1]]. By Trace.pixel, which some switches leave as it is. */
+const sortedByPixel = onceFor((pixel: Int32Array) => {
+  const pixels = pixel.reduce((most, each) => Math.max(most, each), -1) + 1;
+  const start = new Int32Array(pixels + 1);
+  for (const each of pixel) if (each >= 0) start[each + 1]++;
+  for (let p = 0; p < pixels; p++) start[p + 1] += start[p];
+  const next = start.slice();
+  const order = new Int32Array(start[pixels]);
+  for (let ray = 0; ray < pixel.length; ray++) if (pixel[ray] >= 0) order[next[pixel[ray]]++] = ray;
+  return { start, order };
+});
+
+function raysOf(trace: Trace, pixel: number): Int32Array {
+  const { start, order } = sortedByPixel(trace.pixel);
+  return order.subarray(start[pixel], start[pixel + 1]);
 }
 
-const indices = new WeakMap<Int32Array, PixelIndex>(); // by Trace.pixel, which some switches leave as it is
-
-/** Counting sort by pixel, without what a switch leaves out: keeps the trace's order, so a parent comes before its children. */
-function indexOf(trace: Trace): PixelIndex {
-  const known = indices.get(trace.pixel);
-  if (known) return known;
-  const start = new Int32Array(trace.n * trace.n + 1);
-  for (let k = 0; k < trace.count; k++) if (trace.pixel[k] >= 0) start[trace.pixel[k] + 1]++;
-  for (let p = 0; p < trace.n * trace.n; p++) start[p + 1] += start[p];
-  const next = start.slice();
-  const order = new Int32Array(start[trace.n * trace.n]);
-  for (let k = 0; k < trace.count; k++) if (trace.pixel[k] >= 0) order[next[trace.pixel[k]]++] = k;
-  const index = { start, order };
-  indices.set(trace.pixel, index);
-  return index;
+/** By parent, -1 for the camera rays. */
+export function childrenIn(trace: Trace, rays: Iterable<number>): Map<number, number[]> {
+  const children = new Map<number, number[]>();
+  for (const ray of rays) children.set(trace.parent[ray], [...(children.get(trace.parent[ray]) ?? []), ray]);
+  return children;
 }
 
 /** The rays of a pixel, each followed by what it led to (depth first). */
 export function treeOf(trace: Trace, pixel: number): number[] {
-  const { start, order } = indexOf(trace);
-  const children = new Map<number, number[]>();
-  for (let at = start[pixel]; at < start[pixel + 1]; at++) {
-    const parent = trace.parent[order[at]];
-    children.set(parent, [...(children.get(parent) ?? []), order[at]]);
-  }
+  const children = childrenIn(trace, raysOf(trace, pixel));
   const walk = (ray: number): number[] => [ray, ...(children.get(ray) ?? []).flatMap(walk)];
   return (children.get(-1) ?? []).flatMap(walk);
 }
@@ -64,10 +63,8 @@ function shadowLine(trace: Trace, scene: SceneData, ray: number, light: number):
 
 /** Every line of a pixel: its rays, and the shadow rays from their hits. */
 export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
-  const { start, order } = indexOf(trace);
   const lines: Line[] = [];
-  for (let at = start[pixel]; at < start[pixel + 1]; at++) {
-    const ray = order[at];
+  for (const ray of raysOf(trace, pixel)) {
     lines.push({
       kind: RAY_KINDS[trace.kind[ray]],
       from: originOf(trace, scene, ray),

@@ -10,3 +10,12 @@ export function memo<T>() {
     return value;
   };
 }
+
+/** Makes a value once for each key, and lets it go with the key. */
+export function onceFor<Key extends object, T>(make: (key: Key) => T) {
+  const values = new WeakMap<Key, T>();
+  return (key: Key): T => {
+    if (!values.has(key)) values.set(key, make(key));
+    return values.get(key)!;
+  };
+}

@@ -1,5 +1,6 @@
 /** A mesh's numbers as the pipeline packs them (see MeshData). */
 import type { MeshData } from "../trace/types";
+import { onceFor } from "./memo";
 
 export interface Mesh {
   positions: Float32Array; // three a vertex, the mesh's own coordinates
@@ -39,19 +40,13 @@ function indicesOf(base64: string): Uint32Array {
   return fromPlanes(base64, 4).map((behind) => (behind === 0 ? next++ : next - behind));
 }
 
-const unpacked = new WeakMap<MeshData, Mesh>();
-
-export function meshOf(data: MeshData): Mesh {
-  const known = unpacked.get(data);
-  if (known) return known;
+export const meshOf = onceFor((data: MeshData): Mesh => {
   const [low, high] = data.box;
   const place = (step: number, k: number) => low[k % 3] + (step / 65535) * (high[k % 3] - low[k % 3]);
   const signed = (byte: number) => (byte > 127 ? byte - 256 : byte) / 127;
-  const mesh = {
+  return {
     positions: Float32Array.from(summed(data.positions, 2), place),
     normals: data.normals ? Float32Array.from(summed(data.normals, 1), signed) : null,
     indices: indicesOf(data.indices),
   };
-  unpacked.set(data, mesh);
-  return mesh;
-}
+});

@@ -1,15 +1,15 @@
-/** The step-by-step player: which event is told, how far it has gone, and whether time runs. */
+/** The step-by-step player: which event is the current one, how far it has gone, and whether time runs. */
 import type { Timeline } from "./timeline";
 import type { ViewState } from "./types";
 
-/** What holds while no event is told: everything of the selected pixel shows. */
-export const NOT_TOLD = { event: null, share: 1, playing: false } as const;
+/** What holds while there is no current event: everything of the selected pixel shows. */
+export const NO_EVENT = { event: null, share: 1, playing: false } as const;
 
 const quiet = (state: ViewState): ViewState => (state.tiles === "filling" ? { ...state, tiles: "filled", drawn: 0 } : state);
 
 /** An event, gone through to its end; null for none. */
 export function goToEvent(state: ViewState, timeline: Timeline, event: number | null): ViewState {
-  if (event === null || event < 0) return { ...state, ...NOT_TOLD };
+  if (event === null || event < 0) return { ...state, ...NO_EVENT };
   return { ...quiet(state), event: Math.min(event, timeline.events.length - 1), share: 1, playing: false };
 }
 
@@ -18,7 +18,7 @@ export function stepEvent(state: ViewState, timeline: Timeline, by: 1 | -1): Vie
   return goToEvent(state, timeline, state.event + by);
 }
 
-/** Play: from the beginning if nothing is told yet or all has been; pause where it is. */
+/** Play: from the beginning if there is no event yet or it was the last; pause where it is. */
 export function pressPlay(state: ViewState, timeline: Timeline): ViewState {
   if (state.playing) return { ...state, playing: false };
   if (state.still) return goToEvent(state, timeline, timeline.events.length - 1);
@@ -27,7 +27,7 @@ export function pressPlay(state: ViewState, timeline: Timeline): ViewState {
   return { ...quiet(state), ...from, playing: true };
 }
 
-/** Seconds from the first event's beginning; 0 while none is told. */
+/** Seconds from the first event's beginning; 0 while there is none. */
 export const timeOf = ({ event, share }: ViewState, { starts }: Timeline): number =>
   event === null ? 0 : starts[event] + share * (starts[event + 1] - starts[event]);
 

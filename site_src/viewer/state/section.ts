@@ -1,7 +1,7 @@
 /** The plane that a row's or a column's camera rays lie in, drawn flat. The outlines in it come with the scene. */
 import type { SceneData, SectionsData, Trace } from "../trace/types";
 import { onPlane, type PicturePlane } from "./frustum";
-import { add, dot, length, scale, sub, triple, unit, type Vec3 } from "./vectors";
+import { add, dot, scale, sub, triple, unit, type Vec3 } from "./vectors";
 import type { ViewState } from "./types";
 
 /** To the right and down; of a row: ahead of the eye and to its right. Of a column: ahead and below. */
@@ -91,10 +91,3 @@ export function frameOf({ curves, rays, flat }: Section, scene: SceneData): read
   const [xs, ys] = [points.map((p) => p[0]), points.map((p) => p[1])];
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
-
-/** How far a point is from the section's plane, in world units. */
-export const offPlane = (data: SectionsData, section: Section, point: Vec3): number => {
-  const [x, y] = section.flat(point);
-  const from = sub(point, data.eye);
-  return Math.sqrt(Math.max(0, length(from) ** 2 - x * x - y * y));
-};

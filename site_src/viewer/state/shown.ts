@@ -22,7 +22,7 @@ export interface Shown {
   ringOn: readonly [number, number, number] | null; // colour the selected tile shows; null while it is empty
   growing: Growing | null; // the tile being rendered
   timeline: Timeline | null; // the selected pixel's events; null without a trace
-  grown: number; // share of the told event's line
+  grown: number; // share of the current event's line
   costs: Costs | null; // what the tiles show; null without a trace
   boxes: RayBoxes | null; // that the selected camera ray tested, while the tiles show tests
   boxLines: BoxLines;
@@ -63,13 +63,13 @@ function thinLines(thin: Memo<Lines>, state: ViewState, scene: SceneData, trace:
   return thin(needs, () => of(thinPixels(state)));
 }
 
-function chosenLines(chosen: Memo<readonly Line[]>, state: ViewState, scene: SceneData, trace: Trace | null, told: Timeline | null): readonly Line[] {
+function chosenLines(chosen: Memo<readonly Line[]>, state: ViewState, scene: SceneData, trace: Trace | null, timeline: Timeline | null): readonly Line[] {
   const index = pixelIndex(state);
   const growing = growingOf(state);
   if (!trace) return chosen([trace], () => []);
   if (growing) return chosen([...linesFrom(trace), state.drawn], () => grownLines(trace, scene, growing.row * state.n + growing.column, growing.share));
   const { event, share } = state;
-  if (told && event !== null && event < told.events.length) return chosen([told, event, grownShare(told, event, share)], () => linesUpTo(told, trace, scene, index, event, share));
+  if (timeline && event !== null && event < timeline.events.length) return chosen([timeline, event, grownShare(timeline, event, share)], () => linesUpTo(timeline, trace, scene, index, event, share));
   const pixel = state.rays.includes("pixel") ? index : -1;
   return chosen([...linesFrom(trace), pixel], () => (pixel < 0 ? [] : linesOf(trace, scene, pixel)));
 }
@@ -77,10 +77,10 @@ function chosenLines(chosen: Memo<readonly Line[]>, state: ViewState, scene: Sce
 type Kinds = ReadonlySet<LineKind>;
 function kindsOf(kinds: Memo<Kinds>, state: ViewState, scene: SceneData, trace: Trace | null, thick: readonly Line[], thin: readonly Line[]): Kinds {
   if (trace && state.tiles === "filling") return kinds(linesFrom(trace), () => kindsIn(trace));
-  const isTold = trace && state.event !== null;
+  const isAtEvent = trace && state.event !== null;
   const index = pixelIndex(state);
-  const needs = isTold ? [...linesFrom(trace), index, thin] : [thick, thin];
-  return kinds(needs, () => new Set([...(isTold ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
+  const needs = isAtEvent ? [...linesFrom(trace), index, thin] : [thick, thin];
+  return kinds(needs, () => new Set([...(isAtEvent ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
 }
 
 export function createShown() {
@@ -88,7 +88,7 @@ export function createShown() {
   const chosen = memo<readonly Line[]>();
   const thin = memo<Lines>();
   const kinds = memo<Kinds>();
-  const timeline = memo<Timeline | null>();
+  const timelines = memo<Timeline | null>();
   const costs = memo<Costs | null>();
   const tested = memo<ReturnType<Boxes["of"]> | null>();
 
@@ -96,8 +96,8 @@ export function createShown() {
     of(state: ViewState, scene: SceneData, trace: Trace | null, boxesOfScene: Boxes | null = null): Shown {
       const index = pixelIndex(state);
       const tiles = tilesShown(state);
-      const told = timeline([scene, trace, index], () => trace && timelineOf(trace, scene, index));
-      const thick = chosenLines(chosen, state, scene, trace, told);
+      const timeline = timelines([scene, trace, index], () => trace && timelineOf(trace, scene, index));
+      const thick = chosenLines(chosen, state, scene, trace, timeline);
       const colours = costs([trace, scene, state.colours], () => trace && costsOf(trace, scene, state.colours));
       const boxes = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
       const rayBoxes = tested([boxes, state.n, index], () => boxes && boxes.of(state.n, index));
@@ -111,8 +111,8 @@ export function createShown() {
         kinds: kindsOf(kinds, state, scene, trace, thick, lines),
         ringOn: colours && index < tiles ? triple(colours.colours, index) : null,
         growing: growingOf(state),
-        timeline: told,
-        grown: told && state.event !== null && state.event < told.events.length ? grownShare(told, state.event, state.share) : 1,
+        timeline,
+        grown: timeline && state.event !== null && state.event < timeline.events.length ? grownShare(timeline, state.event, state.share) : 1,
         costs: colours,
         boxes: rayBoxes,
         boxLines: rayBoxes?.lines ?? NO_BOXES,

@@ -22,11 +22,11 @@ export function timelineOf(trace: Trace, scene: SceneData, pixel: number): Timel
   return { events, starts, grows };
 }
 
-/** Where the same thing is told after a switch: the same ray's, or the same light's; null where it is gone. */
-export function eventLike({ events }: Timeline, told: RayEvent): number | null {
-  const same = (alike: (event: RayEvent) => boolean) => events.findIndex((event) => event.ray === told.ray && event.light === told.light && alike(event));
-  const exact = same((event) => event.what === told.what);
-  const found = exact >= 0 || told.light < 0 ? exact : same(() => true);
+/** Where the like of an event is after a switch: of the same ray, or the same light; null where it is gone. */
+export function eventLike({ events }: Timeline, before: RayEvent): number | null {
+  const same = (alike: (event: RayEvent) => boolean) => events.findIndex((event) => event.ray === before.ray && event.light === before.light && alike(event));
+  const exact = same((event) => event.what === before.what);
+  const found = exact >= 0 || before.light < 0 ? exact : same(() => true);
   return found < 0 ? null : found;
 }
 

@@ -21,7 +21,7 @@ export interface ViewState {
   revealed: boolean; // the step's answer
   projector: boolean; // large type on a light page
   still: boolean; // no clock: no blinking, tiles fill at once, no line grows
-  event: number | null; // of the selected pixel, told step by step; null: all of it shows
+  event: number | null; // of the selected pixel, the one the player is at; null: all of it shows
   share: number; // of that event's time that has passed, 0..1
   playing: boolean;
   gl: boolean; // false: draw without WebGL

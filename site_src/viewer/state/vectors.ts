@@ -15,6 +15,8 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
 export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
 export const along = (from: Vec3, to: Vec3, share: number): Vec3 => add(from, scale(sub(to, from), share));
 
+export const isAll = (v: Vec3, value: number): boolean => v.every((each) => each === value);
+
 /** Unit length; `a` must not be zero. */
 export const unit = (a: Vec3): Vec3 => scale(a, 1 / length(a));
 

@@ -1,6 +1,6 @@
 /** The ways in which what is on the page changes: each makes the next state out of this one. */
 import type { SceneData, Trace, View } from "../trace/types";
-import { NOT_TOLD } from "./play";
+import { NO_EVENT } from "./play";
 import type { TileView } from "./costs";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
 import type { Kept, ViewState } from "./types";
@@ -20,6 +20,8 @@ const middle = (pixel: readonly [number, number], n: number): readonly [number, 
 export function startState(scene: SceneData, kept: Kept): ViewState {
   const { resolution, pixel } = scene.start;
   return {
+    ...kept,
+    projector: kept.projector ?? false,
     scene: scene.id,
     n: resolution,
     pixel,
@@ -33,21 +35,17 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     slice: "none",
     step: null,
     revealed: false,
-    ...NOT_TOLD,
+    ...NO_EVENT,
     switches: AS_TRACED,
     colours: "picture",
-    speed: kept.speed,
-    projector: kept.projector ?? false,
-    still: kept.still,
-    gl: kept.gl,
   };
 }
 
 export function select(state: ViewState, column: number, row: number): ViewState {
   const wrap = (k: number) => ((k % state.n) + state.n) % state.n;
   const pixel = [wrap(column), wrap(row)] as const;
-  const told = pixel.join() === state.pixel.join() ? {} : NOT_TOLD;
-  return { ...state, pixel, place: middle(pixel, state.n), ...told };
+  const isSame = pixel.join() === state.pixel.join();
+  return { ...state, pixel, place: middle(pixel, state.n), ...(isSame ? {} : NO_EVENT) };
 }
 
 export const move = (state: ViewState, right: number, down: number): ViewState =>
@@ -57,7 +55,7 @@ export function setLevel(state: ViewState, n: number): ViewState {
   if (n === state.n) return state;
   const at = (share: number) => Math.min(n - 1, Math.floor(share * n));
   const tiles = state.tiles === "filling" ? "filled" : state.tiles;
-  return { ...state, n, pixel: [at(state.place[0]), at(state.place[1])], tiles, ...NOT_TOLD };
+  return { ...state, n, pixel: [at(state.place[0]), at(state.place[1])], tiles, ...NO_EVENT };
 }
 
 /** The neighbouring frustum resolution; the same state at either end. */

@@ -1,5 +1,5 @@
-/** Events as they are told, as plain data. */
-import { tell } from "../event-words";
+/** Events in words, as plain data. */
+import { captionOf } from "../event-words";
 import type { RayEvent } from "../state/event-types";
 import { eventsOf } from "../state/events";
 import type { SceneData, Trace } from "../trace/types";
@@ -12,7 +12,7 @@ export interface Worded {
 }
 
 export function worded(event: RayEvent): Worded {
-  const { says, numbers } = tell(event);
+  const { says, numbers } = captionOf(event);
   return { says: plain(says), phrases: says.map((phrase) => (typeof phrase === "string" ? [phrase, null] : phrase)), numbers };
 }
 

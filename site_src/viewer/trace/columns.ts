@@ -21,7 +21,7 @@ export interface Features {
 const NOTHING = new Float64Array(0);
 export const NO_FEATURES: Features = { width: 0, first: NOTHING, second: NOTHING };
 
-/** What a column predicts with, by kind: has[kind] tells which of the two stand in the others. */
+/** What a column predicts with, by kind: has[kind] says which of the two stand in the others. */
 interface Prediction {
   affine: Float64Array; // (kinds, features + 1)
   taps: Float64Array; // (kinds, 6)

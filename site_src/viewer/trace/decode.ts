@@ -82,8 +82,7 @@ function read(header: Header, scratch: Scratch): Level {
   const unlit = {
     scene: header.scene, n, lights: lights.length, count,
     kind: tree.kind, parent: tree.parent, pixel: tree.pixel, depth: tree.depth,
-    object, material, inside, t, weight, localWeight, tests, point, normal, tiles,
-    hitsStart: hits.start, hitsT: hits.hitsT, hitsObject: hits.hitsObject,
+    object, material, inside, t, weight, localWeight, tests, point, normal, tiles, ...hits,
   };
   return {
     tiles,

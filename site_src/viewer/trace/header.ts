@@ -8,7 +8,6 @@ import type { Header as Written } from "./pipeline-types";
 type Material = Written["materials"][number] & Readonly<Record<SentKind, number>>;
 export type Header = Omit<Written, "materials"> & { readonly materials: readonly Material[] };
 export type Patch = Header["patches"][number];
-export type Predictor = Header["predictors"][string][string];
 
 export interface Expected {
   scene?: string;

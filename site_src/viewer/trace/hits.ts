@@ -5,12 +5,9 @@ import { damaged } from "./errors";
 import type { Header } from "./header";
 import { ABSENT, alike, type Sides } from "./neighbours";
 import type { Scratch } from "./scratch";
+import type { Trace } from "./types";
 
-export interface CameraHits {
-  start: Int32Array;
-  hitsT: Float64Array;
-  hitsObject: Int16Array;
-}
+export type CameraHits = Pick<Trace, "hitsStart" | "hitsT" | "hitsObject">;
 
 /** Which image each end stands in; a ray that leaves has one end, others as many as hits. */
 interface Ends {
@@ -30,7 +27,7 @@ export function readHits(header: Header, columns: Columns, signature: Int32Array
   const counts = Int32Array.from(met, (objects) => objects.length);
   const start = new Int32Array(n * n + 1);
   for (let ray = 0; ray < n * n; ray++) start[ray + 1] = start[ray] + counts[signature[ray]];
-  const hits: CameraHits = { start, hitsT: new Float64Array(start[n * n]), hitsObject: new Int16Array(start[n * n]) };
+  const hits: CameraHits = { hitsStart: start, hitsT: new Float64Array(start[n * n]), hitsObject: new Int16Array(start[n * n]) };
   alongRays(header, ends.start, z, hits, point, t);
   for (let ray = 0; ray < n * n; ray++) {
     const objects = met[signature[ray]];
@@ -39,7 +36,7 @@ export function readHits(header: Header, columns: Columns, signature: Int32Array
   return hits;
 }
 
-function alongRays({ n, camera }: Header, endStart: Int32Array, z: Float64Array, { start, hitsT }: CameraHits, point: Float64Array, t: Float64Array) {
+function alongRays({ n, camera }: Header, endStart: Int32Array, z: Float64Array, { hitsStart: start, hitsT }: CameraHits, point: Float64Array, t: Float64Array) {
   const [eyeX, eyeY, eyeZ] = camera.eye, [forwardX, forwardY, forwardZ] = camera.forward;
   const [rightX, rightY, rightZ] = camera.right, [downX, downY, downZ] = camera.down;
   for (let ray = 0, row = 0; row < n; row++) {

@@ -4,26 +4,15 @@ import type { Header } from "./header";
 import { ABSENT, alike } from "./neighbours";
 import type { Scratch } from "./scratch";
 import type { Structure } from "./structure";
-import { VISIBILITY } from "./types";
+import { VISIBILITY, type Trace } from "./types";
 
-export interface Lit {
-  visibility: Uint8Array;
-  blocker: Int16Array;
-  blockedAt: Float64Array;
-  passed: Float64Array;
-  diffuse: Float64Array;
-  specular: Float64Array;
-}
+/** What each light gives each ray: the trace's columns. */
+export type Lit = Pick<Trace, "visibility" | "blocker" | "blockedAt" | "passed" | "diffuse" | "specular">;
 
 /** What is known before. */
-export interface Known {
-  object: Int16Array;
-  material: Int16Array;
-  point: Float64Array;
-  normal: Float64Array;
-}
+export type Known = Pick<Trace, "object" | "material" | "point" | "normal">;
 
-/** What is so where no light is; prepareLights writes the rest. */
+/** As it is where there is no light; prepareLights writes the rest. */
 export const darkness = (count: number): Lit => ({
   visibility: new Uint8Array(count).fill(VISIBILITY.behind),
   blocker: new Int16Array(count).fill(-1),
@@ -33,7 +22,7 @@ export const darkness = (count: number): Lit => ({
   specular: new Float64Array(count),
 });
 
-/** Tells how to read light l, one after the other. */
+/** Gives what reads light l; the lights are read one after the other. */
 export function prepareLights(header: Header, columns: Columns, tree: Structure, known: Known, scratch: Scratch, lit: Lit): (l: number) => void {
   const factors = colouredRays(header, tree, known, scratch);
   const { kindHit } = scratch;

@@ -4,7 +4,7 @@
  * the stored points and normals, which know nothing of rays.
  */
 import type { Patch } from "./header";
-import { VISIBILITY, type Vec3 } from "./types";
+import { VISIBILITY, type Trace, type Vec3 } from "./types";
 
 /** Writes a unit vector at out[at..at + 2] from coordinates on the unfolded octahedron. */
 export function onOctahedron(u: number, v: number, out: Float64Array, at: number) {
@@ -85,16 +85,7 @@ export function normalsOn(
   }
 }
 
-export interface Terms {
-  count: number;
-  parent: Int32Array;
-  material: Int16Array;
-  weight: Float64Array;
-  localWeight: Float64Array;
-  visibility: Uint8Array;
-  diffuse: Float64Array;
-  specular: Float64Array;
-}
+export type Terms = Pick<Trace, "count" | "parent" | "material" | "weight" | "localWeight" | "visibility" | "diffuse" | "specular">;
 
 /** The colours that terms are multiplied by. */
 export interface Paints {

@@ -67,7 +67,7 @@ function seedling(n: number, rays: number, firstObject: Int32Array, scratch: Scr
   return tree;
 }
 
-/** Numbers the histories of these rays from `histories` on, and tells the number after the last. */
+/** Numbers the histories of these rays from `histories` on, and returns the number after the last. */
 function markHistories(tree: Growing, first: number, end: number, patchOf: Int32Array, histories: number): number {
   const { before, surface, patch, history, group } = tree;
   const base = patchOf.length + 1;

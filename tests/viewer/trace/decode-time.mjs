@@ -11,6 +11,6 @@ const [first, ...others] = process.argv.slice(2);
 if (others.length) for (const file of [first, ...others]) spawnSync(process.execPath, [fileURLToPath(import.meta.url), file], { stdio: "inherit" });
 else {
   const { count, times } = await decodingTimes(await loadDecoder(), gunzipSync(readFileSync(first)).toString(), 25);
-  const told = Object.entries(times).map(([name, each]) => `${name} ${each[0].toFixed(1)} ${best(each).toFixed(1)} ${middle(each).toFixed(1)}`);
-  console.log(`${first}: ${count} rays; first, best, middle: ${told.join(", ")} ms`);
+  const written = Object.entries(times).map(([name, each]) => `${name} ${each[0].toFixed(1)} ${best(each).toFixed(1)} ${middle(each).toFixed(1)}`);
+  console.log(`${first}: ${count} rays; first, best, middle: ${written.join(", ")} ms`);
 }
