@@ -41,9 +41,10 @@ MAY_IMPORT = {
 VIEWER_MAY_IMPORT = {
     "trace": {"trace"},
     "state": {"state", "trace"},
-    "stage": {"stage", "state", "trace"},
+    # Of actions stage and panels take the types only: what they may do.
+    "stage": {"stage", "state", "trace", "actions"},
     # event-words holds the sentences for the state's events, which only panels show; what a panel
-    # shows later is asked of on-demand; of actions only the types: what it may do.
+    # shows later is asked of on-demand.
     "panels": {"panels", "state", "trace", "event-words", "on-demand", "actions"},
     # Files beside the folders: what is listed knows nothing of who ties it together.
     "palette.ts": {"trace"},
@@ -53,7 +54,7 @@ VIEWER_MAY_IMPORT = {
     "stops": {"stops", "state", "trace", "event-words"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
-FOR_ANYONE = {"words", "word-keys", "palette", "tile-picture"}
+FOR_ANYONE = {"words", "word-keys", "element", "palette", "tile-picture"}
 
 
 def python_files(folder: str) -> list[Path]:

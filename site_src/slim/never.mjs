@@ -98,11 +98,12 @@ export const RULES = [
     in: { "renderers/webgl/WebGLUtils": [[/if \( p === RGB_S3TC_DXT1_Format[\s\S]*?(?=if \( p === UnsignedInt248Type)/, ""]] },
   },
   {
-    why: "no volumes, no stacks of pictures",
+    why: "uniforms are signed numbers and flat pictures: no volumes, no stacks",
     unless: ["Data3DTexture", "DataArrayTexture"],
     in: {
       "renderers/webgl/WebGLUniforms": [
         [/const empty(Array|3d)Texture = .*/g, ""],
+        [/case 0x\w+: return setValueV\dui(Array)?;.*/g, ""],
         ...["setValueT3D1", "setValueT2DArray1", "setValueT3DArray", "setValueT2DArrayArray"].map((name) => emptied(name)),
       ],
     },

@@ -1,9 +1,9 @@
 /** Colours that carry meaning. Page colours live in styles/. */
-import { byLine, LINE_KINDS, LINES as TABLE } from "./trace/kinds";
+import { LINE_KINDS, LINES as TABLE, type LineKind } from "./trace/kinds";
 
 /** How a kind of ray is drawn: never by hue alone, so each has its own dash.
  *  dash: [drawn, gap] in screen pixels; [1, 0] is a solid line. wide: times as thick as the others. */
-export const LINES = byLine((kind) => ({ ...TABLE[kind], colour: TABLE[kind].dark }));
+export const LINES = Object.fromEntries(LINE_KINDS.map((kind) => [kind, { ...TABLE[kind], colour: TABLE[kind].dark }])) as Record<LineKind, (typeof TABLE)[LineKind] & { colour: string }>;
 
 export const STAGE = {
   lamp: "#FFE9A8",

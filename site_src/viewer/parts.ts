@@ -4,7 +4,7 @@ import type { OnDemand } from "./on-demand";
 import { contrastWith } from "./palette";
 import { createCard } from "./panels/card";
 import { createControls } from "./panels/controls";
-import { element } from "./panels/element";
+import { element } from "./element";
 import { createLegend } from "./panels/legend";
 import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";

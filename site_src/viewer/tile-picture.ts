@@ -1,12 +1,13 @@
 /** Tiles as a picture of its own: a pixel a tile, shown as sharp squares. For the stage and for the picture beside it. */
+import { element } from "./element";
+
 export interface TilePicture {
   n: number;
   colours: Uint8Array; // (3 * n * n)
 }
 
 export function createTilePicture(className: string) {
-  const canvas = document.createElement("canvas");
-  canvas.className = className;
+  const canvas = element("canvas", className);
   canvas.hidden = true;
   let painted: Uint8Array | null = null;
   return {

@@ -6,23 +6,6 @@ const PLAYS_UP_TO = 3; // stops' times: then the next stop comes, whatever still
 const PATIENCE = 20; // seconds for a scene to come
 const RENEWED_AFTER = 6 * 3_600_000; // ms: then, between two rounds, the page is loaded anew; nothing can pile up for months
 
-/** A pause that can be cut short. */
-function createPause() {
-  let wake = () => {};
-  let timer = 0;
-  return {
-    wait: (seconds: number) =>
-      new Promise<void>((done) => {
-        wake = done;
-        timer = window.setTimeout(done, 1000 * seconds);
-      }),
-    cut() {
-      clearTimeout(timer);
-      wake();
-    },
-  };
-}
-
 /** false where it takes too long. */
 function inTime(what: Promise<boolean>): Promise<boolean> {
   let timer = 0;
@@ -34,7 +17,12 @@ function inTime(what: Promise<boolean>): Promise<boolean> {
 export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void; renew: () => void }) {
   const { session } = viewer;
   const reduced = matchMedia("(prefers-reduced-motion: reduce)");
-  const { wait, cut } = createPause();
+  let cut = () => {};
+  const wait = (seconds: number) =>
+    new Promise<void>((done) => {
+      const timer = setTimeout(done, 1000 * seconds);
+      cut = () => (clearTimeout(timer), done());
+    });
   let running = false;
   let stops = 0;
   let cycles = 0; // scenes shown to their end

@@ -1,7 +1,7 @@
 /** A kiosk's table of contents: it shows itself until somebody touches it, and starts again when they have gone. */
 import { say } from "../words";
 import { readKiosk } from "../state/kiosk-fields";
-import { button, element } from "../panels/element";
+import { button, element } from "../element";
 import { createAttract } from "./attract";
 import { createIdle } from "./idle";
 import { lockPage } from "./locks";

@@ -1,5 +1,5 @@
 /** What lies over the page: the invitation to touch it, and the question whether somebody is still there. */
-import { button, element } from "../panels/element";
+import { button, element } from "../element";
 import { say } from "../words";
 
 const FADES = 400; // ms: longer than a tap takes to become a click, which must not reach what lies below

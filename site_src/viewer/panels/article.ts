@@ -2,7 +2,7 @@
 import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 import { grouped, list, percent, say } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 
 function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const figures: [string, string][] = [

@@ -2,7 +2,7 @@
 import type { Actions } from "../actions";
 import { say } from "../words";
 import { sayDone } from "./done";
-import { button, disable, element, swatch } from "./element";
+import { button, disable, element, swatch } from "../element";
 
 export type Copy = "text" | "table";
 

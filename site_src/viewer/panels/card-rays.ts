@@ -6,7 +6,7 @@ import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import type { SceneData, Trace, Vec3 } from "../trace/types";
 import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
-import { clickable, element, marked, swatch } from "./element";
+import { clickable, element, marked, swatch } from "../element";
 import { markRow } from "./lit-row";
 
 /** What the card is about. */

@@ -7,7 +7,7 @@ import { isGrey, column, figure, indexed, math, operator, piece, times, under } 
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
 import { fixed, number, phrases, say } from "../words";
 import type { RaysView } from "./card-rays";
-import { clickable, element, marked } from "./element";
+import { clickable, element, marked } from "../element";
 import { markRow } from "./lit-row";
 
 /** Colours of one formula: as columns as soon as one of them is not grey. */
@@ -15,9 +15,9 @@ type Colours = (v: Vec3) => MathMLElement;
 const coloursOf = (all: readonly Vec3[]): Colours => (all.every(isGrey) ? (v) => figure(v[0]) : (v) => column(v.map(number)));
 
 function lightTerm({ name, seen, by, diffuse, specular, colour }: LightRow, of: MaterialData, show: Colours) {
-  if (seen === "blocked") return piece(operator("+"), under(math("mn", "0"), say("sum.blocked", { light: name, by })));
-  if (seen === "off") return piece(operator("+"), under(math("mn", "0"), say("sum.isOff", { light: name })));
-  if (seen === "away") return piece(operator("+"), under(math("mn", "0"), say("sum.away", { light: name })));
+  const nothing = (why: string) => piece(operator("+"), under(math("mn", "0"), why));
+  if (seen === "blocked") return nothing(say("sum.blocked", { light: name, by }));
+  if (seen === "off" || seen === "away") return nothing(say(seen === "off" ? "sum.isOff" : "sum.away", { light: name }));
   const paints = ([[diffuse, of.diffuse], [specular, of.specular]] as const).filter(([factor, paint]) => factor !== 0 && !isAll(paint, 0));
   const parts = paints.flatMap(([factor, paint], k) => [...(k ? [operator("+")] : []), figure(factor), times(), show(paint)]);
   const sum = parts.length ? parts : [math("mn", "0")];

@@ -3,7 +3,7 @@ import type { RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import { say } from "../words";
 import type { LineActs, RaysView } from "./card-rays";
-import { element } from "./element";
+import { element } from "../element";
 import { svg } from "./svg";
 import { walkWithArrows } from "./tree-arrows";
 import { place, type Placed } from "./tree-layout";

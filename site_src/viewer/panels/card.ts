@@ -10,7 +10,7 @@ import { say } from "../words";
 import { createCardHead, type Copy } from "./card-head";
 import { createRays, type PixelRays, type RaysView } from "./card-rays";
 import { copy } from "./clipboard";
-import { element, named } from "./element";
+import { element, named } from "../element";
 import { createTabs } from "./tabs";
 
 const TABS = ["rays", "tree", "sum", "code"] as const;

@@ -1,7 +1,7 @@
 /** A text into the clipboard or, where that is refused, to be copied by hand. */
 import { say } from "../words";
 import { createDialog } from "./dialog";
-import { element, named } from "./element";
+import { element, named } from "../element";
 
 /** done: the clipboard has it. */
 export async function copy(text: string, done: () => void) {

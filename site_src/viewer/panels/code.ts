@@ -5,7 +5,7 @@ import { BRANCHES, RAY_KINDS, RAYS, type SentKind } from "../trace/kinds";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
 import type { PixelRays, RaysView } from "./card-rays";
-import { element, named } from "./element";
+import { element, named } from "../element";
 
 type Sent = Exclude<SentKind, "total">; // in place of a reflected ray: the same line
 type Line = readonly [indent: number, name: "pixels" | "pixel" | "trace" | "hit" | "miss" | "ambient" | "lights" | "shadow" | "add" | "share" | "left" | Sent | "back", ...whats: RayEvent["what"][]];

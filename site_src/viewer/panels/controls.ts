@@ -3,7 +3,7 @@ import type { Actions } from "../actions";
 import { RAY_CHOICES, type RayChoice, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, disable, element, group, pressed, setWord } from "./element";
+import { button, disable, element, group, pressed, setWord } from "../element";
 
 const KEYS: Readonly<Record<RayChoice, string>> = { pixel: "", row: "H", column: "V", all: "A" };
 

@@ -1,6 +1,6 @@
 /** A sheet over the page: keeps the focus, closes with Esc, its cross or a click beside it, and gives the focus back. */
 import { say } from "../words";
-import { button, element, named } from "./element";
+import { button, element, named } from "../element";
 
 export function createDialog(title: string, ...content: Node[]) {
   const sheet = named(element("dialog", "sheet"), title);

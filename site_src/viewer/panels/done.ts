@@ -1,5 +1,5 @@
 /** Says that something was done: by a tick on its button, and in a sentence over the page that goes by itself. Nothing moves. */
-import { element } from "./element";
+import { element } from "../element";
 
 const SAID_FOR = 3500; // ms
 const TICKED_FOR = 1500;

@@ -1,7 +1,7 @@
 /** All keys on one sheet, and what a pressed key means for those who watch. */
 import { say } from "../words";
 import { createDialog } from "./dialog";
-import { button, element, pressed } from "./element";
+import { button, element, pressed } from "../element";
 import { singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */

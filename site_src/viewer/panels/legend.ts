@@ -3,7 +3,7 @@ import { LINES } from "../palette";
 import { CROWD } from "../state/shown";
 import { LINE_KINDS, type LineKind } from "../trace/kinds";
 import { grouped, say } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 import { svg } from "./svg";
 
 const LONG = 26; // pixels of sample line

@@ -5,7 +5,7 @@ import { memo } from "../state/memo";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, disable, element, marked, named } from "./element";
+import { button, disable, element, marked, named } from "../element";
 import { reachable } from "./scrolls";
 
 /** Events and why a pixel is dark, in words: null until they have come. */

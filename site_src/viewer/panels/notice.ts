@@ -1,6 +1,6 @@
 /** What is wrong and what still works: a sentence for each subject, with a remedy where there is one. */
 import { say } from "../words";
-import { button, element } from "./element";
+import { button, element } from "../element";
 
 /** "act": what the person did last; every other subject has its sentence until it is put right. */
 export type Subject = "act" | "address" | "scene" | "trace" | "picture" | "stage" | "error" | `part ${string}`;

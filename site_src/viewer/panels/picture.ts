@@ -5,7 +5,7 @@ import { isAsking, pixelIndex, tileColour, type ViewState } from "../state/view-
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { createTilePicture, type TilePicture } from "../tile-picture";
-import { element, named } from "./element";
+import { element, named } from "../element";
 
 const GRID_FROM = 6; // CSS pixels a tile: below, the grid would cover the picture
 const COVER = "#39434F";

@@ -5,7 +5,7 @@ import { timeOf } from "../state/play";
 import type { Timeline } from "../state/timeline";
 import type { ViewState } from "../state/view-state";
 import { fraction, say } from "../words";
-import { button, disable, element, named, setWord } from "./element";
+import { button, disable, element, named, setWord } from "../element";
 import { icon } from "./icons";
 
 const QUIET = "var(--ray-none)"; // events without a ray: sums

@@ -2,7 +2,7 @@
 import type { OnDemand } from "../on-demand";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 
 export function createSavings(onDemand: OnDemand) {
   const root = element("details", "savings");

@@ -5,7 +5,7 @@ import { memo } from "../state/memo";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken
 

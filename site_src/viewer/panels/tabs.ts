@@ -1,5 +1,5 @@
 /** One of several panels at a time, chosen by tabs. The choice is remembered. */
-import { button, element, named } from "./element";
+import { button, element, named } from "../element";
 import { recall, remember } from "./remember";
 
 export interface Tab<Id extends string> {

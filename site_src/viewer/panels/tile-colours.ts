@@ -6,7 +6,7 @@ import type { Shown } from "../state/shown";
 import type { ViewState } from "../state/view-state";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 import type { Pointed } from "./tile-legend";
 
 export function createTileColours(acts: Pick<Actions, "colours"> & { draw: () => void }, onDemand: OnDemand) {

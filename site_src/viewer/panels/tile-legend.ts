@@ -6,7 +6,7 @@ import { pixelIndex, type ViewState } from "../state/view-state";
 import type { RayBoxes } from "../trace/boxes";
 import type { Trace } from "../trace/types";
 import { grouped, list, number, percent, say, vector } from "../words";
-import { element } from "./element";
+import { element } from "../element";
 
 const STOPS = 10;
 

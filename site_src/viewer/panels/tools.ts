@@ -3,7 +3,7 @@ import type { Actions } from "../actions";
 import { say } from "../words";
 import { copy } from "./clipboard";
 import { sayDone } from "./done";
-import { button, element, named, pressed } from "./element";
+import { button, element, named, pressed } from "../element";
 
 export type ToolActs = Pick<Actions, "projector"> & {
   /** Writes the view into the address now, and gives it. */

@@ -5,7 +5,7 @@ import type { LightRow, RayRow } from "../state/ray-rows";
 import { RAYS } from "../trace/kinds";
 import { hexOf, percent, plain, say } from "../words";
 import { lightsUp, lightWords, rayWords } from "./card-rays";
-import { element } from "./element";
+import { element } from "../element";
 import { svg } from "./svg";
 import { left, NODE, top, type Placed } from "./tree-layout";
 

@@ -1,6 +1,6 @@
 /** The window onto a drawn tree: as large as is legible, or whole; it scrolls, is dragged, and shows where there is more. */
 import { say } from "../words";
-import { button, element, setWord } from "./element";
+import { button, element, setWord } from "../element";
 
 const LEGIBLE = 0.92; // smaller than this a tree is drawn on request only
 

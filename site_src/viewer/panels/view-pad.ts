@@ -1,6 +1,6 @@
 /** Nine buttons in the stage's corner that do what dragging and the wheel do. */
 import { say } from "../words";
-import { button, element, named, pressed, setWord } from "./element";
+import { button, element, named, pressed, setWord } from "../element";
 
 export interface ViewActs {
   /** Degrees to the right and up. */

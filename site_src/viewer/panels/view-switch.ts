@@ -6,7 +6,7 @@ import type { Actions } from "../actions";
 import { LOOKS } from "../state/look";
 import { SLICES, type Slice, type ViewState } from "../state/view-state";
 import { say } from "../words";
-import { button, element, named, pressed } from "./element";
+import { button, element, named, pressed } from "../element";
 
 type Direction = Exclude<Slice, "none">;
 const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none");

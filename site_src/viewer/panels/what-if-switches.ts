@@ -4,7 +4,7 @@ import { BRIGHTEST, bouncesOf, brightness, lampsOf, PARTS, partsOf } from "../st
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { percent, say } from "../words";
-import { button, disable, element, group, named } from "./element";
+import { button, disable, element, group, named } from "../element";
 
 export type WhatIfActs = Pick<Actions, "bounces" | "lamp" | "stepLamp" | "turnLamp" | "shadows" | "part">;
 

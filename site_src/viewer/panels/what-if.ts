@@ -5,7 +5,7 @@ import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, element, named } from "./element";
+import { button, element, named } from "../element";
 import type { WhatIfActs } from "./what-if-switches";
 
 export function createWhatIf(acts: WhatIfActs & Pick<Actions, "asTraced">, onDemand: OnDemand) {

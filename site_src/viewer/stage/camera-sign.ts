@@ -37,9 +37,5 @@ export function createCameraSign(plane: PicturePlane, radius: number) {
   const edges = new LineSegments(rays, stroke);
   edges.renderOrder = 3;
   object.add(body, edges);
-  return {
-    object,
-    /** Hidden while the observer looks through it. */
-    show: (visible: boolean) => void (object.visible = visible),
-  };
+  return { object };
 }

@@ -92,16 +92,10 @@ function drawLine(brush: Brush, projection: Projection, { kind, from, to }: Line
 
 /** A bounding volume's edges. */
 function drawEdges(brush: Brush, projection: Projection, edges: BoxLines["entered"], colour: string, near: number) {
-  brush.strokeStyle = colour;
-  brush.lineWidth = 0.8;
-  brush.beginPath();
   for (const [from, to] of edges) {
     const seen = endsOf(projection, from, to, near);
-    if (!seen) continue;
-    brush.moveTo(...seen[0]);
-    brush.lineTo(...seen[1]);
+    if (seen) stroke(brush, ...seen, colour, 0.8);
   }
-  brush.stroke();
 }
 
 function drawDot(brush: Brush, projection: Projection, at: Vec3, radius: number, colour: string) {

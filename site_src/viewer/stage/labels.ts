@@ -1,4 +1,6 @@
 /** Words beside things on the stage. They step aside for one another; the least important give way. */
+import { element } from "../element";
+
 export interface Label {
   key: string;
   text: string;
@@ -53,22 +55,21 @@ export function strokesAlong(from: readonly [number, number], to: readonly [numb
 }
 
 export function createLabels() {
-  const element = document.createElement("div");
-  element.className = "labels";
-  element.setAttribute("aria-hidden", "true"); // the card says the same in words
+  const root = element("div", "labels");
+  root.setAttribute("aria-hidden", "true"); // the card says the same in words
   const spans = new Map<string, HTMLSpanElement>();
 
   function spanOf(label: Label) {
     const known = spans.get(label.key);
     if (known) return known;
-    const span = document.createElement("span");
+    const span = element("span");
     spans.set(label.key, span);
-    element.append(span);
+    root.append(span);
     return span;
   }
 
   return {
-    element,
+    element: root,
     /** Most important first; taken: places that are not free. */
     show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = [], large = false) {
       const used = [...taken];

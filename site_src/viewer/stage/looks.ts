@@ -69,17 +69,10 @@ const colour = (v: Vec3) => new Color(v[0], v[1], v[2]);
 /** three spreads a Blinn-Phong highlight's energy; course materials give its height instead. */
 const highlight = (material: MaterialData) => colour(material.specular).multiplyScalar(4 / (material.shininess / 2 + 1));
 
-export interface Looks {
-  /** `onlyFace`: draw this side only. */
-  of: (material: MaterialData, onlyFace?: Side, flat?: boolean) => Material;
-  /** Is it drawn as something to look through? */
-  isClear: (material: MaterialData) => boolean;
-  /** Only these parts of the surfaces' colours count: what brings the others is black. */
-  count: (isOn: (part: Part) => boolean) => void;
-}
+export type Looks = ReturnType<typeof createLooks>;
 
 /** plain: no mirror and no glass, every surface is matte in its own colour. */
-export function createLooks(plain: boolean): Looks {
+export function createLooks(plain: boolean) {
   const balls = { chrome: paintedBall(chrome), clear: paintedBall(clear) };
   const made: { look: Material; paints: Paints; full?: number[][] }[] = [];
   /** paints: which of its colours stands for which part. */
@@ -98,8 +91,10 @@ export function createLooks(plain: boolean): Looks {
 
   const isClear = (material: MaterialData) => !plain && material.transmit > 0.3;
   return {
+    /** Is it drawn as something to look through? */
     isClear,
-    of(material, side = FrontSide, flat = false) {
+    /** side: draw this one only. */
+    of(material: MaterialData, side: Side = FrontSide, flat = false): Material {
       if (isClear(material)) return glass(side, flat);
       if (!plain && material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }), { color: "reflected" });
       return keep(
@@ -114,7 +109,8 @@ export function createLooks(plain: boolean): Looks {
         { color: "diffuse", emissive: "ambient", specular: "specular" },
       );
     },
-    count(isOn) {
+    /** Only these parts of the surfaces' colours count: what brings the others is black. */
+    count(isOn: (part: Part) => boolean) {
       for (const each of made) {
         const colours = Object.entries(each.paints).map(([name, part]) => ({ part, colour: (each.look as unknown as Record<string, Color>)[name] }));
         each.full ??= colours.map(({ colour }) => colour.toArray()); // only now: walls have toned theirs down

@@ -1,25 +1,16 @@
 /** What a stage shows, and what each of its two renderers (WebGL, Canvas2D) can do. */
-import type { BoxLines } from "../state/box-lines";
-import type { Costs } from "../state/costs";
-import type { PicturePlane } from "../state/frustum";
-import type { Line } from "../state/lines";
-import type { LitLine, Observer, ViewState } from "../state/types";
 import type { Projection } from "../state/projection";
+import type { Shown } from "../state/shown";
+import type { LitLine, Observer, ViewState } from "../state/types";
 import type { TilePicture } from "../tile-picture";
 import type { SceneData, Trace } from "../trace/types";
 
-export interface StageView {
+export interface StageView extends Pick<Shown, "plane" | "tiles" | "costs" | "boxLines" | "chosen" | "thin"> {
   scene: SceneData; // as it was traced
   switched: SceneData; // as the switches make it: its lights and materials
   recombined: TilePicture | null; // the picture with the switches set; null where nothing is switched
-  plane: PicturePlane;
   trace: Trace | null; // null while it loads or if it is missing
   state: ViewState;
-  tiles: number; // filled, in scan order
-  costs: Costs | null; // their colours
-  boxLines: BoxLines;
-  chosen: readonly Line[]; // of the selected pixel, or of the one being rendered
-  thin: readonly Line[]; // of a row, a column or all
   lit: LitLine | null;
   ring: string | null; // outline of the selected tile; null while it blinks off
 }
@@ -35,7 +26,7 @@ export interface StageRenderer {
   canvas: HTMLCanvasElement;
   isFlat: boolean;
   draw: (now: Drawn) => void;
-  /** Colours are others now: what was made with the old ones goes. */
+  /** The colours have changed: what was made with the old ones goes. */
   forget: () => void;
   /** CSS pixels, and device pixels in each. */
   resize: (width: number, height: number, ratio: number) => void;

@@ -1,7 +1,6 @@
 /** What a slice's drawing shows, and where it lies on its canvas. Lengths in CSS pixels. */
-import type { Costs } from "../state/costs";
-import type { Line } from "../state/lines";
-import { frameOf, type Curve, type Flat, type Section } from "../state/section";
+import { frameOf, type Flat, type Section } from "../state/section";
+import type { Shown } from "../state/shown";
 import { besideOf } from "../state/silhouette";
 import type { SceneData, Trace, Vec3 } from "../trace/types";
 
@@ -10,30 +9,17 @@ const ASIDE = 140; // more on its left, for the switch
 const ABOVE = 24; // and over it
 const NARROW = 700; // narrower, all of these stand outside
 
-export interface SliceView {
+export interface SliceView extends Pick<Shown, "tiles" | "costs" | "chosen"> {
   section: Section;
   scene: SceneData; // as the switches make it
   trace: Trace;
   tile: number; // the selected one along the section
-  tiles: number; // filled, in scan order
-  costs: Costs | null; // their colours
-  chosen: readonly Line[];
   large: boolean; // words, on a projector
 }
 
-export interface Sheet {
-  width: number;
-  height: number;
-  isWide: boolean;
-  zoom: number; // pixels in a world unit
-  at: (place: Flat) => Flat;
-  on: (point: Vec3) => Flat;
-  back: (x: number, y: number) => Flat;
-  isSeen: (at: Flat) => boolean;
-  beside: readonly Curve[]; // outlines of what blocks a light and does not reach into the plane
-}
+export type Sheet = ReturnType<typeof sheetOf>;
 
-export function sheetOf({ section, scene, trace, chosen }: SliceView, width: number, height: number): Sheet {
+export function sheetOf({ section, scene, trace, chosen }: SliceView, width: number, height: number) {
   const isWide = width >= NARROW;
   const [aside, above] = isWide ? [ASIDE, ABOVE] : [0, 0];
   const beside = besideOf(section, scene, trace, chosen);
@@ -42,14 +28,12 @@ export function sheetOf({ section, scene, trace, chosen }: SliceView, width: num
   const [shiftX, shiftY] = [(width + aside) / 2 - (zoom * (left + right)) / 2, (height + above) / 2 - (zoom * (top + bottom)) / 2];
   const at = ([x, y]: Flat): Flat => [shiftX + zoom * x, shiftY + zoom * y];
   return {
-    width,
-    height,
     isWide,
-    zoom,
+    zoom, // pixels in a world unit
     at,
-    on: (point) => at(section.flat(point)),
-    back: (x, y) => [(x - shiftX) / zoom, (y - shiftY) / zoom],
-    isSeen: ([x, y]) => x >= aside && y >= 0 && x <= width && y <= height,
-    beside,
+    on: (point: Vec3) => at(section.flat(point)),
+    back: (x: number, y: number): Flat => [(x - shiftX) / zoom, (y - shiftY) / zoom],
+    isSeen: ([x, y]: Flat) => x >= aside && y >= 0 && x <= width && y <= height,
+    beside, // outlines of what blocks a light and does not reach into the plane
   };
 }

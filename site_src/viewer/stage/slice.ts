@@ -1,4 +1,5 @@
 /** The slice view: a row's or a column's plane of camera rays as a flat drawing, in place of the stage. */
+import { element } from "../element";
 import { say } from "../words";
 import { createLabels, strokesAlong } from "./labels";
 import { drawSlice } from "./slice-drawing";
@@ -8,20 +9,18 @@ import { sheetOf, type Sheet, type SliceView } from "./slice-sheet";
 export { sectionOf } from "../state/section";
 
 export function createSlice(acts: { pick: (along: number) => void }) {
-  const canvas = document.createElement("canvas");
+  const canvas = element("canvas");
   const labels = createLabels();
-  const element = document.createElement("div");
-  element.className = "slice";
-  element.hidden = true;
-  element.append(canvas, labels.element);
+  const root = element("div", "slice", canvas, labels.element);
+  root.hidden = true;
   canvas.setAttribute("role", "img");
   const brush = canvas.getContext("2d")!;
   let now: SliceView | null = null;
   let sheet: Sheet | null = null;
 
   function draw() {
-    if (!now || element.hidden) return;
-    const { clientWidth: width, clientHeight: height } = element;
+    if (!now || root.hidden) return;
+    const { clientWidth: width, clientHeight: height } = root;
     const ratio = Math.min(2, window.devicePixelRatio);
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
@@ -44,14 +43,14 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     pick(event);
   });
   canvas.addEventListener("pointermove", pick);
-  new ResizeObserver(draw).observe(element);
+  new ResizeObserver(draw).observe(root);
 
   return {
-    element,
+    element: root,
     /** null: the stage is seen instead. */
     show(view: SliceView | null) {
       now = view;
-      element.hidden = !view;
+      root.hidden = !view;
       if (!view) return;
       canvas.setAttribute("aria-label", say(`slice.${view.section.direction}.label`, { pixel: view.tile }));
       draw();

@@ -1,9 +1,11 @@
 /** The stage: a drawing, the labels over it, and what the hand does on it. */
+import type { Actions } from "../actions";
+import { element, named } from "../element";
 import { onPlane } from "../state/frustum";
 import type { Line } from "../state/lines";
 import { observerOf, orbit, pan, zoom, type ObserverChoice } from "../state/observer";
 import { createProjection, type Projection } from "../state/projection";
-import type { LitLine, Observer } from "../state/types";
+import type { Observer } from "../state/types";
 import { along, length, sub } from "../state/vectors";
 import { say } from "../words";
 import { createDrawing, type DrawingActs } from "./drawing";
@@ -13,14 +15,10 @@ import type { Drawn, StageView } from "./renderer";
 import type { slideSvg } from "./slide";
 import { namesOf } from "./stage-names";
 import { createTracedPicture } from "./traced-picture";
-import { lineUnder, nearestTile, tileUnder, type Tile } from "./under";
+import { lineUnder, nearestTile, tileUnder } from "./under";
 
-export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer"> {
+export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer">, Pick<Actions, "pick" | "light" | "point"> {
   move: (observer: ObserverChoice) => void;
-  pick: (column: number, row: number) => void;
-  light: (line: LitLine | null) => void;
-  /** The tile under the pointer. */
-  point: (tile: Tile | null) => void;
 }
 
 interface Moves {
@@ -35,20 +33,20 @@ interface Moves {
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
-/** root: relative path to the site's root. over: what stands on the stage and must not hide a label. */
-export function createStage(acts: StageActs, root: string, withGl: boolean, over: () => readonly Element[]) {
-  const element = createElement();
+/** siteRoot: relative path to it. over: what stands on the stage and must not hide a label. */
+export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, over: () => readonly Element[]) {
   const labels = createLabels();
-  const traced = createTracedPicture(root);
-  element.append(traced.element, labels.element);
+  const traced = createTracedPicture(siteRoot);
+  const root = named(element("div", "stage-view", traced.element, labels.element), say("stage.label"), "application");
+  root.tabIndex = 0;
   let size = { width: 1, height: 1 };
   let drawn: Drawn | null = null;
   let frames = 0;
-  const drawing = createDrawing(element, withGl, { ...acts, replaced: measure });
-  new ResizeObserver(measure).observe(element);
+  const drawing = createDrawing(root, withGl, { ...acts, replaced: measure });
+  new ResizeObserver(measure).observe(root);
 
   function measure() {
-    size = { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
+    size = { width: Math.max(1, root.clientWidth), height: Math.max(1, root.clientHeight) };
     drawing.renderer().resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
     redraw();
   }
@@ -62,7 +60,7 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     drawn = { view, observer, projection };
     drawing.renderer().draw(drawn);
     traced.show(state.look === "traced" && state.observer === "camera" ? scene : null, plane, projection, recombined);
-    labels.show(namesOf(drawn), size.width, size.height, takenOn(element, over()), strokesOf(chosen, projection), state.projector);
+    labels.show(namesOf(drawn), size.width, size.height, takenOn(root, over()), strokesOf(chosen, projection), state.projector);
     frames++;
   }
   const redraw = () => drawn && draw(drawn.view);
@@ -79,10 +77,10 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
     shift: (right, up) => move((from) => pan(from, right, up)),
     come: (factor) => move((from, radius) => zoom(from, factor, radius)),
   };
-  listenToHand(element, () => drawn, acts, moves);
+  listenToHand(root, () => drawn, acts, moves);
 
   return {
-    element,
+    element: root,
     show: draw,
     ...moves,
     /** Colours are others now. */
@@ -110,23 +108,14 @@ export function createStage(acts: StageActs, root: string, withGl: boolean, over
 
 export type Stage = ReturnType<typeof createStage>;
 
-function createElement(): HTMLElement {
-  const element = document.createElement("div");
-  element.className = "stage-view";
-  element.tabIndex = 0;
-  element.setAttribute("role", "application");
-  element.setAttribute("aria-label", say("stage.label"));
-  return element;
-}
-
 /** What the hand does: on the tiles it selects, elsewhere it moves the observer; what it only points at lights up. */
-function listenToHand(element: HTMLElement, now: () => Drawn | null, acts: StageActs, { turn, shift, come }: Moves) {
+function listenToHand(stage: HTMLElement, now: () => Drawn | null, acts: StageActs, { turn, shift, come }: Moves) {
   const under = <T>(find: (drawn: Drawn, x: number, y: number) => T, x: number, y: number): T | null => {
     const drawn = now();
     return drawn && find(drawn, x, y);
   };
-  const shorter = () => Math.min(element.clientWidth, element.clientHeight);
-  listenToGestures(element, {
+  const shorter = () => Math.min(stage.clientWidth, stage.clientHeight);
+  listenToGestures(stage, {
     isOnTiles: (x, y) => under(tileUnder, x, y) !== null,
     pick(x, y) {
       const tile = under(nearestTile, x, y);
@@ -135,7 +124,7 @@ function listenToHand(element: HTMLElement, now: () => Drawn | null, acts: Stage
     hover(x, y) {
       const tile = under(tileUnder, x, y);
       acts.point(tile);
-      element.classList.toggle("on-tiles", !!tile);
+      stage.classList.toggle("on-tiles", !!tile);
       acts.light(tile ? null : under(lineUnder, x, y));
     },
     leave() {
@@ -149,10 +138,10 @@ function listenToHand(element: HTMLElement, now: () => Drawn | null, acts: Stage
 }
 
 /** What stands on the stage at this moment: panels open and close. */
-function takenOn(element: HTMLElement, over: readonly Element[]): Box[] {
-  const stage = element.getBoundingClientRect();
+function takenOn(stage: HTMLElement, over: readonly Element[]): Box[] {
+  const at = stage.getBoundingClientRect();
   const boxes = over.map((each) => each.getBoundingClientRect());
-  return boxes.map(({ left, right, top, bottom }) => ({ left: left - stage.left, right: right - stage.left, top: top - stage.top, bottom: bottom - stage.top }));
+  return boxes.map(({ left, right, top, bottom }) => ({ left: left - at.left, right: right - at.left, top: top - at.top, bottom: bottom - at.top }));
 }
 
 const strokesOf = (lines: readonly Line[], { project }: Projection): number[] =>

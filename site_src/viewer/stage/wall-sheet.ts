@@ -5,16 +5,9 @@ import type { ObjectData, SceneData } from "../trace/types";
 
 const REACH = 2.1; // of the scene's radius
 
-export interface WallSheet {
-  point: Vec3;
-  facing: Vec3; // the unit normal on the camera's side
-  /** u across and v down, -1 to 1. */
-  at: (u: number, v: number) => Vec3;
-  /** How far out a point of it is: 1 at the middle of an edge. */
-  out: (point: Vec3) => number;
-}
+export type WallSheet = ReturnType<typeof wallSheet>;
 
-export function wallSheet(object: ObjectData, { camera, bounds }: SceneData): WallSheet {
+export function wallSheet(object: ObjectData, { camera, bounds }: SceneData) {
   const { point, normal } = planeOf(object);
   const facing = dot(sub(camera.eye, point), normal) < 0 ? scale(normal, -1) : normal;
   const middle = sub(bounds.center, scale(facing, dot(sub(bounds.center, point), facing)));
@@ -23,9 +16,11 @@ export function wallSheet(object: ObjectData, { camera, bounds }: SceneData): Wa
   const down = cross(facing, across);
   return {
     point,
-    facing,
-    at: (u, v) => add(middle, add(scale(across, u * reach), scale(down, v * reach))),
-    out: (of) => Math.hypot(...sub(of, middle)) / reach,
+    facing, // the unit normal on the camera's side
+    /** u across and v down, -1 to 1. */
+    at: (u: number, v: number) => add(middle, add(scale(across, u * reach), scale(down, v * reach))),
+    /** How far out a point of it is: 1 at the middle of an edge. */
+    out: (of: Vec3) => Math.hypot(...sub(of, middle)) / reach,
   };
 }
 

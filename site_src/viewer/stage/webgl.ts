@@ -48,7 +48,7 @@ function createSet(view: StageView) {
     world,
     show(now: StageView, fromEye: boolean) {
       tiles.show(now.costs?.colours ?? null, now.state.n, now.tiles, now.state.pixel, now.ring);
-      sign.show(!fromEye);
+      sign.object.visible = !fromEye; // the observer looks through it
       forChosen([now.chosen, now.lit], () => {
         chosen.show(now.chosen, now.lit);
         hits.show(endsOf(now.chosen, false));

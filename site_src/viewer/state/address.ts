@@ -16,7 +16,7 @@ const NEAREST = 1e-6;
 const MOST_EVENTS = 1e6;
 
 /** Six numbers, eye then target; enough digits that the same view comes back. */
-const placeOf = (observer: ViewState["observer"]) =>
+const writeObserver = (observer: ViewState["observer"]) =>
   typeof observer === "string" ? observer : [...observer.eye, ...observer.target].map((v) => String(Number(v.toPrecision(5)))).join(",");
 
 /** withScene: from file:// the page stays, so the scene goes into the address too. */
@@ -24,18 +24,17 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   const start = goToStep(scene, startState(scene, state), state.step, state.revealed);
   const parts: string[] = [];
   const put = (key: string, value: string | number) => parts.push(`${key}=${value}`);
+  const putOther = (key: string, of: (state: ViewState) => string | number) => of(state) !== of(start) && put(key, of(state));
   if (withScene) put("scene", state.scene);
-  if (state.n !== start.n) put("n", state.n);
+  putOther("n", ({ n }) => n);
   if (state.pixel.join() !== start.pixel.join() || state.n !== start.n) put("p", state.pixel.join());
-  if (state.rays.join() !== start.rays.join()) put("rays", state.rays.join() || "none");
-  const filled = ({ tiles }: ViewState) => (tiles === "empty" ? tiles : "filled");
-  if (filled(state) !== filled(start)) put("tiles", filled(state));
-  const [at, from] = [state, start].map(({ before, observer }) => placeOf(before ?? observer)); // the traced look has one place only
-  if (at !== from) put("cam", at);
-  if (state.look !== start.look) put("look", state.look);
-  if (state.slice !== start.slice) put("slice", state.slice);
-  if (writeSwitches(state.switches) !== writeSwitches(start.switches)) put("if", writeSwitches(state.switches) || "none");
-  if (state.colours !== start.colours) put("colours", state.colours);
+  putOther("rays", ({ rays }) => rays.join() || "none");
+  putOther("tiles", ({ tiles }) => (tiles === "empty" ? tiles : "filled"));
+  putOther("cam", ({ before, observer }) => writeObserver(before ?? observer)); // the traced look has one place only
+  putOther("look", ({ look }) => look);
+  putOther("slice", ({ slice }) => slice);
+  putOther("if", ({ switches }) => writeSwitches(switches) || "none");
+  putOther("colours", ({ colours }) => colours);
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);

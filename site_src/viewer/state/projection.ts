@@ -9,22 +9,9 @@ export interface ScreenPoint {
   depth: number; // world units in front of the observer; negative behind
 }
 
-export interface Projection {
-  width: number;
-  height: number;
-  /** CSS pixels that one world unit takes at depth 1. */
-  focal: number;
-  right: Vec3;
-  up: Vec3;
-  forward: Vec3;
-  project: (point: Vec3) => ScreenPoint;
-  /** Homogeneous stage coordinates (x w, y w, w) of a direction from the eye: linear, so also of a plane's axes. */
-  homogeneous: (direction: Vec3) => Vec3;
-  /** Share across and down the picture plane (0..1 when on it) under a stage pixel; null if not seen there. */
-  onPicturePlane: (plane: PicturePlane, x: number, y: number) => readonly [number, number] | null;
-}
+export type Projection = ReturnType<typeof createProjection>;
 
-export function createProjection(observer: Observer, width: number, height: number): Projection {
+export function createProjection(observer: Observer, width: number, height: number) {
   const forward = unit(sub(observer.target, observer.eye));
   const right = unit(cross(forward, observer.up));
   const up = cross(right, forward);
@@ -36,16 +23,19 @@ export function createProjection(observer: Observer, width: number, height: numb
   return {
     width,
     height,
+    /** CSS pixels that one world unit takes at depth 1. */
     focal,
     right,
     up,
     forward,
+    /** Homogeneous stage coordinates (x w, y w, w) of a direction from the eye: linear, so also of a plane's axes. */
     homogeneous,
-    project(point) {
+    project(point: Vec3): ScreenPoint {
       const [x, y, w] = homogeneous(sub(point, observer.eye));
       return { x: x / w, y: y / w, depth: w };
     },
-    onPicturePlane(plane, x, y) {
+    /** Share across and down the picture plane (0..1 when on it) under a stage pixel; null if not seen there. */
+    onPicturePlane(plane: PicturePlane, x: number, y: number): readonly [number, number] | null {
       // (x, y, 1) ~ a A + b D + c O; Cramer's rule gives a : b : c.
       const A = homogeneous(plane.across);
       const D = homogeneous(plane.down);

@@ -4,6 +4,7 @@ import { NO_EVENT } from "./play";
 import type { TileView } from "./costs";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
 import type { Kept, ViewState } from "./types";
+import { triple } from "./vectors";
 
 export type { ViewState };
 export type RayChoice = ViewState["rays"][number];
@@ -147,8 +148,4 @@ export const setColours = (state: ViewState, colours: TileView): ViewState =>
   colours === state.colours ? state : seen({ ...state, colours });
 
 /** 8-bit colour of a tile as the picture has it. */
-export const tileColour = (trace: Trace, pixel: number): readonly [number, number, number] => [
-  trace.tiles[3 * pixel],
-  trace.tiles[3 * pixel + 1],
-  trace.tiles[3 * pixel + 2],
-];
+export const tileColour = (trace: Trace, pixel: number) => triple(trace.tiles, pixel);

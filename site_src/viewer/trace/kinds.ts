@@ -23,8 +23,6 @@ export const RAYS: Readonly<Record<RayKind, Sent>> = rays;
 export const LINES = lines as unknown as Readonly<Record<LineKind, Drawn>>; // JSON has no pairs
 export const RAY_KINDS = Object.keys(rays) as RayKind[]; // by code
 export const LINE_KINDS = Object.keys(LINES) as LineKind[]; // in the order of the legend
-/** A record of all lines' kinds. */
-export const byLine = <Of>(of: (kind: LineKind) => Of) => Object.fromEntries(LINE_KINDS.map((kind) => [kind, of(kind)])) as Readonly<Record<LineKind, Of>>;
 export const KIND = Object.fromEntries(RAY_KINDS.map((kind) => [kind, rays[kind].code])) as Readonly<Record<RayKind, number>>;
 
 const sent = RAY_KINDS.filter((kind) => KIND[kind] > 0);

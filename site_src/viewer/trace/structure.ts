@@ -2,29 +2,17 @@
 import type { Columns } from "./columns";
 import { damaged } from "./errors";
 import type { Header } from "./header";
-import { fillRaster, type Sides } from "./neighbours";
+import { fillRaster } from "./neighbours";
 import type { Scratch } from "./scratch";
+import type { Trace } from "./types";
 import { BRANCHES, BRANCH_OF, CHILDREN, KIND, SENT } from "./kinds";
 
-export interface Structure {
-  count: number;
-  pixel: Int32Array;
-  parent: Int32Array;
-  kind: Uint8Array;
-  depth: Uint8Array; // bounces before the ray, at most 255
-  surface: Int32Array; // row of tables.surface
-  patch: Int32Array;
-  children: Int32Array;
-  history: Int32Array; // equal where two rays met the same patches in the same manner
-  sides: Sides;
-}
+/** surface: row of tables.surface; history: equal where two rays met the same patches in the same manner. */
+export type Structure = Pick<Trace, "count" | "pixel" | "parent" | "kind" | "depth"> & Pick<Scratch, "surface" | "patch" | "children" | "history" | "sides">;
 
-/** Rays while the tree grows. */
-interface Growing extends Structure {
-  before: Int32Array; // equal where two rays have the same history so far
-  group: Int32Array;
-  born: readonly Int32Array[]; // by branch, the child's row, -1 if there is none
-}
+/** Rays while the tree grows. before: equal where two rays have the same history so far; born: by branch, the child's
+ *  row, -1 if there is none. */
+type Growing = Structure & Pick<Scratch, "before" | "group" | "born">;
 
 /** firstObject: what each camera ray meets, -1 if nothing. What is no column of a Trace stands in the
  *  scratch arrays, which are longer. */

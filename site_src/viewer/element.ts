@@ -1,5 +1,5 @@
 /** Small builders for the page's elements. No inline style attributes: the pages' policy forbids them. */
-import { say, type Phrase } from "../words";
+import { say, type Phrase } from "./words";
 
 type Child = Node | string;
 
