@@ -5,6 +5,7 @@
  *   {do: "ask", scene, traces, size}                                     what the tracer is asked: Asked (viewer/stops/asked.ts)
  *   {do: "lesson", scene, traces, size, asked, sights, words, spoken}    what slides and sheets show: Lesson (lesson.ts)
  *   {do: "events", scene, trace, pixel, words}                           one pixel's events in words (worded.ts)
+ *   {do: "columns", trace, id, n}                                        a trace's header and columns; id and n: of which it must be
  *
  * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
  * language's sentences, spoken the scene's words in it or null. An answer is {answer}, or {fault: sentence}.
@@ -24,7 +25,18 @@ const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 /** Of <name>.json.gz, or of <name>.js as pages load it. */
 function unpacked(file) {
   const bytes = readFileSync(file);
-  return JSON.parse(gunzipSync(file.endsWith(".js") ? Buffer.from(bytes.toString("latin1").split('"')[3] ?? "", "base64") : bytes));
+  try {
+    return JSON.parse(gunzipSync(file.endsWith(".js") ? Buffer.from(bytes.toString("latin1").split('"')[3] ?? "", "base64") : bytes));
+  } catch (error) {
+    throw new Error(`no .json.gz or .js file of a trace, or a damaged one (${error.message})`);
+  }
+}
+
+/** What stands beside a trace's columns; and these as the names of their types, with base64 of their bytes. */
+function columnsOf(json, expected) {
+  const columns = Object.entries(decode(json, expected)).filter(([, column]) => ArrayBuffer.isView(column));
+  const bytes = columns.map(([name, column]) => [name, [column.constructor.name, Buffer.from(column.buffer, column.byteOffset, column.byteLength).toString("base64")]]);
+  return { header: { ...json, columns: {} }, columns: Object.fromEntries(bytes) };
 }
 
 let read = { folder: "", grids: new Map() }; // of the scene that was asked for last
@@ -36,7 +48,8 @@ function tracesIn(folder, scene) {
   return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.id, n })).get(n);
 }
 
-function answer({ do: what, size, pixel, words, spoken, ...files }) {
+function answer({ do: what, size, pixel, words, spoken, id, n, ...files }) {
+  if (what === "columns") return columnsOf(unpacked(files.trace), { scene: id, n });
   const scene = unpacked(files.scene);
   globalThis.raywalkWords = words;
   if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.id }), pixel);

@@ -10,13 +10,13 @@ import pytest
 from PIL import Image
 
 from raywalk.scene.read import read_scenes
-from raywalk.trace.tree import Visibility
-from raywalk.trace_file.decode import read_trace
+from raywalk.stops.decoded import read_trace
+from raywalk.stops.process import Stops
+from raywalk.trace.tree import SHOT
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
 COURSE = SCENES[:7]
-SHOT = (int(Visibility.BLOCKED), int(Visibility.REACHED))
 
 
 def folder(scene):
@@ -31,11 +31,12 @@ def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene):
     size = scene.render.size
     picture = np.asarray(Image.open(folder(scene) / "picture.png").convert("RGB"))
     assert picture.shape == (size, size, 3)
-    for n in scene.render.resolutions:
-        step = size // n
-        centres = picture[step // 2 :: step, step // 2 :: step]
-        tiles = read_trace(folder(scene) / f"{n}.json.gz").tiles.reshape(n, n, 3)
-        np.testing.assert_array_equal(tiles, centres)
+    with Stops() as stops:
+        for n in scene.render.resolutions:
+            step = size // n
+            centres = picture[step // 2 :: step, step // 2 :: step]
+            tiles = read_trace(folder(scene) / f"{n}.json.gz", stops).tiles.reshape(n, n, 3)
+            np.testing.assert_array_equal(tiles, centres)
 
 
 def test_traces_take_at_most_2_2_bytes_a_ray_over_all_scenes():

@@ -26,7 +26,7 @@ MAY_IMPORT = {
     "geometry": {"scene", "models", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
-    "stops": {"words", "errors"},
+    "stops": {"words", "trace.tree", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "errors"},
     "site": {

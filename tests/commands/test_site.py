@@ -16,7 +16,7 @@ import pytest
 from PIL import Image
 
 from raywalk.__main__ import main
-from raywalk.trace_file.decode import read_trace
+from raywalk.stops.decoded import read_trace
 
 SMALL = """
 version = 1

@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 from raywalk.errors import UserError
 from raywalk.slides.files import ASKED, SIGHTS
 from raywalk.slides.layout import WIDE
+from raywalk.stops.decoded import read_trace
 from raywalk.trace.pixel_tree import pixel_tree
-from raywalk.trace_file.decode import read_trace
 
 from .conftest import BALLS, make
 

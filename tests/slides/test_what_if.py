@@ -9,7 +9,7 @@ import pytest
 
 from raywalk.slides.figure import Dot, Slide, Text, flat
 from raywalk.slides.layout import WIDE
-from raywalk.trace_file.decode import read_trace
+from raywalk.stops.decoded import read_trace
 
 from .conftest import BALLS, make
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from functools import cache
 from pathlib import Path
+from tempfile import NamedTemporaryFile
 from typing import NamedTuple
 
 import numpy as np
@@ -16,13 +17,28 @@ import scenes_for_tests
 from tiny_tracer import trace_tiny
 
 from raywalk.scene.model import Scene
+from raywalk.stops.decoded import DecodedTrace, read_trace
+from raywalk.stops.process import Stops
 from raywalk.trace.tree import RayTree
-from raywalk.trace_file.decode import DecodedTrace, decode
+from raywalk.trace_file.container import pack
 from raywalk.trace_file.encode import encode
 from raywalk.trace_file.level import in_file_order
 
 SIZE = 21
 SEEDS = range(12)
+STOPS = Stops()  # one node process for all of these tests
+
+
+def pytest_sessionfinish() -> None:
+    STOPS.__exit__(None, None, None)
+
+
+def decode(data: bytes, scene: str | None = None, n: int | None = None) -> DecodedTrace:
+    """The trace of these JSON bytes, as the viewer's modules read it."""
+    with NamedTemporaryFile(suffix=".json.gz") as file:
+        file.write(pack(data))
+        file.flush()
+        return read_trace(Path(file.name), STOPS, scene, n)
 
 
 class Encoded(NamedTuple):

@@ -10,10 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raywalk.trace.tree import Visibility
-from raywalk.trace_file.decode import read_trace
-
-SHOT = (int(Visibility.BLOCKED), int(Visibility.REACHED))
+from raywalk.stops.decoded import read_trace
+from raywalk.trace.tree import SHOT
 
 
 def main() -> None:

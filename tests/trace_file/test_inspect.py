@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from conftest import Encoded
 
-from raywalk.trace_file.errors import TraceFileError
-from raywalk.trace_file.inspect import as_json, describe
+from raywalk.stops.pixel_rays import as_json, describe
 
 
 def rays_in(node: dict) -> list[dict]:
@@ -43,5 +42,5 @@ def test_text_marks_the_nearest_hit_and_sums_the_colour(glass: Encoded) -> None:
 
 
 def test_a_pixel_outside_is_refused(glass: Encoded) -> None:
-    with pytest.raises(TraceFileError, match="outside"):
+    with pytest.raises(ValueError, match="outside"):
         describe(glass.trace, (21, 0))

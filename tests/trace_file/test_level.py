@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from conftest import decode
 from scenes_for_tests import mirrors
 from tiny_tracer import trace_tiny
 
-from raywalk.trace_file.decode import decode
 from raywalk.trace_file.encode import encode
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.level import level_of

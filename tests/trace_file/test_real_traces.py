@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from conftest import decode
 from scenes_for_tests import glass, mirrors, random_scene
 
 from raywalk.trace.wavefront import trace_scene
-from raywalk.trace_file.decode import decode
 from raywalk.trace_file.encode import encode
 from raywalk.trace_file.level import level_of
 

@@ -6,13 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import Encoded
+from conftest import Encoded, decode
 from scenes_for_tests import RED
 from tiny_tracer import make_scene, trace_tiny
 
 from raywalk.scene.shapes import Sphere
 from raywalk.trace.tree import Visibility
-from raywalk.trace_file.decode import decode
 from raywalk.trace_file.encode import encode
 from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.precision import COLOUR, NORMAL, finite_extent
@@ -119,9 +118,8 @@ def test_rows_of_a_tree_may_come_in_another_order_of_paths(glass: Encoded) -> No
 
 def test_colours_that_do_not_add_up_are_not_written(glass: Encoded) -> None:
     wrong = replace(glass.tree, colour=glass.tree.colour + 0.01)
-    with pytest.raises(TraceFileError, match="do not add up") as error:
+    with pytest.raises(TraceFileError, match="do not add up"):
         encode(wrong, glass.scene, glass.picture)
-    assert error.value.code == "unfit"
 
 
 def test_rays_that_all_leave_are_a_trace_too() -> None:

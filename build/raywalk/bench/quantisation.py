@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.scene.model import Scene
+from raywalk.stops.decoded import DecodedTrace, read_trace
+from raywalk.stops.process import Stops
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wavefront import trace_scene
-from raywalk.trace_file.decode import DecodedTrace, decode
-from raywalk.trace_file.encode import encode
 from raywalk.trace_file.level import in_file_order, level_of
 from raywalk.trace_file.precision import COLOUR
+from raywalk.trace_file.write import write_level
 
 SIZE, LEVEL = 165, 55
 # Column of the file's header: the bound it must keep whatever it states, and its unit.
@@ -28,12 +31,14 @@ COLUMNS = {
 EXACT = ("kind", "parent", "object", "material", "inside", "depth")
 
 
-def losses(scene: Scene) -> tuple[dict[str, float], dict[str, float], int, int]:
+def losses(scene: Scene, stops: Stops) -> tuple[dict[str, float], dict[str, float], int, int]:
     """Measured and stated largest errors, exact columns that differ, and rays."""
     small = replace(scene, render=replace(scene.render, size=SIZE, resolutions=(LEVEL,)))
     traced = trace_scene(small)
     level = level_of(traced.tree, LEVEL)
-    decoded = decode(encode(level, small, traced.picture))
+    with tempfile.TemporaryDirectory() as folder:
+        write_level(Path(folder), level, LEVEL, small, traced.picture)
+        decoded = read_trace(Path(folder) / f"{LEVEL}.js", stops, scene.id, LEVEL)
     tree = in_file_order(level)
     differing = sum(not same(getattr(tree, name), getattr(decoded, name)) for name in EXACT)
     return measured(tree, decoded), decoded.header["errors"], differing, decoded.count
@@ -43,9 +48,9 @@ def measured(tree: RayTree, decoded: DecodedTrace) -> dict[str, float]:
     """Largest difference of each column, points where a ray hits."""
     hit = tree.object >= 0
     return {
-        "point": longest(decoded.point.reshape(-1, 3)[hit] - tree.point[hit]),
-        "normal": longest(decoded.normal.reshape(-1, 3)[hit] - tree.normal[hit]),
-        "colour": float(np.abs(decoded.colour.reshape(-1, 3) - tree.colour).max()),
+        "point": longest(decoded.point[hit] - tree.point[hit]),
+        "normal": longest(decoded.normal[hit] - tree.normal[hit]),
+        "colour": float(np.abs(decoded.colour - tree.colour).max()),
         "weight": float(np.abs(decoded.weight - tree.weight).max()),
     }
 
@@ -54,12 +59,13 @@ def quantisation(scenes: Iterable[Scene]) -> Iterator[Case]:
     """Each column's largest error over all scenes, and whether the headers tell the truth."""
     most: dict[str, float] = dict.fromkeys(COLUMNS, 0.0)
     beyond, differing, rays = 0.0, 0, 0
-    for scene in scenes:
-        found, stated, unlike, count = losses(scene)
-        differing, rays = differing + unlike, rays + count
-        for name, error in found.items():
-            most[name] = max(most[name], error)
-            beyond = max(beyond, error / stated[name] if error else 0.0)
+    with Stops() as stops:
+        for scene in scenes:
+            found, stated, unlike, count = losses(scene, stops)
+            differing, rays = differing + unlike, rays + count
+            for name, error in found.items():
+                most[name] = max(most[name], error)
+                beyond = max(beyond, error / stated[name] if error else 0.0)
     where = f"all scenes, {LEVEL} x {LEVEL}"
     for name, (bound, unit) in COLUMNS.items():
         yield Case("trace file", where, f"error of {name}, {unit}, max", bound, most[name], rays, 0)

@@ -6,10 +6,13 @@ import json
 from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from raywalk.commands.pixel import place
 from raywalk.errors import SourceError, SourceErrors
+
+if TYPE_CHECKING:
+    from raywalk.stops.process import Stops
 
 
 def add_to(commands: Any) -> None:
@@ -30,38 +33,39 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """The tree as indented text, or as one JSON object with every stored number; with --events
     its events, a sentence and a line of numbers each."""
-    from raywalk.trace_file.decode import read_trace
-    from raywalk.trace_file.errors import TraceFileError
-    from raywalk.trace_file.inspect import as_json, describe
+    from raywalk.stops.decoded import read_trace
+    from raywalk.stops.pixel_rays import as_json, describe
+    from raywalk.stops.process import Stops
 
     try:
-        trace = read_trace(chosen.trace)
-        tree = as_json(trace, chosen.pixel)  # refuses a pixel outside
-        if chosen.events:
-            yield from _events(chosen)
-        elif chosen.json:
-            yield json.dumps(tree, allow_nan=False)
-        else:
-            yield describe(trace, chosen.pixel)
+        chosen.trace.stat()  # what is missing is said as of any file
+        with Stops() as stops:
+            trace = read_trace(chosen.trace, stops)
+            tree = as_json(trace, chosen.pixel)  # refuses a pixel outside
+            if chosen.events:
+                yield from _events(chosen, stops)
+            elif chosen.json:
+                yield json.dumps(tree, allow_nan=False)
+            else:
+                yield describe(trace, chosen.pixel)
     except OSError as problem:
         message = f"cannot be read ({problem.strerror})"
         file = Path(problem.filename or chosen.trace)
         raise SourceErrors([SourceError(file, "", message)]) from None
-    except TraceFileError as problem:
+    except ValueError as problem:
         raise SourceErrors([SourceError(chosen.trace, "", str(problem))]) from None
 
 
-def _events(chosen: Namespace) -> Iterator[str]:
-    from raywalk.stops.process import Stops
+def _events(chosen: Namespace, stops: Stops) -> Iterator[str]:
     from raywalk.words import read_words
 
     scene = chosen.trace.with_name("scene.js")
-    scene.stat()  # what is missing is said as of any file
-    with Stops() as stops:
-        answer = stops.ask({
-            "do": "events", "scene": str(scene), "trace": str(chosen.trace),
-            "pixel": chosen.pixel, "words": read_words(chosen.language).tree,
-        })  # fmt: skip
+    scene.stat()
+    request = {
+        "do": "events", "scene": str(scene), "trace": str(chosen.trace),
+        "pixel": chosen.pixel, "words": read_words(chosen.language).tree,
+    }  # fmt: skip
+    answer = stops.ask(request, chosen.trace)
     if chosen.json:
         yield answer
         return

@@ -16,7 +16,7 @@ from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
-from raywalk.trace.tree import RayTree, Visibility
+from raywalk.trace.tree import SHOT, RayTree
 from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
 from raywalk.trace_file.level import level_of
 from raywalk.trace_file.png import write_png
@@ -109,7 +109,7 @@ def counts(tree: RayTree) -> dict[str, Any]:
 
 def shadow_rays(tree: RayTree) -> int:
     """Shadow rays that were shot."""
-    return int(np.isin(tree.visibility, (Visibility.BLOCKED, Visibility.REACHED)).sum())
+    return int(np.isin(tree.visibility, SHOT).sum())
 
 
 def rays_of(tree: RayTree) -> int:

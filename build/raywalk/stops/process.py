@@ -31,10 +31,11 @@ class Stops:
         if self._node:
             self._node.communicate()  # closes its input, at whose end it ends
 
-    def ask(self, request: dict[str, Any]) -> str:
+    def ask(self, request: dict[str, Any], about: Path | None = None) -> str:
         """The answer as JSON text; requests are those that stops.mjs names.
 
-        Raises SourceErrors if node or a package is missing, or the request cannot be followed.
+        Raises SourceErrors if node or a package is missing, or the request cannot be followed:
+        then they name the file that it is about.
         """
         node = self._node = self._node or self._started()
         assert node.stdin and node.stdout and node.stderr
@@ -47,7 +48,7 @@ class Stops:
         if line.startswith(ANSWER):
             return line[len(ANSWER) : -1]
         if line.startswith(FAULT):
-            raise _problem(json.loads(line)["fault"])
+            raise _problem(json.loads(line)["fault"], about)
         said = node.stderr.read()
         cause = re.search(r"^\w*Error.*$", said, re.MULTILINE)
         raise _problem(
@@ -64,5 +65,5 @@ class Stops:
             raise _problem("node is not installed (see README: what is needed)") from None
 
 
-def _problem(message: str) -> SourceErrors:
-    return SourceErrors([SourceError(SCRIPT, "", message)])
+def _problem(message: str, file: Path | None = None) -> SourceErrors:
+    return SourceErrors([SourceError(file or SCRIPT, "", message)])

@@ -8,11 +8,9 @@ import numpy as np
 
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene.model import Scene
-from raywalk.trace.tree import Kind, Visibility
+from raywalk.trace.tree import LIT, Kind, Visibility
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer
-
-LIT = (Visibility.REACHED, Visibility.UNTESTED)
 
 
 def pixel_tree(

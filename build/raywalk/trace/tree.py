@@ -52,6 +52,10 @@ class Visibility(IntEnum):
     UNTESTED = 3  # the scene casts no shadows: lit, no shadow ray shot
 
 
+LIT = (Visibility.REACHED, Visibility.UNTESTED)
+SHOT = (Visibility.REACHED, Visibility.BLOCKED)  # by a shadow ray
+
+
 @dataclass(frozen=True, eq=False)
 class RayTree:
     """Columns over m rays and L lights. World units; colours linear, unclamped.

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+import zlib
+from typing import Any
 
 import numpy as np
 
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
-from raywalk.trace_file.checksum import checksum
 from raywalk.trace_file.header import begin_header
 from raywalk.trace_file.level import in_file_order
 from raywalk.trace_file.measure import measured_errors
-from raywalk.trace_file.noting import Noting
+from raywalk.trace_file.noting import Noting, Ray
 from raywalk.trace_file.patches import split_into_patches
 from raywalk.trace_file.precision import finite_extent
 from raywalk.trace_file.truth import TrueNumbers
@@ -21,6 +22,12 @@ from raywalk.trace_file.walk import walk
 
 def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8."""
+    header, _ = written(level, scene, picture)
+    return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
+
+
+def written(level: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str, Any], Ray]:
+    """What the file holds, and the columns as every reader will have them."""
     tree = in_file_order(level)
     tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
     extent = finite_extent(tree, scene)
@@ -31,4 +38,10 @@ def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     header["columns"], header["predictors"] = noting.columns(), noting.predictors
     header["errors"] = measured_errors(tree, header, ray, tile)
     header["crc32"] = checksum(header)
-    return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
+    return header, ray
+
+
+def checksum(header: dict[str, Any]) -> int:
+    """Damage is noticed: one CRC-32 over the columns in the order of their names."""
+    columns = header["columns"]
+    return zlib.crc32("".join(columns[name] for name in sorted(columns)).encode())

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raywalk.trace_file import residuals
-from raywalk.trace_file.number_column import FLAT, UNIT, Predictor
+from raywalk.trace_file.predictor import FLAT, UNIT, Predictor
 
 FEW = 24  # below so many rays no fit repays its place in the header
 BITS_PER_NUMBER = {"exact": 100.0, "short": 40.0, "tap": 22.0}  # gzipped JSON, about

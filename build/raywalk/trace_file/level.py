@@ -17,7 +17,7 @@ def level_pixels(size: int, n: int) -> np.ndarray:
     """(n * n,) picture pixels that tile (i, j) shares its centre with, raster order."""
     k, rest = divmod(size, n)
     if rest or k % 2 == 0:
-        raise TraceFileError("unfit", f"{n} does not divide {size} with an odd quotient")
+        raise TraceFileError(f"{n} does not divide {size} with an odd quotient")
     along = np.arange(n) * k + (k - 1) // 2
     return np.asarray((along[:, None] * size + along).reshape(-1))
 
@@ -29,7 +29,7 @@ def level_of(tree: RayTree, n: int) -> RayTree:
     chosen = wanted[tree.pixel]
     missing = n * n - int(np.count_nonzero(chosen[: tree.cameras]))
     if missing:
-        raise TraceFileError("unfit", f"{missing} pixels of level {n} were not kept")
+        raise TraceFileError(f"{missing} pixels of level {n} were not kept")
     return _rows(tree, np.flatnonzero(chosen))
 
 
@@ -81,5 +81,5 @@ def side_of(tree: RayTree) -> int:
     """n of a level's n x n camera rays. Raises TraceFileError if they are not of one level."""
     n = int(np.sqrt(tree.cameras) + 0.5)
     if n * n != tree.cameras or (tree.pixel[: n * n] != level_pixels(tree.size, n)).any():
-        raise TraceFileError("unfit", "these are not the camera rays of one resolution")
+        raise TraceFileError("these are not the camera rays of one resolution")
     return n

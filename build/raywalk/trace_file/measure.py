@@ -8,9 +8,9 @@ import numpy as np
 
 from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.noting import Ray
 from raywalk.trace_file.precision import COLOUR
 from raywalk.trace_file.tables import SAME_SHARE
-from raywalk.trace_file.walk import Ray
 
 EXACT = ("kind", "parent", "depth", "object", "material", "inside", "visibility", "blocker")
 
@@ -38,14 +38,14 @@ def measured_errors(
         "colour": _most((ray["colour"] - tree.colour).reshape(-1)),
     }
     if _most((ray["passed"] - tree.passed)[hit].reshape(-1)) > SAME_SHARE:
-        raise TraceFileError("unfit", "column passed does not come back")
+        raise TraceFileError("column passed does not come back")
     if found["colour"] > COLOUR:
-        raise TraceFileError("unfit", f"colours do not add up: off by {found['colour']:.2g}")
+        raise TraceFileError(f"colours do not add up: off by {found['colour']:.2g}")
     if (ray["tiles"] != tile.reshape(-1)).any():
-        raise TraceFileError("unfit", "tiles do not come back")
+        raise TraceFileError("tiles do not come back")
     sums = 255 * np.clip(ray["colour"][: len(tile)], 0.0, 1.0)
     if np.abs(sums - tile).max(initial=0.0) > 0.5 + 255 * COLOUR:
-        raise TraceFileError("unfit", "tiles are not the rounded sums of their rays' colours")
+        raise TraceFileError("tiles are not the rounded sums of their rays' colours")
     return {name: float(format(error * 1.005, ".3g")) for name, error in found.items()}
 
 
@@ -53,7 +53,7 @@ def _must_agree(name: str, true: np.ndarray, rebuilt: np.ndarray, hit: np.ndarra
     if name in ("visibility", "blocker"):
         true, rebuilt = true[hit], rebuilt[hit]
     if (true.astype(np.int64) != rebuilt).any():
-        raise TraceFileError("unfit", f"column {name} does not come back: the tree breaks a rule")
+        raise TraceFileError(f"column {name} does not come back: the tree breaks a rule")
 
 
 def _stored_light(tree: RayTree, header: dict[str, Any]) -> dict[str, np.ndarray]:

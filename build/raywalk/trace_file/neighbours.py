@@ -29,23 +29,3 @@ def in_raster(n: int) -> np.ndarray:
         np.where((row > 0) & (column > 0), here - n - 1, NONE),
         np.where((row > 0) & (column < n - 1), here - n + 1, NONE),
     ])  # fmt: skip
-
-
-def six(sides: np.ndarray) -> np.ndarray:
-    """(6, m): the four and left of left, up of up."""
-    left, up = sides[0], sides[1]
-    return np.concatenate([sides, [follow(left, left), follow(up, up)]])
-
-
-def alike(rows: np.ndarray, group: np.ndarray) -> np.ndarray:
-    """Neighbours outside of a ray's group replaced by -1."""
-    return np.where((rows >= 0) & (group[rows] == group), rows, NONE)
-
-
-def last_alike(kind: np.ndarray) -> np.ndarray:
-    """(m,) the last row before each one of the same kind, -1 if it is the first."""
-    order = np.argsort(kind, kind="stable")
-    before = np.full(len(kind), NONE)
-    same = kind[order[1:]] == kind[order[:-1]]
-    before[order[1:][same]] = order[:-1][same]
-    return before

@@ -1,4 +1,4 @@
-"""The coder that writes: knows every column's true numbers and notes the residuals."""
+"""The coder: knows every column's true numbers and notes the residuals."""
 
 from __future__ import annotations
 
@@ -9,16 +9,19 @@ import numpy as np
 
 from raywalk.trace_file import residuals
 from raywalk.trace_file.fit_predictor import fit_predictors, how_and_taps
-from raywalk.trace_file.number_column import Predictor, affine_part
+from raywalk.trace_file.predictor import Predictor, affine_part
 from raywalk.trace_file.symbols import write_numbers, zigzag
-from raywalk.trace_file.walk import ABSENT, Ray
 
+Ray = dict[str, np.ndarray]  # columns over rays, as rebuilt so far
+ABSENT = -1  # kind and group of rays that store nothing in a column
 # (column, what is rebuilt so far) -> true values in steps, not yet rounded; one per ray
 Truth = Callable[[str, Ray], np.ndarray]
 
 
 class Noting:
-    """Gathers the columns' texts and the predictors that serve them."""
+    """Gathers the columns' texts and the predictors that serve them; gives back the whole numbers
+    that a reader will have. Arrays count rays; kind and group are ABSENT where nothing is stored.
+    """
 
     def __init__(self, symbols: dict[str, np.ndarray], truth: Truth):
         self.known, self.truth = symbols, truth

@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
-from raywalk.trace.tree import Visibility
+from raywalk.trace.tree import LIT
 
-LIT = (int(Visibility.REACHED), int(Visibility.UNTESTED))
 Columns = list[np.ndarray]  # x, y, z
 
 
@@ -106,9 +105,3 @@ def _gather(colour: np.ndarray, ray: dict[str, np.ndarray]) -> None:
             rows = np.flatnonzero((ray["level"] == level) & (of == branch))
             share = ray["weight"][rows, None] * colour[rows]
             colour[ray["parent"][rows]] = colour[ray["parent"][rows]] + share
-
-
-def eight_bit(colour: np.ndarray) -> np.ndarray:
-    """Linear colours clamped to 0..1 and rounded to 0..255, halves up."""
-    clamped = np.minimum(np.maximum(colour, 0.0), 1.0)
-    return np.asarray(np.floor(255 * clamped + 0.5).astype(np.int64))

@@ -1,8 +1,10 @@
 """Kernels of the encoder: neighbours, predictions and what they leave, for whole columns.
 
-They note what symbol_column.py and number_column.py read, operation by operation: the order of
-these sums is part of the format. What is only weighed, to choose a predictor, is summed here
-too: a library's sums may depend on how many cores it finds, and so would the bytes.
+They note what the viewer's columns.ts reads, operation by operation: the order of these sums is
+part of the format. A column of symbols (which surface, which blocker) continues the edge that two
+neighbours show: if up-left equals left, the edge runs down between the columns, so up is taken,
+else left. What is only weighed, to choose a predictor, is summed here too: a library's sums may
+depend on how many cores it finds, and so would the bytes.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """Who is whose child: everything about a ray tree that needs no number but symbols.
 
-One walk serves both sides of the codec: it grows the tree depth by depth, asking a coder
-for each ray's surface and children. The encoder's coder knows them and notes how well
-they were guessed; the decoder's reads the notes.
+The tree is grown as a reader will grow it, depth by depth: a coder is asked for each ray's surface
+and children, which it knows, and notes how well they were guessed.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ import numpy as np
 
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tree import SENT_ON, Kind
-from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.neighbours import NONE, follow, in_raster
 
 # (column, first row, group, kind, sides within these rows) -> symbols of these rows
@@ -41,27 +39,18 @@ class Structure:
         return len(self.pixel)
 
 
-def grow(
-    n: int, first_object: np.ndarray, patch_of: np.ndarray, count: int, coder: Coder
-) -> Structure:
-    """The tree of n x n camera rays that meet `first_object` first; patch_of[surface].
-
-    Raises if it does not have `count` rays.
-    """
+def grow(n: int, first_object: np.ndarray, patch_of: np.ndarray, coder: Coder) -> Structure:
+    """The tree of n x n camera rays that meet `first_object` first; patch_of[surface]."""
     waves: list[Structure] = []
     wave, first = _cameras(n, first_object), 0
     base = len(patch_of) + 1
-    while wave.count and first + wave.count <= count:
+    while wave.count:
         wave.surface = coder("surface", first, wave.before, wave.before, wave.sides)
-        if len(wave.surface) and wave.surface.max() >= len(patch_of):
-            raise TraceFileError("damaged", "a ray names a surface that is not there")
         wave.history = _dense(wave.before * base + patch_of[wave.surface])
         group = wave.history * base + wave.surface
         wave.children = coder("children", first, group, wave.surface, wave.sides)
         waves.append(wave)
         wave, first = _next(wave, first), first + wave.count
-    if first != count or wave.count:
-        raise TraceFileError("damaged", f"the tree does not have its {count} rays")
     return _joined(waves)
 
 

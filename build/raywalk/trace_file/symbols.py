@@ -8,23 +8,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.trace_file.errors import TraceFileError
-
 ALPHABET = "".join(chr(c) for c in range(32, 127) if chr(c) not in '"\\')
 BASE = len(ALPHABET)  # 93
 ONE = 79  # numbers below it take one character
 TWO = ONE + 12 * BASE  # numbers below it take two
 LONG = {91: 3, 92: 8}  # a first character of this index announces so many digits
-DIGITS = {text: value for value, text in enumerate(ALPHABET)}
 
 
 def zigzag(residual: np.ndarray) -> np.ndarray:
     """0, -1, 1, -2, 2 ... as 0, 1, 2, 3, 4 ..."""
     return np.where(residual >= 0, 2 * residual, -2 * residual - 1)
-
-
-def unzigzag(number: int) -> int:
-    return number // 2 if number % 2 == 0 else -(number + 1) // 2
 
 
 def write_numbers(numbers: np.ndarray) -> str:
@@ -58,37 +51,3 @@ def _digits(numbers: np.ndarray, size: int) -> np.ndarray:
     lead = next(first for first, digits in LONG.items() if digits == size - 1)
     digits = numbers[:, None] // BASE ** np.arange(size - 2, -1, -1) % BASE
     return np.concatenate([np.full((len(numbers), 1), lead), digits], axis=1)
-
-
-class Reader:
-    """Takes numbers from a column's text, one after the other."""
-
-    def __init__(self, name: str, text: str):
-        self.name, self.text, self.at = name, text, 0
-
-    def __call__(self) -> int:
-        first = self._digit()
-        if first < ONE:
-            return first
-        if first not in LONG:
-            return ONE + (first - ONE) * BASE + self._digit()
-        number = 0
-        for _ in range(LONG[first]):
-            number = number * BASE + self._digit()
-        return number
-
-    def _digit(self) -> int:
-        if self.at >= len(self.text):
-            raise TraceFileError("damaged", f"column {self.name} ends too early")
-        digit = DIGITS.get(self.text[self.at])
-        if digit is None:
-            raise TraceFileError("damaged", f"column {self.name} holds a foreign character")
-        self.at += 1
-        return digit
-
-    def signed(self) -> int:
-        return unzigzag(self())
-
-    def finish(self) -> None:
-        if self.at != len(self.text):
-            raise TraceFileError("damaged", f"column {self.name} is too long")

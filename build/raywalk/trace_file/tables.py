@@ -57,7 +57,7 @@ def children_bits(tree: RayTree) -> np.ndarray:
     for kind in SENT_ON:
         parents = tree.parent[tree.kind == kind]
         if len(np.unique(parents)) < len(parents) or (bits[parents] & bits_of(kind.branch)).any():
-            raise TraceFileError("unfit", "a ray has two children of one branch")
+            raise TraceFileError("a ray has two children of one branch")
         bits[parents] |= kind.bit
     return bits
 
@@ -155,5 +155,5 @@ def _constant(values: np.ndarray, name: str, otherwise: float) -> float:
     if not len(values):
         return otherwise
     if np.ptp(values) > SAME_SHARE:
-        raise TraceFileError("unfit", f"shares of material {name} differ from ray to ray")
+        raise TraceFileError(f"shares of material {name} differ from ray to ray")
     return float(values[0])

@@ -9,8 +9,9 @@ import numpy as np
 
 from raywalk.trace.tree import Kind, RayTree
 from raywalk.trace_file import rebuild
+from raywalk.trace_file.noting import Ray
 from raywalk.trace_file.tables import drawn_hits
-from raywalk.trace_file.walk import Ray, images_along
+from raywalk.trace_file.walk import images_along
 
 
 class TrueNumbers:

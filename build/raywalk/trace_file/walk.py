@@ -1,50 +1,33 @@
-"""The one pass through a trace file's columns, for writing and for reading.
+"""The one pass through a trace file's columns.
 
-Each step asks the coder for a column of whole numbers and makes what a person sees of
-it; later columns are predicted from what is known by then. A reading coder takes the
-numbers from the file; a noting one (encode.py) knows them and writes them down. So the
-encoder sees exactly what every reader will see, and states its errors.
+Each step gives the coder a column of whole numbers to note and makes what a person sees of
+it; later columns are predicted from what is known by then. So the encoder sees exactly what the
+viewer (viewer/trace/decode.ts), which reads in this order, will see, and states its errors.
 """
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from raywalk.trace.tree import SENT_ON, Kind, Visibility
 from raywalk.trace_file import rebuild
-from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.neighbours import in_raster
+from raywalk.trace_file.noting import ABSENT, Noting, Ray
 from raywalk.trace_file.structure import Structure, grow
 
-Ray = dict[str, np.ndarray]
-ABSENT = -1  # kind and group of rays that store nothing in a column
 
-
-class Coder(Protocol):
-    """Yields columns. Arrays count rays; kind and group are ABSENT where nothing is stored."""
-
-    def symbols(
-        self, name: str, first: int, group: np.ndarray, kind: np.ndarray, sides: np.ndarray
-    ) -> np.ndarray: ...
-
-    def numbers(
-        self, name: str, ray: Ray, group: np.ndarray, kind: np.ndarray, sides: np.ndarray,
-        features: list[np.ndarray],
-    ) -> np.ndarray: ...  # fmt: skip
-
-
-def walk(header: dict[str, Any], coder: Coder) -> Ray:
+def walk(header: dict[str, Any], coder: Noting) -> Ray:
     """All columns of types.ts's Trace by their names there, and level, history, surface."""
     n, tables = header["n"], header["tables"]
     sides = in_raster(n)
     zeros = np.zeros(n * n, np.int64)
-    chosen = inside("signature", coder.symbols("signature", 0, zeros, zeros, sides), tables)
+    chosen = coder.symbols("signature", 0, zeros, zeros, sides)
     first = np.array([hits[0] if hits else ABSENT for hits in tables["signature"]], np.int64)
     surfaces = np.array(tables["surface"], np.int64).reshape(-1, 4)
     patch_of = surfaces[:, 0]
-    tree = grow(n, first[chosen], patch_of, header["rays"], coder.symbols)
+    tree = grow(n, first[chosen], patch_of, coder.symbols)
     ray: Ray = {
         "kind": tree.kind, "parent": tree.parent, "pixel": tree.pixel, "level": tree.level,
         "surface": tree.surface, "history": tree.history, "children": tree.children,
@@ -63,15 +46,8 @@ def walk(header: dict[str, Any], coder: Coder) -> Ray:
     return ray
 
 
-def inside(name: str, symbol: np.ndarray, tables: dict[str, list]) -> np.ndarray:
-    """The symbols, all of which must name a row of their table."""
-    if len(symbol) and symbol.max() >= len(tables[name]):
-        raise TraceFileError("damaged", f"column {name} names a row that is not there")
-    return symbol
-
-
 def hits_along(
-    header: dict[str, Any], coder: Coder, ray: Ray, chosen: np.ndarray, sides: np.ndarray
+    header: dict[str, Any], coder: Noting, ray: Ray, chosen: np.ndarray, sides: np.ndarray
 ) -> None:
     """Every hit along each camera ray. One image a key (object, how often met before).
 
@@ -88,8 +64,6 @@ def hits_along(
         group = np.where((along == k).any(axis=1), 0, ABSENT)[chosen]
         number = coder.numbers(f"depth{k}", ray, group, group, sides, features)
         here = group == 0
-        if (number[here] < 1).any():
-            raise TraceFileError("damaged", f"column depth{k} leads behind the camera")
         z[here, k] = 1 / (number[here] * image["step"])
     nearest = z[np.arange(n * n), along[chosen, 0]]
     ray["cameraPoint"] = np.stack(
@@ -109,8 +83,6 @@ def images_along(met: list[list[int]], images: list[dict[str, Any]]) -> np.ndarr
     """(signatures, longest) the depth images of a ray's hits, then ABSENT."""
     place = {(image["object"], image["turn"]): k for k, image in enumerate(images)}
     keys = [keys_along(hits) for hits in met]
-    if any(key not in place for own in keys for key in own):
-        raise TraceFileError("damaged", "a depth image is missing")
     along = np.full((len(keys), max((len(own) for own in keys), default=1)), ABSENT)
     for row, own in enumerate(keys):
         along[row, : len(own)] = [place[key] for key in own]
@@ -137,7 +109,7 @@ def ascending(t: np.ndarray, start: np.ndarray) -> np.ndarray:
     return out
 
 
-def points(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+def points(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
     """Where rays end, and their lengths. Those of camera rays are known from depth images."""
     m, n = tree.count, header["n"]
     camera = np.arange(m) < n * n
@@ -164,7 +136,7 @@ def points(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
     ray["t"] = np.where(ray["object"] < 0, np.inf, t)
 
 
-def normals(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+def normals(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
     patches = header["patches"]
     stored = np.array([patch["normals"] == "stored" for patch in patches])[ray["patch"]]
     kind = np.where(stored, 2 * ray["patch"] + (tree.level > 0), ABSENT)
@@ -185,7 +157,7 @@ def normals(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     ray["normal"] = normal
 
 
-def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+def weights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
     """Shares: constants of the material, or split between reflected and refracted."""
     materials = header["materials"]
     split = np.array([*(m["split"] for m in materials), 0.0])[ray["material"]]
@@ -211,7 +183,7 @@ def weights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> 
     ray["tests"] = tests.astype(np.int64)
 
 
-def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> None:
+def lights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
     """What each light gives at each hit, and who stands between."""
     m, count = tree.count, len(header["lights"])
     hit = ray["object"] >= 0
@@ -227,12 +199,8 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
     for name in ("blockedAt", "passed", "diffuse", "specular"):
         ray[name] = np.zeros((m, count))
     for l, light in enumerate(header["lights"]):
-        seen = np.zeros(m, np.int64)
-        rows = np.flatnonzero(hit)
         group, kind = np.where(hit, ray["history"], ABSENT), np.where(hit, ray["surface"], ABSENT)
-        name = f"visibility{l}"
-        seen = coder.symbols(name, 0, group, kind, tree.sides)
-        inside("visibility", seen[rows], header["tables"])
+        seen = coder.symbols(f"visibility{l}", 0, group, kind, tree.sides)
         visibility = np.where(hit, table[seen, 0] if len(table) else 0, Visibility.BEHIND)
         ray["visibility"][:, l] = visibility
         ray["blocker"][:, l] = np.where(hit, table[seen, 1] if len(table) else -1, -1)
@@ -255,7 +223,7 @@ def lights(header: dict[str, Any], coder: Coder, ray: Ray, tree: Structure) -> N
             ray[name][:, l] = np.where(lit, number * step * passed, 0.0)
 
 
-def tiles(header: dict[str, Any], coder: Coder, ray: Ray, sides: np.ndarray) -> None:
+def tiles(header: dict[str, Any], coder: Noting, ray: Ray, sides: np.ndarray) -> None:
     """8-bit colours, each channel predicted from those before it too. They stand on their own:
     tiles can be shown before any light is decoded."""
     n = header["n"]

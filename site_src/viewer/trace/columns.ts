@@ -1,6 +1,6 @@
 /**
  * Columns of symbols and of numbers, each entry predicted from rays that came earlier.
- * The arithmetic is number_column.py's, operation by operation. One loop reads all columns of
+ * The arithmetic is residuals.py's, operation by operation. One loop reads all columns of
  * numbers and one all symbols, always with arrays of the same types: a page decodes with them
  * after the first few columns at full speed.
  */

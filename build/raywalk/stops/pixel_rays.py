@@ -6,10 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.trace.tree import Kind, Visibility
-from raywalk.trace_file.decode import DecodedTrace
-from raywalk.trace_file.errors import TraceFileError
-from raywalk.trace_file.rebuild import LIT
+from raywalk.stops.decoded import DecodedTrace
+from raywalk.trace.tree import LIT, Kind, Visibility
 
 PLAIN = ("kind", "depth", "t", "weight", "localWeight", "tests", "point", "normal", "colour")
 
@@ -17,12 +15,13 @@ PLAIN = ("kind", "depth", "t", "weight", "localWeight", "tests", "point", "norma
 def as_json(trace: DecodedTrace, pixel: tuple[int, int]) -> dict[str, Any]:
     """Every column of every ray of one pixel (column, row from the top left), nested by parent.
 
-    Numbers as they are stored; names stand beside indices. A ray that leaves has t null.
+    Numbers as they are stored; names stand beside indices. A ray that leaves has t null. Raises
+    ValueError for a pixel outside.
     """
     column, row = pixel
     n, header = trace.n, trace.header
     if not (0 <= column < n and 0 <= row < n):
-        raise TraceFileError("unfit", f"pixel {column},{row} is outside of 0..{n - 1}")
+        raise ValueError(f"pixel {column},{row} is outside of 0..{n - 1}")
     camera = row * n + column
     rows = np.flatnonzero(trace.pixel == camera).tolist()
     nodes = {k: _ray(trace, k) for k in rows}
