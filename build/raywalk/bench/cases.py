@@ -7,8 +7,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from raywalk.errors import UserError
 from raywalk.site.reports import shown
+
+Which = np.ndarray | int  # rays: which of all, as bool, or how many
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,22 @@ def refuse_broken(cases: Iterable[Case]) -> None:
 def per_million(wrong: int, rays: int) -> float:
     """ppm; NaN if there were no rays, which breaks every bound."""
     return 1e6 * wrong / rays if rays else math.nan
+
+
+def none_of(
+    among: Which, wrong: Which, seed: int, subject: str, name: str, metric: str,
+    float32: Which | None = None, float32_by: str = "", note: str = "",
+) -> Case:  # fmt: skip
+    """No ray may be wrong. among: those that count; float32: those that are wrong there."""
+    count = int(np.sum(among))
+
+    def share(of: Which) -> float:
+        is_row = isinstance(of, np.ndarray) and isinstance(among, np.ndarray)
+        return per_million(int(np.sum(of & among if is_row else of)), count)
+
+    beside = None if float32 is None else share(float32)
+    measured, metric = share(wrong), f"{metric}, ppm"
+    return Case(subject, name, metric, 0.0, measured, count, seed, beside, float32_by, note)
 
 
 def plain(value: Any) -> Any:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.geometry.compiled import CompiledScene
+from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
 from raywalk.scene.shapes import Mesh, Shape, Sphere
 
@@ -36,6 +36,13 @@ def scene_of(
         render=replace(PLAIN_RENDER, **render), background=(0.0, 0.0, 0.0),
         materials=tuple(materials), objects=named, lights=tuple(lights), lesson=(),
     )  # fmt: skip
+
+
+def nearest_t(
+    objects: Sequence[SceneObject | Shape], origin: np.ndarray, direction: np.ndarray
+) -> np.ndarray:
+    """(n,) where rays meet these first, by the tracer's own door."""
+    return CompiledScene(scene_of(objects)).nearest(rays_from(origin, direction))[0]
 
 
 def placed(linear: Any = 1.0, offset: Any = (0.0, 0.0, 0.0)) -> np.ndarray:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.families import (
     Pair,
     around,
@@ -19,9 +19,8 @@ from raywalk.bench.families import (
     towards,
 )
 from raywalk.bench.glass_bodies import SOLIDS
-from raywalk.bench.made_scenes import placed, scene_of
+from raywalk.bench.made_scenes import nearest_t, placed, scene_of
 from raywalk.bench.truth import TrueHit, nearest_hit
-from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.placement import placement
 from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Sphere, Triangle
@@ -95,7 +94,7 @@ def of_object(obj: SceneObject, count: int, seed: int) -> Iterator[Case]:
             origin, direction = FAMILIES[family](rng, count)
         else:
             origin, direction = at_object(rng, count, obj, family)
-        t = nearest_t(scene, origin, direction)
+        t = nearest_t([obj], origin, direction)
         asked = np.sort(rng.choice(count, min(count, SAMPLE), replace=False))
         errors[family] = judged(obj, origin, direction, t, asked)
         suspects = np.union1d(asked[::5], suspected(obj, origin, direction, t)[:SAMPLE])
@@ -118,24 +117,16 @@ def of_object(obj: SceneObject, count: int, seed: int) -> Iterator[Case]:
         SUBJECT, f"{name}, all rays", "error of t by its condition number, ulp",
         BACKWARD_BOUND, largest(backward), len(backward), seed,
     )  # fmt: skip
-    yield Case(
-        SUBJECT, f"{name}, hit or miss", f"wrong beyond {MARGIN:g} of its edge, ppm",
-        0.0, per_million(wrong, count * len(errors)), count * len(errors), seed,
-        note=f"{looked_at:,} of them judged by mpmath",
+    yield none_of(
+        count * len(errors), wrong, seed, SUBJECT, f"{name}, hit or miss",
+        f"wrong beyond {MARGIN:g} of its edge", note=f"{looked_at:,} of them judged by mpmath",
     )  # fmt: skip
 
 
-def at_object(
-    rng: np.random.Generator, count: int, obj: SceneObject, distance: float
-) -> Pair:  # fmt: skip
+def at_object(rng: np.random.Generator, count: int, obj: SceneObject, distance: float) -> Pair:
     """Rays from around at points within the object, however thin it is."""
     linear, centre = placement(obj)
     return towards(distance * directions(rng, count), centre + in_ball(rng, count) @ linear.T)
-
-
-def nearest_t(scene: Scene, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
-    """(n,) by the tracer's own door."""
-    return CompiledScene(scene).nearest(rays_from(origin, direction))[0]
 
 
 def judged(
@@ -179,7 +170,7 @@ def suspected(
     """Rays whose verdict changes for a shape a millionth larger or smaller."""
     changed = np.zeros(len(t), bool)
     for share in (-SUSPECT, SUSPECT):
-        other = nearest_t(scene_of([grown(obj, 1.0 + share)]), origin, direction)
+        other = nearest_t([grown(obj, 1.0 + share)], origin, direction)
         changed |= np.isinf(other) != np.isinf(t)
     return np.flatnonzero(changed)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.glass_bodies import Body
 from raywalk.bench.glass_pairs import PLACES, aimed, all_pairs, placed_somewhere, scene_with
 from raywalk.geometry.nearest import NOWHERE
@@ -42,9 +42,9 @@ def cases(count: int, seed: int) -> Iterator[Case]:
                     rng = np.random.default_rng([seed, n, k])
                     totals += wrong_media(placed_somewhere(bodies, place, rng), swapped, rays, rng)
             judged, kept, lacking = (int(number) for number in totals)
-            yield Case(
-                "touching glass", way, "rays that keep a medium they left or lack one, ppm",
-                0.0, per_million(kept + lacking, judged), judged, seed,
+            yield none_of(
+                judged, kept + lacking, seed, "touching glass", way,
+                "rays that keep a medium they left or lack one",
                 note=f"{kept} kept one, {lacking} lacked one",
             )  # fmt: skip
 

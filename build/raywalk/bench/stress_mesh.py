@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.embree32 import Embree32
 from raywalk.bench.families import around, directions, in_ball, unit_rows
 from raywalk.bench.made_scenes import bunny, compiled_mesh, icosphere
@@ -40,10 +40,9 @@ def holes(
             rays = rays_from(origin, unit_rows(direction))
             open_ones += int(np.isinf(compiled.nearest(rays)[0]).sum())
             open32 += int((single.proposed(*rays[:2]) < 0).sum())
-        yield Case(
-            "closed meshes", f"{name}, rays at {family}", "holes, ppm",
-            0.0, per_million(open_ones, count), count, seed,
-            per_million(open32, count), "Embree, robust",
+        yield none_of(
+            count, open_ones, seed, "closed meshes", f"{name}, rays at {family}", "holes", open32,
+            "Embree, robust",
         )  # fmt: skip
 
 
@@ -77,10 +76,10 @@ def broken_triangles(count: int, seed: int) -> Iterator[Case]:
         reasons = compiled.meshes[0].triangles.dropped
         t, _, which, _ = compiled.nearest(rays)
         changed = (t != whole[0]) | (which != whole[2])
-        yield Case(
-            "broken triangles", f"{name} added", "rays changed in t or triangle, ppm",
-            0.0, per_million(int(changed.sum()), count), count, seed,
-            note=", ".join(f"{number} dropped: {reason}" for reason, number in reasons.items()),
+        note = ", ".join(f"{number} dropped: {reason}" for reason, number in reasons.items())
+        yield none_of(
+            count, changed, seed, "broken triangles", f"{name} added",
+            "rays changed in t or triangle", note=note,
         )  # fmt: skip
 
 
@@ -96,9 +95,9 @@ def sliver(aspect: float, count: int, seed: int) -> Case:
     steep = unit_rows(side + turn[:, 2])  # not flat along it
     origin = target + 2.0 * steep
     rays = rays_from(origin, unit_rows(target - origin))
-    missed = int(np.isinf(compiled_mesh(corners).nearest(rays)[0]).sum())
-    missed32 = int((Embree32(corners).proposed(*rays[:2]) < 0).sum())
-    return Case(
-        "slivers", f"aspect {aspect:g}", "rays inside that miss, ppm",
-        0.0, per_million(missed, count), count, seed, per_million(missed32, count), "Embree",
+    missed = np.isinf(compiled_mesh(corners).nearest(rays)[0])
+    missed32 = Embree32(corners).proposed(*rays[:2]) < 0
+    return none_of(
+        count, missed, seed, "slivers", f"aspect {aspect:g}", "rays inside that miss", missed32,
+        "Embree",
     )  # fmt: skip

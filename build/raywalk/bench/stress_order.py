@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.embree32 import sphere32
 from raywalk.bench.families import around, directions, in_ball, towards
 from raywalk.bench.made_scenes import scene_of
@@ -61,11 +61,9 @@ def touching(close: float, count: int, seed: int) -> Case:
     sure &= ~(np.abs(gap) < 4e-15)
     t32 = [sphere32(origin, direction, centre, 1.0) for centre in centres]
     met32 = np.where(np.isinf(t32[0]) & np.isinf(t32[1]), -1, t32[1] < t32[0])
-    return Case(
-        "touching spheres", f"rays within {close:g} of the contact", "wrong object, ppm",
-        0.0, per_million(int(((met != expected) & sure).sum()), int(sure.sum())),
-        int(sure.sum()), seed,
-        per_million(int(((met32 != expected) & sure).sum()), int(sure.sum())), "same formula",
+    return none_of(
+        sure, met != expected, seed, "touching spheres", f"rays within {close:g} of the contact",
+        "wrong object", met32 != expected, "same formula",
     )  # fmt: skip
 
 
@@ -79,9 +77,8 @@ def shared(name: str, count: int, seed: int) -> Iterator[Case]:
     with np.errstate(invalid="ignore"):
         tie = np.abs(alone[0] - alone[1]) <= 8 * np.spacing(alone[0])
     tie &= np.isfinite(alone[0])
-    yield Case(
-        "shared surfaces", name, "ties lost by the lower object, ppm",
-        0.0, per_million(int((met != 0)[tie].sum()), int(tie.sum())), int(tie.sum()), seed,
+    yield none_of(
+        tie, met != 0, seed, "shared surfaces", name, "ties lost by the lower object",
         note=f"of them {int((alone[0] != alone[1])[tie].sum()):,} rounded apart",
     )  # fmt: skip
     again = CompiledScene(scene_of(SHARED[name])).nearest(rays)

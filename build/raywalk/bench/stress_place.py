@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of, per_million
 from raywalk.bench.convex import wrong_verdicts
 from raywalk.bench.embree32 import Embree32, sphere32
 from raywalk.bench.families import around
 from raywalk.bench.glass_bodies import SOLIDS
-from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, placed, scene_of
+from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, nearest_t, placed, scene_of
 from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Light, SceneObject
@@ -43,8 +44,7 @@ def scaled_sphere(scale: float, count: int, seed: int) -> Case:
     origin, direction = around(rng, count)
     centre, radius = np.array([0.3, -0.2, 0.1]) * scale, 0.9 * scale
     origin = origin * scale
-    scene = scene_of([Sphere((centre[0], centre[1], centre[2]), radius)])
-    t = CompiledScene(scene).nearest(rays_from(origin, direction))[0]
+    t = nearest_t([Sphere((centre[0], centre[1], centre[2]), radius)], origin, direction)
     near, far, depth = sphere_roots(origin, direction, centre, radius)
     true = nearest_root(near, far)
     plain = (depth > NOT_GRAZING**2) & np.isfinite(t)
@@ -81,11 +81,10 @@ def false_shadows(scale: float, count: int, seed: int) -> Case:
         lit += int((seen == Visibility.REACHED).sum())
         if place == len(CONVEX):
             blocked32, lit32 = shadows32(solid * scale, hits.point, seen, light)
-    return Case(
-        "scene scale", f"x {scale:g}, {len(CONVEX) + 1} convex bodies", "false shadows, ppm",
-        0.0, per_million(blocked, blocked + lit), blocked + lit, seed,
-        per_million(blocked32, blocked32 + lit32), "Embree, fixed offset 1e-4, mesh",
-    )  # fmt: skip
+    name = f"x {scale:g}, {len(CONVEX) + 1} convex bodies"
+    case = none_of(blocked + lit, blocked, seed, "scene scale", name, "false shadows")
+    share = per_million(blocked32, blocked32 + lit32)
+    return replace(case, float32=share, float32_by="Embree, fixed offset 1e-4, mesh")
 
 
 def shadows32(
@@ -106,15 +105,13 @@ def moved_sphere(offset: float, count: int, seed: int) -> Case:
     centre = np.array([offset, -offset, offset])
     origin, direction = around(rng, count)
     origin = origin + centre  # rounded here; the truth is that of the rounded rays
-    compiled = CompiledScene(scene_of([Sphere((offset, -offset, offset), 1.0)]))
-    t = compiled.nearest(rays_from(origin, direction))[0]
+    t = nearest_t([Sphere((offset, -offset, offset), 1.0)], origin, direction)
     _, _, depth = sphere_roots(origin, direction, centre, 1.0)
     wrong = (np.isfinite(t) != (depth >= 0)) & (np.abs(depth) > 4e-15)
     wrong32 = np.isfinite(sphere32(origin, direction, centre, 1.0)) != (depth >= 0)
-    return Case(
-        "scene offset", f"moved by {offset:g}, sphere", "wrong hit or miss, ppm",
-        0.0, per_million(int(wrong.sum()), count), count, seed,
-        per_million(int(wrong32.sum()), count), "same formula",
+    return none_of(
+        count, wrong, seed, "scene offset", f"moved by {offset:g}, sphere", "wrong hit or miss",
+        wrong32, "same formula",
     )  # fmt: skip
 
 
@@ -130,10 +127,10 @@ def moved_mesh(offset: float, count: int, seed: int) -> Case:
     local = origin - compiled.meshes[0].centre  # exact: neighbours of one size
     solid = compiled.meshes[0].corners
     hit32 = np.isfinite(Embree32(solid + middle).nearest(origin, direction)[0])
-    return Case(
-        "scene offset", f"moved by {offset:g}, mesh of 320", "wrong hit or miss, ppm",
-        0.0, per_million(wrong_verdicts(solid, local, direction, hit), count), count, seed,
-        per_million(wrong_verdicts(solid, local, direction, hit32), count), "Embree",
+    wrong, wrong32 = (wrong_verdicts(solid, local, direction, each) for each in (hit, hit32))
+    return none_of(
+        count, wrong, seed, "scene offset", f"moved by {offset:g}, mesh of 320",
+        "wrong hit or miss", wrong32, "Embree",
     )  # fmt: skip
 
 

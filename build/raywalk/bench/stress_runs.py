@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import tempfile
 import time
 from collections.abc import Iterator
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.families import around
 from raywalk.bench.made_scenes import bunny, mesh_object, placed, scene_of
 from raywalk.errors import SourceErrors
@@ -37,15 +38,7 @@ def cases(count: int, seed: int, scenes: Path = Path("scenes")) -> Iterator[Case
 
 def refused_rays(seed: int) -> Case:
     """Rays that are none must be refused by number before any is traced."""
-    odd = [
-        [0, 0, 0],
-        [float("nan"), 0, 1],
-        [float("inf"), 0, 1],
-        [0, 0],
-        ["x", 0, 1],
-        None,
-        [0, True, 1],
-    ]
+    odd = [[0, 0, 0], [math.nan, 0, 1], [math.inf, 0, 1], [0, 0], ["x", 0, 1], None, [0, True, 1]]
     accepted = 0
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "rays.json"
@@ -83,9 +76,9 @@ def directions_of_length(length: float, count: int, seed: int) -> Case:
             wrong += 1
         elif one and two:
             wrong += one["object"] != two["object"] or abs(two["t"] * length / one["t"] - 1) > 1e-14
-    return Case(
-        "odd directions", f"of length {length:g}", "hits unlike those of unit directions, ppm",
-        0.0, per_million(wrong, len(plain)), len(plain), seed,
+    return none_of(
+        len(plain), wrong, seed, "odd directions", f"of length {length:g}",
+        "hits unlike those of unit directions",
     )  # fmt: skip
 
 
