@@ -14,7 +14,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 import scenes_for_tests
-from tiny_tracer import trace_tiny
+from tiny_tracer import in_file_order, trace_tiny
 
 from raywalk.scene.model import Scene
 from raywalk.stops.decoded import DecodedTrace, read_trace
@@ -22,7 +22,6 @@ from raywalk.stops.process import Stops
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file.container import pack
 from raywalk.trace_file.encode import encode
-from raywalk.trace_file.level import in_file_order
 
 SIZE = 21
 SEEDS = range(12)

@@ -9,7 +9,6 @@ from scenes_for_tests import mirrors
 from tiny_tracer import trace_tiny
 
 from raywalk.trace_file.encode import encode
-from raywalk.trace_file.errors import TraceFileError
 from raywalk.trace_file.level import level_of
 
 
@@ -42,5 +41,5 @@ def test_children_stay_with_their_parents() -> None:
 def test_a_resolution_without_shared_centres_is_refused(n: int) -> None:
     """63 / n is not odd and whole."""
     tree, _ = trace_tiny(mirrors(63))
-    with pytest.raises(TraceFileError, match="odd quotient"):
+    with pytest.raises(ValueError, match="odd quotient"):
         level_of(tree, n)

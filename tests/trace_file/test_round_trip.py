@@ -98,24 +98,6 @@ def test_encoding_twice_gives_the_same_bytes(encoded: Encoded) -> None:
     assert encode(encoded.tree, encoded.scene, encoded.picture) == encoded.json
 
 
-def test_rows_of_a_tree_may_come_in_another_order_of_paths(glass: Encoded) -> None:
-    """The file keeps one order, whatever the tracer's was."""
-    tree = glass.tree
-    order = np.concatenate([
-        np.arange(tree.cameras),
-        *(np.flatnonzero(tree.depth == d)[::-1] for d in range(1, tree.depth.max() + 1)),
-    ])  # fmt: skip
-    place = np.argsort(order)
-    columns = {
-        name: getattr(tree, name)[order]
-        for name in tree.__dataclass_fields__
-        if name not in ("size", "parent") and not name.startswith("hits")
-    }
-    parent = np.where(tree.parent < 0, -1, place[tree.parent])[order].astype(np.int32)
-    shuffled = replace(tree, parent=parent, **columns)
-    assert encode(shuffled, glass.scene, glass.picture) == glass.json
-
-
 def test_colours_that_do_not_add_up_are_not_written(glass: Encoded) -> None:
     wrong = replace(glass.tree, colour=glass.tree.colour + 0.01)
     with pytest.raises(TraceFileError, match="do not add up"):

@@ -15,7 +15,9 @@ import numpy as np
 
 from raywalk.scene.model import Camera, Light, Material, Render, Scene, SceneObject
 from raywalk.scene.shapes import Ellipsoid, Plane, Sphere, Triple
-from raywalk.trace.tree import Kind, RayTree, Visibility
+from raywalk.trace.kinds import BRANCH_OF, BRANCHES
+from raywalk.trace.tree import Kind, RayTree, Visibility, dense
+from raywalk.trace_file.level import rows_of
 
 EPSILON = 1e-9  # keeps a ray from meeting the surface it leaves
 LEAVING = 12.0  # length of the drawn line of a ray that leaves, world units
@@ -307,3 +309,23 @@ def gather_colours(scene: Scene, columns: dict[str, np.ndarray]) -> None:
         rows = np.flatnonzero(columns["depth"] == depth)
         share = columns["weight"][rows, None] * columns["colour"][rows]
         np.add.at(columns["colour"], columns["parent"][rows], share)
+
+
+def in_file_order(tree: RayTree) -> RayTree:
+    """Depth by depth, path by path (RR, RT, TR, TT ...), each in its parents' order."""
+    rank = np.zeros(len(tree.pixel), np.int64)  # a ray's place within its depth
+    path = np.zeros(len(tree.pixel), np.int64)
+    ordered: list[np.ndarray] = []
+    rows = np.flatnonzero(tree.parent < 0)
+    while len(rows):
+        if ordered:
+            branch = BRANCH_OF[tree.kind[rows]]
+            path[rows] = dense(BRANCHES * path[tree.parent[rows]] + branch)
+        place = rank[tree.parent[rows]] if ordered else tree.pixel[rows]
+        rows = rows[np.lexsort((place, path[rows]))]
+        rank[rows] = np.arange(len(rows))
+        ordered.append(rows)
+        of_these = np.zeros(len(tree.pixel) + 1, bool)  # the last serves parent -1
+        of_these[rows] = True
+        rows = np.flatnonzero(of_these[tree.parent])
+    return rows_of(tree, np.concatenate(ordered))

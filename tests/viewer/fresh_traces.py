@@ -23,9 +23,8 @@ from raywalk.trace import wavefront
 from raywalk.trace.bounce import bounce
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.tables import compile_lights, compile_materials
-from raywalk.trace.tree import Kind
+from raywalk.trace.tree import Kind, level_pixels
 from raywalk.trace.wavefront import Tracer, eight_bit
-from raywalk.trace_file.level import level_pixels
 
 ROOT = Path(__file__).parent.parent.parent
 # Pixels of a grid that divides another by an odd number are among its pixels: 5 and 15 come with

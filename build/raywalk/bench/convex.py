@@ -6,46 +6,32 @@ last plane it enters, if it enters all before it leaves any. No edge or vertex i
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from raywalk.bench.families import unit_rows
 from raywalk.bench.truth import triangle_meets
-from raywalk.optics.compiled import kernel
+
+CHUNK = 4096  # rays that meet all planes at once
 
 
-@kernel
-def clip(corners: np.ndarray, origin: np.ndarray, direction: np.ndarray) -> Any:
+def clip(
+    corners: np.ndarray, origin: np.ndarray, direction: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Where each ray's line enters and leaves, (n,) each; it misses if it leaves first.
 
     corners: (f, 3, 3), wound outwards; origin, direction: (n, 3), relative to the solid.
     """
-    faces, count = corners.shape[0], origin.shape[0]
-    normal, level = np.empty((faces, 3)), np.empty(faces)
-    for f in range(faces):
-        normal[f] = np.cross(corners[f, 1] - corners[f, 0], corners[f, 2] - corners[f, 0])
-        normal[f] /= np.sqrt((normal[f] ** 2).sum())
-        level[f] = (normal[f] * corners[f, 0]).sum()
-    enters, leaves = np.full(count, -np.inf), np.full(count, np.inf)
-    for i in range(count):
-        for f in range(faces):
-            down = (
-                normal[f, 0] * direction[i, 0]
-                + normal[f, 1] * direction[i, 1]
-                + normal[f, 2] * direction[i, 2]
-            )
-            above = (
-                normal[f, 0] * origin[i, 0]
-                + normal[f, 1] * origin[i, 1]
-                + normal[f, 2] * origin[i, 2]
-                - level[f]
-            )
-            if down < 0.0:
-                enters[i] = max(enters[i], -above / down)
-            elif down > 0.0:
-                leaves[i] = min(leaves[i], -above / down)
-            elif above > 0.0:
-                leaves[i] = -np.inf
+    normal = unit_rows(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    level = (normal * corners[:, 0]).sum(axis=1)
+    enters, leaves = np.empty(len(origin)), np.empty(len(origin))
+    for k in range(0, len(origin), CHUNK):
+        rows = slice(k, k + CHUNK)
+        down, above = direction[rows] @ normal.T, origin[rows] @ normal.T - level
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = -above / down
+        enters[rows] = np.where(down < 0.0, t, -np.inf).max(axis=1)
+        leaves[rows] = np.where(down > 0.0, t, np.inf).min(axis=1)
+        leaves[rows][((down == 0.0) & (above > 0.0)).any(axis=1)] = -np.inf
     return enters, leaves
 
 

@@ -16,7 +16,7 @@ from raywalk.stops.decoded import DecodedTrace, read_trace
 from raywalk.stops.process import Stops
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wavefront import trace_scene
-from raywalk.trace_file.level import in_file_order, level_of
+from raywalk.trace_file.level import level_of
 from raywalk.trace_file.precision import COLOUR
 from raywalk.trace_file.write import write_level
 
@@ -39,9 +39,8 @@ def losses(scene: Scene, stops: Stops) -> tuple[dict[str, float], dict[str, floa
     with tempfile.TemporaryDirectory() as folder:
         write_level(Path(folder), level, LEVEL, small, traced.picture)
         decoded = read_trace(Path(folder) / f"{LEVEL}.js", stops, scene.id, LEVEL)
-    tree = in_file_order(level)
-    differing = sum(not same(getattr(tree, name), getattr(decoded, name)) for name in EXACT)
-    return measured(tree, decoded), decoded.header["errors"], differing, decoded.count
+    differing = sum(not same(getattr(level, name), getattr(decoded, name)) for name in EXACT)
+    return measured(level, decoded), decoded.header["errors"], differing, decoded.count
 
 
 def measured(tree: RayTree, decoded: DecodedTrace) -> dict[str, float]:

@@ -83,8 +83,8 @@ def false_shadows(scale: float, count: int, seed: int) -> Case:
             blocked32, lit32 = shadows32(solid * scale, hits.point, seen, light)
     name = f"x {scale:g}, {len(CONVEX) + 1} convex bodies"
     case = none_of(blocked + lit, blocked, seed, "scene scale", name, "false shadows")
-    share = per_million(blocked32, blocked32 + lit32)
-    return replace(case, float32=share, float32_by="Embree, fixed offset 1e-4, mesh")
+    wrong32 = per_million(blocked32, blocked32 + lit32)
+    return replace(case, float32=wrong32, float32_by="Embree, fixed offset 1e-4, mesh")
 
 
 def shadows32(

@@ -20,14 +20,11 @@ SHAPE = np.dtype([("code", np.int64), ("tip", np.float64)])
 # Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
 # (1e7 away, a hit point is off by 1e-9).
 EDGE = 1.0 - 1e-6
-
-sphere_height = kernel(shapes.sphere_height)
-box_height = kernel(
-    shapes.box_height
-)  # Nearer to its axis than this a cone is its tip: which side a point is on is rounding there.
+# Nearer to its axis than this a cone is its tip: which side a point is on is rounding there.
 TIP = 1e-14
 
-side_height = kernel(shapes.side_height)
+sphere_height, box_height = kernel(shapes.sphere_height), kernel(shapes.box_height)
+side_height, between_caps = kernel(shapes.side_height), kernel(shapes.between_caps)
 
 
 def shape_record(canonical: shapes.Canonical) -> tuple[int, float]:
@@ -56,7 +53,7 @@ def height(shape, x, y, z):
     if shape.code == TUBE:
         return side_height(x, y, z, shape.tip)
     if shape.code == CYLINDER:
-        return max(side_height(x, y, z, shape.tip), abs(z) - 1.0)
+        return between_caps(side_height(x, y, z, shape.tip), z)
     return box_height(x, y, z)
 
 

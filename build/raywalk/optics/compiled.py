@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,8 +12,7 @@ from typing import Any
 import numba
 
 PACKAGE = Path(__file__).parent.parent
-# Folders whose kernels are compiled into one another.
-FOLDERS = ("optics", "geometry", "trace", "trace_file")
+IMPORTED = re.compile(r"^\s*from (raywalk[\w.]*) import ([\w, ]*)", re.MULTILINE)
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -38,13 +38,28 @@ def _use_cache_of_these_sources() -> None:
     has a cache of its own. Where the package cannot be written to, numba's default stays.
     """
     digest = hashlib.sha256()
-    for folder in FOLDERS:
-        for file in sorted((PACKAGE / folder).glob("*.py")):
-            digest.update(file.read_bytes())
+    for text in _sources_of_kernels():
+        digest.update(text.encode())
     cache = PACKAGE / "__pycache__" / f"kernels-{digest.hexdigest()[:16]}"
     config: Any = numba.config  # its attributes come from the environment, unseen by mypy
     if not config.CACHE_DIR and os.access(PACKAGE, os.W_OK):
         config.CACHE_DIR = str(cache)
+
+
+def _sources_of_kernels() -> list[str]:
+    """Of the modules that hold kernels, and of all of ours that these import."""
+    texts = {
+        ".".join(file.relative_to(PACKAGE.parent).with_suffix("").parts): file.read_text("utf-8")
+        for file in PACKAGE.rglob("*.py")
+    }
+    waiting = [name for name, text in texts.items() if "raywalk.optics.compiled import" in text]
+    found: set[str] = set()
+    while waiting:
+        if (name := waiting.pop()) in texts and name not in found:
+            found.add(name)
+            for module, names in IMPORTED.findall(texts[name]):
+                waiting += [module, *(f"{module}.{each.strip()}" for each in names.split(","))]
+    return [texts[name] for name in sorted(found)]
 
 
 _use_cache_of_these_sources()

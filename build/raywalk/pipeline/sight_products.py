@@ -19,8 +19,8 @@ from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tally import Tally
+from raywalk.trace.tree import level_pixels
 from raywalk.trace.wavefront import Tracer
-from raywalk.trace_file.level import level_pixels
 
 # The view lies pale behind the lines: what adds less than 1/16 to a pixel is not seen there,
 # nor are mirrors within mirrors deeper than this.

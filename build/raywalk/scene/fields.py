@@ -34,6 +34,16 @@ T = TypeVar("T")
 Maybe = Annotated[T | None, _WithoutNull()]
 
 
+def means(text: str, default: Any = ...) -> Any:
+    """A table's key, with what it means to authors; required if it has no default."""
+    return Field(default, description=text)
+
+
+def maybe(text: str) -> Any:
+    """Of a key that may be left out."""
+    return means(text, None)
+
+
 def refusal(
     message: str, *, at: str = "", allowed: str = "", hint: str = ""
 ) -> PydanticCustomError:

@@ -18,6 +18,8 @@ from raywalk.scene.fields import (
     Name,
     Point,
     Text,
+    maybe,
+    means,
     one_of,
     refusal,
 )
@@ -46,52 +48,43 @@ Samples = Annotated[tuple[Count, Count], Allowed("two whole numbers of at least 
 class CameraTable(Table):
     """A pinhole camera with a square picture."""
 
-    eye: Point = Field(description="where all camera rays start")
-    target: Point = Field(description="a point in the middle of the picture")
-    up: Point = Field(
-        default=(0.0, 1.0, 0.0), description="the direction that is upright in the picture"
-    )
-    fov: FieldOfView = Field(default=45.0, description="vertical field of view, in degrees")
+    eye: Point = means("where all camera rays start")
+    target: Point = means("a point in the middle of the picture")
+    up: Point = means("the direction that is upright in the picture", (0.0, 1.0, 0.0))
+    fov: FieldOfView = means("vertical field of view, in degrees", 45.0)
 
 
 class RenderTable(Table):
     """How far the rays are followed, and how many there are."""
 
-    shadows: Flag = Field(default=True, description="whether hits ask if each light is visible")
-    depth: Depth = Field(default=8, description="bounces at most, after the camera ray")
-    size: Size = Field(default=1155, description="the picture has size x size pixels")
-    resolutions: Maybe[Resolutions] = Field(
-        default=None,
-        description="rays across each frustum; each divides size by an odd number, so that every "
-        f"ray is a pixel's (default: those of {list(DEFAULT_RESOLUTIONS)} that do)",
+    shadows: Flag = means("whether hits ask if each light is visible", True)
+    depth: Depth = means("bounces at most, after the camera ray", 8)
+    size: Size = means("the picture has size x size pixels", 1155)
+    resolutions: Maybe[Resolutions] = maybe(
+        "rays across each frustum; each divides size by an odd number, so that every "
+        f"ray is a pixel's (default: those of {list(DEFAULT_RESOLUTIONS)} that do)"
     )
-    glass_shadows: GlassShadows = Field(
-        default="opaque",
-        description="what glass does to light on its way to a hit: stop it, or let `transmit` "
+    glass_shadows: GlassShadows = means(
+        "what glass does to light on its way to a hit: stop it, or let `transmit` "
         "of it pass, unbent",
+        "opaque",
     )
 
 
 class LightTable(Table):
     """A point light; with `edges` an area light, made of point lights."""
 
-    name: Maybe[Name] = Field(
-        default=None, description='what a person calls it; default "light 1" and so on'
+    name: Maybe[Name] = maybe('what a person calls it; default "light 1" and so on')
+    position: Point = means("where it is; of an area light, one corner")
+    colour: Brightness = means("of its light", (1.0, 1.0, 1.0))
+    intensity: AtLeastZero = means("factor of the colour, at distance 0", 1.0)
+    attenuation: Falloff = means(
+        "light at distance D is divided by a0 + a1 D + a2 D^2", (1.0, 0.0, 0.0)
     )
-    position: Point = Field(description="where it is; of an area light, one corner")
-    colour: Brightness = Field(default=(1.0, 1.0, 1.0), description="of its light")
-    intensity: AtLeastZero = Field(default=1.0, description="factor of the colour, at distance 0")
-    attenuation: Falloff = Field(
-        default=(1.0, 0.0, 0.0),
-        description="light at distance D is divided by a0 + a1 D + a2 D^2",
-    )
-    edges: Maybe[Edges] = Field(
-        default=None, description="the two sides from the corner, in world units: an area light"
-    )
-    samples: Maybe[Samples] = Field(
-        default=None,
-        description="point lights along each edge, in the middle of equal cells "
-        f"(default [4, 4], together at most {MOST_SAMPLES})",
+    edges: Maybe[Edges] = maybe("the two sides from the corner, in world units: an area light")
+    samples: Maybe[Samples] = maybe(
+        "point lights along each edge, in the middle of equal cells "
+        f"(default [4, 4], together at most {MOST_SAMPLES})"
     )
 
     @model_validator(mode="after")
@@ -120,8 +113,8 @@ class LightTable(Table):
 class ObserverTable(Table):
     """Where the observer stands in a step of the lesson."""
 
-    eye: Point = Field(description="where the observer is")
-    target: Point = Field(description="what the observer looks at")
+    eye: Point = means("where the observer is")
+    target: Point = means("what the observer looks at")
 
 
 def _observer_form(value: Any) -> str | None:
@@ -170,50 +163,34 @@ Colours = Annotated[TileColours, one_of(*get_args(TileColours))]
 class SwitchesTable(Table):
     """What-if switches: how the tiles and rays would be with other settings."""
 
-    bounces: Maybe[Index] = Field(
-        default=None, description="bounces at most; as many as render.depth, or fewer"
-    )
-    lights: Maybe[Dimmed] = Field(
-        default=None, description="factor of each named light's brightness, 0 for off"
-    )
-    shadows: Maybe[Flag] = Field(default=None, description="false: every light counts as seen")
-    without: Maybe[Parts] = Field(default=None, description="parts of a colour to leave out")
+    bounces: Maybe[Index] = maybe("bounces at most; as many as render.depth, or fewer")
+    lights: Maybe[Dimmed] = maybe("factor of each named light's brightness, 0 for off")
+    shadows: Maybe[Flag] = maybe("false: every light counts as seen")
+    without: Maybe[Parts] = maybe("parts of a colour to leave out")
 
 
 class ViewTable(Table):
     """What a step of the lesson shows; what is left out is as at the start."""
 
-    resolution: Maybe[Count] = Field(default=None, description="one of the scene's resolutions")
-    pixel: Maybe[Pixel] = Field(
-        default=None, description="the selected ray, [column, row] from the top left"
-    )
-    rays: Maybe[Rays] = Field(default=None, description="which rays are drawn; [] draws none")
-    tiles: Maybe[Tiles] = Field(
-        default=None, description="whether the frustum's tiles show their colours"
-    )
-    look: Maybe[Look] = Field(
-        default=None, description="how the stage shows the scene; traced needs the camera's view"
-    )
-    slice: Maybe[Slice] = Field(
-        default=None, description="the selected row's or column's plane of rays, drawn flat"
-    )
-    observer: Maybe[Observer] = Field(default=None, description="where the observer stands")
-    switches: Maybe[SwitchesTable] = Field(default=None, description="what-if switches")
-    colours: Maybe[Colours] = Field(
-        default=None, description="what the tiles show: the picture, or what it cost"
-    )
+    resolution: Maybe[Count] = maybe("one of the scene's resolutions")
+    pixel: Maybe[Pixel] = maybe("the selected ray, [column, row] from the top left")
+    rays: Maybe[Rays] = maybe("which rays are drawn; [] draws none")
+    tiles: Maybe[Tiles] = maybe("whether the frustum's tiles show their colours")
+    look: Maybe[Look] = maybe("how the stage shows the scene; traced needs the camera's view")
+    slice: Maybe[Slice] = maybe("the selected row's or column's plane of rays, drawn flat")
+    observer: Maybe[Observer] = maybe("where the observer stands")
+    switches: Maybe[SwitchesTable] = maybe("what-if switches")
+    colours: Maybe[Colours] = maybe("what the tiles show: the picture, or what it cost")
 
 
 class StepTable(Table):
     """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
-    text: LessonText = Field(description="what is said or asked, in Markdown with $formulas$")
+    text: LessonText = means("what is said or asked, in Markdown with $formulas$")
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
-    answer: Maybe[LessonText] = Field(
-        default=None, description="what is said once everyone has predicted, in Markdown"
-    )
-    answer_view: Maybe[ViewTable] = Field(
-        default=None, description="what is shown with the answer; what is left out is as in view"
+    answer: Maybe[LessonText] = maybe("what is said once everyone has predicted, in Markdown")
+    answer_view: Maybe[ViewTable] = maybe(
+        "what is shown with the answer; what is left out is as in view"
     )
 
     @model_validator(mode="after")
@@ -227,35 +204,29 @@ def _tables(name: str) -> Allowed:
     return Allowed("a list of tables", hint=f"write [[{name}]], with two brackets, before each")
 
 
+Materials = Annotated[
+    dict[str, MaterialTable],
+    Allowed("a table of materials", hint="write [materials.NAME] before each"),
+]
+Objects = Annotated[tuple[AnyObject, ...], _tables("objects")]
+Lights = Annotated[tuple[LightTable, ...], _tables("lights")]
+Lesson = Annotated[tuple[StepTable, ...], _tables("lesson")]
 Key = Annotated[Literal["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"], one_of(*"0123456789")]
 
 
 class SceneFile(Table):
     """What is there, how it is lit, from where it is seen, and what is said about it."""
 
-    version: Annotated[Literal[1], Allowed("a version this program reads, which is 1")] = Field(
-        description="of this format, which is 1"
+    version: Annotated[Literal[1], Allowed("a version this program reads, which is 1")] = means(
+        "of this format, which is 1"
     )
-    key: Maybe[Key] = Field(
-        default=None, description="the key that selects the scene in the viewer"
-    )
-    title: Text = Field(description="a few words")
-    teaches: Text = Field(description="one sentence: what a student takes home")
-    background: Brightness = Field(
-        default=(0.0, 0.0, 0.0), description="what a ray brings back that leaves the scene"
-    )
-    camera: CameraTable = Field(description="where the picture is taken from")
+    key: Maybe[Key] = maybe("the key that selects the scene in the viewer")
+    title: Text = means("a few words")
+    teaches: Text = means("one sentence: what a student takes home")
+    background: Brightness = means("what a ray brings back that leaves the scene", (0.0, 0.0, 0.0))
+    camera: CameraTable = means("where the picture is taken from")
     render: RenderTable = Field(default_factory=RenderTable, description="how far and how finely")
-    materials: Annotated[
-        dict[str, MaterialTable],
-        Allowed("a table of materials", hint="write [materials.NAME] before each"),
-    ] = Field(default={}, description="this scene's own materials, by name")
-    objects: Annotated[tuple[AnyObject, ...], _tables("objects")] = Field(
-        default=(), description="what the rays may hit"
-    )
-    lights: Annotated[tuple[LightTable, ...], _tables("lights")] = Field(
-        default=(), description="where light comes from"
-    )
-    lesson: Annotated[tuple[StepTable, ...], _tables("lesson")] = Field(
-        default=(), description="the steps, in order: a text and what is shown meanwhile"
-    )
+    materials: Materials = means("this scene's own materials, by name", {})
+    objects: Objects = means("what the rays may hit", ())
+    lights: Lights = means("where light comes from", ())
+    lesson: Lesson = means("the steps, in order: a text and what is shown meanwhile", ())

@@ -18,6 +18,8 @@ from raywalk.scene.fields import (
     Share,
     Sizes,
     Text,
+    maybe,
+    means,
     refusal,
 )
 from raywalk.scene.schema_transforms import TransformTable
@@ -28,39 +30,31 @@ from raywalk.scene.wording import TAG, did_you_mean, joined, show
 class MaterialTable(Table):
     """A Blinn-Phong surface with shares for mirror and glass."""
 
-    like: Maybe[Name] = Field(
-        default=None,
-        description="a material, built-in or of this scene, that fills in the keys left out",
+    like: Maybe[Name] = maybe(
+        "a material, built-in or of this scene, that fills in the keys left out"
     )
-    ambient: Maybe[Colour] = Field(default=None, description="light it gives without any lamp")
-    diffuse: Maybe[Colour] = Field(
-        default=None, description="share of light scattered to all sides"
+    ambient: Maybe[Colour] = maybe("light it gives without any lamp")
+    diffuse: Maybe[Colour] = maybe("share of light scattered to all sides")
+    specular: Maybe[Colour] = maybe("colour of the highlight")
+    shininess: Maybe[Positive] = maybe(
+        "exponent of the highlight: the higher, the smaller (default 1)"
     )
-    specular: Maybe[Colour] = Field(default=None, description="colour of the highlight")
-    shininess: Maybe[Positive] = Field(
-        default=None, description="exponent of the highlight: the higher, the smaller (default 1)"
+    reflect: Maybe[Share] = maybe("share of the mirror image (default 0)")
+    transmit: Maybe[Share] = maybe(
+        "share of light let through; reflect + transmit is at most 1 (default 0)"
     )
-    reflect: Maybe[Share] = Field(default=None, description="share of the mirror image (default 0)")
-    transmit: Maybe[Share] = Field(
-        default=None,
-        description="share of light let through; reflect + transmit is at most 1 (default 0)",
-    )
-    ior: Maybe[Positive] = Field(
-        default=None, description="index of refraction; required where transmit is above 0"
-    )
-    fresnel: Maybe[Flag] = Field(
-        default=None,
-        description="split reflect + transmit by angle, as glass does (default false)",
-    )
+    ior: Maybe[Positive] = maybe("index of refraction; required where transmit is above 0")
+    fresnel: Maybe[Flag] = maybe("split reflect + transmit by angle, as glass does (default false)")
+
+
+TwoColours = Annotated[tuple[Colour, Colour], Allowed("two colours, [[r, g, b], [r, g, b]]")]
 
 
 class CheckerTable(Table):
     """Squares of two colours on a plane."""
 
-    colours: Annotated[tuple[Colour, Colour], Allowed("two colours, [[r, g, b], [r, g, b]]")] = (
-        Field(description="diffuse colours of the even and the odd squares")
-    )
-    size: Positive = Field(default=1.0, description="side of a square, in world units")
+    colours: TwoColours = means("diffuse colours of the even and the odd squares")
+    size: Positive = means("side of a square, in world units", 1.0)
 
 
 def _material_form(value: Any) -> str | None:
@@ -70,21 +64,16 @@ def _material_form(value: Any) -> str | None:
 class ObjectTable(Table):
     """What every object has, whatever its shape."""
 
-    name: Maybe[Name] = Field(
-        default=None, description='what a person calls it; default "sphere 1" and so on'
-    )
+    name: Maybe[Name] = maybe('what a person calls it; default "sphere 1" and so on')
     material: Annotated[
         Annotated[Text, SINGLE] | Annotated[MaterialTable, TABLE],
         Discriminator(_material_form),
         Allowed("the name of a material, or a table with a material's keys"),
-    ] = Field(description="a material's name, or a table with the keys of one")
+    ] = means("a material's name, or a table with the keys of one")
     transform: Annotated[
         tuple[TransformTable, ...],
         Allowed("a list of steps", hint="such as [{ translate = [0, 1, 0] }, { scale = 2 }]"),
-    ] = Field(
-        default=(),
-        description="steps multiplied as written: the leftmost is applied last",
-    )
+    ] = means("steps multiplied as written: the leftmost is applied last", ())
 
     @property
     def kind(self) -> str:
@@ -94,65 +83,63 @@ class ObjectTable(Table):
 
 class SphereTable(ObjectTable):
     type: Literal["sphere"]
-    center: Point = Field(description="its centre")
-    radius: Positive = Field(description="in world units")
+    center: Point = means("its centre")
+    radius: Positive = means("in world units")
 
 
 class EllipsoidTable(ObjectTable):
     type: Literal["ellipsoid"]
-    center: Point = Field(description="its centre")
-    radii: Sizes = Field(description="half axes along x, y and z before the rotation")
-    rotation: Point = Field(
-        default=(0.0, 0.0, 0.0), description="degrees about x, then y, then z, through its centre"
-    )
+    center: Point = means("its centre")
+    radii: Sizes = means("half axes along x, y and z before the rotation")
+    rotation: Point = means("degrees about x, then y, then z, through its centre", (0.0, 0.0, 0.0))
 
 
 class PlaneTable(ObjectTable):
     """Infinite; its inside is the half-space behind the normal."""
 
     type: Literal["plane"]
-    point: Point = Field(description="any point on it; a checker is measured from here")
-    normal: Point = Field(description="the way it faces, of any length")
-    checker: Maybe[CheckerTable] = Field(default=None, description="squares of two colours")
+    point: Point = means("any point on it; a checker is measured from here")
+    normal: Point = means("the way it faces, of any length")
+    checker: Maybe[CheckerTable] = maybe("squares of two colours")
 
 
 class CylinderTable(ObjectTable):
     type: Literal["cylinder"]
-    start: Point = Field(description="centre of one end")
-    end: Point = Field(description="centre of the other end")
-    radius: Positive = Field(description="in world units")
-    capped: Flag = Field(default=True, description="closed by a disc at each end")
+    start: Point = means("centre of one end")
+    end: Point = means("centre of the other end")
+    radius: Positive = means("in world units")
+    capped: Flag = means("closed by a disc at each end", True)
 
 
 class ConeTable(ObjectTable):
     """A whole one, or one whose tip is cut off; with equal radii a cylinder."""
 
     type: Literal["cone"]
-    start: Point = Field(description="centre of one end")
-    end: Point = Field(description="its tip, or centre of the other end")
-    radius: Positive = Field(description="at the start, in world units")
-    end_radius: AtLeastZero = Field(default=0.0, description="at the end; 0 makes that a tip")
-    capped: Flag = Field(default=True, description="closed by a disc at each end")
+    start: Point = means("centre of one end")
+    end: Point = means("its tip, or centre of the other end")
+    radius: Positive = means("at the start, in world units")
+    end_radius: AtLeastZero = means("at the end; 0 makes that a tip", 0.0)
+    capped: Flag = means("closed by a disc at each end", True)
 
 
 class BoxTable(ObjectTable):
     type: Literal["box"]
-    minimum: Point = Field(description="the corner of smallest x, y and z")
-    maximum: Point = Field(description="the corner of largest x, y and z")
+    minimum: Point = means("the corner of smallest x, y and z")
+    maximum: Point = means("the corner of largest x, y and z")
 
 
 class DiscTable(ObjectTable):
     type: Literal["disc"]
-    center: Point = Field(description="its centre")
-    normal: Point = Field(description="the way it faces, of any length")
-    radius: Positive = Field(description="in world units")
+    center: Point = means("its centre")
+    normal: Point = means("the way it faces, of any length")
+    radius: Positive = means("in world units")
 
 
 class TriangleTable(ObjectTable):
     type: Literal["triangle"]
-    a: Point = Field(description="a corner; the front is where a, b, c run anticlockwise")
-    b: Point = Field(description="the next corner")
-    c: Point = Field(description="the last corner")
+    a: Point = means("a corner; the front is where a, b, c run anticlockwise")
+    b: Point = means("the next corner")
+    c: Point = means("the last corner")
 
 
 Weld = Annotated[
@@ -162,26 +149,21 @@ Weld = Annotated[
 
 class MeshTable(ObjectTable):
     type: Literal["mesh"]
-    model: Maybe[Name] = Field(
-        default=None, description="a name in models/models.toml, or give `file`"
+    model: Maybe[Name] = maybe("a name in models/models.toml, or give `file`")
+    file: Maybe[Name] = maybe(
+        "a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene file"
     )
-    file: Maybe[Name] = Field(
-        default=None,
-        description="a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene "
-        "file",
-    )
-    smooth: Flag = Field(
-        default=True,
-        description="normals of the file, by its smoothing groups, or averaged at each vertex; "
+    smooth: Flag = means(
+        "normals of the file, by its smoothing groups, or averaged at each vertex; "
         "false: one per triangle",
+        True,
     )
     subdivide: Annotated[
         int, Field(strict=True, ge=0, le=3), Allowed("a whole number from 0 to 3")
-    ] = Field(default=0, description="rounds of Loop subdivision: each makes four triangles of one")
-    weld: Maybe[Weld] = Field(
-        default=None,
-        description="corners of open edges nearer than this share of the model's size are one "
-        "(default 1e-6; 0: only equal ones)",
+    ] = means("rounds of Loop subdivision: each makes four triangles of one", 0)
+    weld: Maybe[Weld] = maybe(
+        "corners of open edges nearer than this share of the model's size are one "
+        "(default 1e-6; 0: only equal ones)"
     )
 
 

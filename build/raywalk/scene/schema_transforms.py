@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Self
 
-from pydantic import Discriminator, Field, model_validator
+from pydantic import Discriminator, model_validator
 
-from raywalk.scene.fields import Allowed, AxisName, Maybe, Number, Point, refusal
+from raywalk.scene.fields import Allowed, AxisName, Maybe, Number, Point, maybe, means, refusal
 from raywalk.scene.table import LIST, SINGLE, Table, by_form
 from raywalk.scene.wording import joined, plain
 
@@ -34,8 +34,8 @@ Scale = Annotated[
 class RotateTable(Table):
     """A right-handed turn about an axis through the origin."""
 
-    axis: Axis = Field(description="the axis, through the origin")
-    degrees: Number = Field(description="the angle, in degrees")
+    axis: Axis = means("the axis, through the origin")
+    degrees: Number = means("the angle, in degrees")
 
     @model_validator(mode="after")
     def _has_direction(self) -> Self:
@@ -56,14 +56,10 @@ _AFFINE_ROW = (0.0, 0.0, 0.0, 1.0)
 class TransformTable(Table):
     """One step of a transform: exactly one of these keys."""
 
-    translate: Maybe[Point] = Field(default=None, description="a shift, in world units")
-    rotate: Maybe[RotateTable] = Field(default=None, description="a turn")
-    scale: Maybe[Scale] = Field(
-        default=None, description="a factor about the origin, the same or one per axis"
-    )
-    matrix: Maybe[Matrix] = Field(
-        default=None, description="rows of an affine matrix; a fourth row must be [0, 0, 0, 1]"
-    )
+    translate: Maybe[Point] = maybe("a shift, in world units")
+    rotate: Maybe[RotateTable] = maybe("a turn")
+    scale: Maybe[Scale] = maybe("a factor about the origin, the same or one per axis")
+    matrix: Maybe[Matrix] = maybe("rows of an affine matrix; a fourth row must be [0, 0, 0, 1]")
 
     @model_validator(mode="after")
     def _one_key(self) -> Self:

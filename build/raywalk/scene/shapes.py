@@ -54,8 +54,13 @@ def side_height(x, y, z, tip):  # type: ignore[no-untyped-def]
     return 2.0 * (sqrt(x * x + y * y) - (tip + 0.5 * (1.0 - tip) * (1.0 + z)))
 
 
+def between_caps(side, z):  # type: ignore[no-untyped-def]
+    """Of what is cut off at z = -1 and 1, from its side's height."""
+    return max(side, abs(z) - 1.0)
+
+
 def cylinder_height(x, y, z, tip=1.0):  # type: ignore[no-untyped-def]
-    return max(side_height(x, y, z, tip), abs(z) - 1.0)
+    return between_caps(side_height(x, y, z, tip), z)
 
 
 def plane_height(x, y, z):  # type: ignore[no-untyped-def]

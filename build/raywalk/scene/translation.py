@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import Field, ValidationError
 
 from raywalk.errors import SourceErrors
-from raywalk.scene.fields import LessonText, Maybe, Name, Text
+from raywalk.scene.fields import LessonText, Maybe, Name, Text, maybe, means
 from raywalk.scene.model import LessonStep, Scene
 from raywalk.scene.problems import Problems
 from raywalk.scene.table import Table
@@ -21,19 +21,19 @@ from raywalk.scene.wording import did_you_mean, joined, quoted
 class TranslatedStep(Table):
     """What a step of the lesson says; what it shows stands in scene.toml."""
 
-    text: LessonText = Field(description="what is said or asked, in Markdown with $formulas$")
-    answer: Maybe[LessonText] = Field(default=None, description="of a question, in Markdown")
+    text: LessonText = means("what is said or asked, in Markdown with $formulas$")
+    answer: Maybe[LessonText] = maybe("of a question, in Markdown")
 
 
 class TranslationFile(Table):
     """All words of a scene, in the order of its scene.toml."""
 
-    title: Text = Field(description="a few words")
-    teaches: Text = Field(description="one sentence: what a student takes home")
+    title: Text = means("a few words")
+    teaches: Text = means("one sentence: what a student takes home")
     names: dict[str, Name] = Field(
         default_factory=dict, description="of each object, light and material, by its name there"
     )
-    lesson: tuple[TranslatedStep, ...] = Field(default=(), description="step by step")
+    lesson: tuple[TranslatedStep, ...] = means("step by step", ())
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from raywalk.slides.figure import Item, Run, Text
+from raywalk.slides.figure import Item, Run, Slide, Text
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.typeface import is_right_to_left, shortened, width, wrapped
+from raywalk.slides.words import say
 
 TITLE_SIZE = 26.0
 BODY_SIZE = 17.0
@@ -138,6 +140,17 @@ def title(words: str, box: Box, size: float = TITLE_SIZE) -> Text:
     high = size * 1.2 * len(lines)
     place = Box(box.left, box.top + (box.height - high) / 2, box.width, high)
     return text(lines, place, size, name="title", is_title=True)
+
+
+def continued(
+    rest: Flow, box: Box, head: str, layout: Layout, kind: str, under: Iterable[Item] = ()
+) -> Iterator[Slide]:
+    """Slides for the words that did not fit on one with this title; `under` stands on each."""
+    again = say("slides.continued", title=head)
+    while rest.lines:
+        part, rest = rest.split(box.height)
+        items = (title(again, layout.title), *flow_texts(part, box), *under)
+        yield Slide(again, items, (), kind, True)
 
 
 def footer(left: str, right: str, layout: Layout) -> list[Item]:

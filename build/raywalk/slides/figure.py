@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from raywalk.slides.layout import Box
 
 Point = tuple[float, float]
-# How a line is broken; each writer has its own words for these.
+ASCENT, TALL = 0.905, 1.117  # of a text's size: from the baseline up, and of all; as in Arial
 
 
 def hex_of(bytes_: Sequence[int]) -> str:
@@ -91,6 +91,11 @@ class Text:
     paragraphs: tuple[tuple[Run, ...], ...] = ()  # for writers that wrap; else the lines
     name: str = "text"
     is_title: bool = False
+
+    def baseline(self, line: int) -> float:
+        """Of one of the lines; its letters stand in the middle: half of what is left goes above."""
+        high = self.size * self.leading
+        return self.box.top + line * high + (high - TALL * self.size) / 2 + ASCENT * self.size
 
     @property
     def words(self) -> str:

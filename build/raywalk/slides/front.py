@@ -6,7 +6,7 @@ from pathlib import Path
 
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
-from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, one_line, text, title
+from raywalk.slides.blocks import BODY_SIZE, continued, flow, flow_texts, one_line, text, title
 from raywalk.slides.figure import Item, Run, Slide
 from raywalk.slides.layout import Box, Layout
 from raywalk.slides.lesson_words import Paragraph, paragraphs_of, title_and_body
@@ -21,11 +21,7 @@ GAP = 28.0
 
 def title_slide(scene: Scene, picture: Path, layout: Layout, kind: str = "title") -> Slide:
     """The scene's picture, name and sentence."""
-    side = min(layout.height - 160, layout.width * 0.42)
-    frame = Box(layout.title.left, (layout.height - side) / 2, side, side)
-    data = traced_picture(picture, TITLE_SIDE)
-    left = frame.right + GAP
-    box = Box(left, frame.top, layout.width - layout.title.left - left, side)
+    frame, box = _halves(layout)
     size = BIG if layout.width > 800 else BIG * 0.8
     lines = _at_most(wrapped([Run(scene.title, True)], size, box.width), 3)
     high = size * 1.2 * len(lines)
@@ -34,12 +30,22 @@ def title_slide(scene: Scene, picture: Path, layout: Layout, kind: str = "title"
     top = box.top + max(0.0, (box.height - high - says.height() - 50) / 2)
     number = " · ".join(part for part in (say("slides.brand"), scene.key) if part)
     items: list[Item] = [
-        picture_of(data, frame, say("picture.alt", title=scene.title)),
-        one_line(number, Box(left, top, box.width, 24), BODY_SIZE, "soft"),
-        text(lines, Box(left, top + 32, box.width, high), size, name="title", is_title=True),
-        *flow_texts(says, Box(left, top + 32 + high + 14, box.width, says.height()), "soft"),
+        picture_of(
+            traced_picture(picture, TITLE_SIDE), frame, say("picture.alt", title=scene.title)
+        ),
+        one_line(number, Box(box.left, top, box.width, 24), BODY_SIZE, "soft"),
+        text(lines, Box(box.left, top + 32, box.width, high), size, name="title", is_title=True),
+        *flow_texts(says, Box(box.left, top + 32 + high + 14, box.width, says.height()), "soft"),
     ]
     return Slide(scene.title, tuple(items), (scene.teaches,), kind)
+
+
+def _halves(layout: Layout) -> tuple[Box, Box]:
+    """Of a title: the picture's and the words'."""
+    side = min(layout.height - 160, layout.width * 0.42)
+    frame = Box(layout.title.left, (layout.height - side) / 2, side, side)
+    left = frame.right + GAP
+    return frame, Box(left, frame.top, layout.width - layout.title.left - left, side)
 
 
 def goals_slides(scene: Scene, layout: Layout) -> list[Slide]:
@@ -70,10 +76,7 @@ def credits_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
 def course_slides(scenes: list[Scene], pictures: list[Path], layout: Layout) -> list[Slide]:
     """The course's title and its scenes."""
     data = traced_picture(pictures[-1], TITLE_SIDE)
-    side = min(layout.height - 160, layout.width * 0.42)
-    frame = Box(layout.title.left, (layout.height - side) / 2, side, side)
-    left = frame.right + GAP
-    wide = layout.width - layout.title.left - left
+    frame, (left, _, wide, _) = _halves(layout)
     lines = wrapped([Run(say("slides.course"), True)], BIG, wide)
     high = BIG * 1.2 * len(lines)
     top = layout.height / 2 - high
@@ -100,15 +103,10 @@ def list_slides(head: str, points: list[Paragraph], layout: Layout, kind: str) -
     """Paragraphs over as many slides as they need."""
     top = layout.title.bottom + 14
     box = Box(layout.title.left, top, layout.title.width, layout.height - 44 - top)
-    rest = flow(points, BODY_SIZE, box.width)
-    slides: list[Slide] = []
-    while rest.lines:
-        part, rest = rest.split(box.height)
-        name = say("slides.continued", title=head) if slides else head
-        items = (title(name, layout.title), *flow_texts(part, box))
-        notes = tuple(point.text for point in points) if not slides else ()
-        slides.append(Slide(name, items, notes, kind, bool(slides)))
-    return slides
+    first, rest = flow(points, BODY_SIZE, box.width).split(box.height)
+    items = (title(head, layout.title), *flow_texts(first, box))
+    notes = tuple(point.text for point in points)
+    return [Slide(head, items, notes, kind), *continued(rest, box, head, layout, kind)]
 
 
 def _at_most(lines: list[tuple[Run, ...]], count: int) -> list[tuple[Run, ...]]:

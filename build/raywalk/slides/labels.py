@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from raywalk.slides.clip import clipped_line
 from raywalk.slides.figure import Item, Point, Polygon, Run, Text
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.typeface import shortened, width
@@ -76,29 +77,12 @@ class Places:
 
     def _is_clear(self, box: Box, strokes: list[tuple[Point, Point]]) -> bool:
         return not any(box.overlaps(other) for other in self.boxes) and not any(
-            crosses(box, *stroke) for stroke in strokes
+            clipped_line(*stroke, box) for stroke in strokes
         )
 
 
-def crosses(box: Box, start: Point, end: Point) -> bool:
-    """Whether any of the line lies in the box."""
-    low, high = 0.0, 1.0
-    for k in range(2):
-        way = end[k] - start[k]
-        near, far = (box.left, box.right) if k == 0 else (box.top, box.bottom)
-        if abs(way) < 1e-9:
-            if not near < start[k] < far:
-                return False
-            continue
-        a, b = sorted(((near - start[k]) / way, (far - start[k]) / way))
-        low, high = max(low, a), min(high, b)
-    return low < high
-
-
 def _drawn(box: Box, text: str, label: Label) -> list[Item]:
-    corners = ((box.left, box.top), (box.right, box.top), (box.right, box.bottom),
-               (box.left, box.bottom))  # fmt: skip
-    plate = Polygon(corners, "ground", opacity=0.85, name=f"plate of {text}")
+    plate = Polygon(box.corners, "ground", opacity=0.85, name=f"plate of {text}")
     inner = Box(box.left + PAD, box.top, box.width - 2 * PAD, box.height)
     runs = (Run(text, label.bold),)
     words = Text(inner, (runs,), SMALLEST, label.colour, leading=1.15, name=f"label {text}")

@@ -20,6 +20,12 @@ class Box(NamedTuple):
     def bottom(self) -> float:
         return self.top + self.height
 
+    @property
+    def corners(self) -> tuple[tuple[float, float], ...]:
+        """Clockwise from the top left."""
+        left, top = self.left, self.top
+        return (left, top), (self.right, top), (self.right, self.bottom), (left, self.bottom)
+
     def overlaps(self, other: Box) -> bool:
         return (
             self.left < other.right

@@ -34,7 +34,7 @@ from raywalk.slides.palette import DASH_LENGTHS, SCREEN, Palette
 from raywalk.slides.pictures import smaller
 from raywalk.slides.svg import arrow_head
 from raywalk.slides.table_parts import table_parts
-from raywalk.slides.typeface import ASCENT, font_file, is_right_to_left, run_width, width
+from raywalk.slides.typeface import font_file, is_right_to_left, run_width, width
 
 
 class MissingGlyphs(Exception):
@@ -237,16 +237,14 @@ class Pen:
     def _text(self, text: Text) -> None:
         c = self.canvas
         c.setFillColor(self._colour(text.colour))
-        high = text.size * text.leading
         for k, line in enumerate(text.lines):
-            y = text.box.top + k * high + (high - 1.117 * text.size) / 2 + ASCENT * text.size
             runs = _in_visual_order(line, text.right_to_left)
             whole = sum(run_width(run, text.size) for run in runs)
             left = text.box.left
             left += {"left": 0, "centre": 0.5, "right": 1}[text.align] * (text.box.width - whole)
             for run in runs:
                 c.setFont(font(run.bold, run.italic), text.size)
-                c.drawString(left, self.height - y, run.text)
+                c.drawString(left, self.height - text.baseline(k), run.text)
                 left += width(run.text, text.size, run.bold, run.italic)
 
 

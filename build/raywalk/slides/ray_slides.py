@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from raywalk.slides.blocks import Flow, flow, flow_texts, footer, title
+from raywalk.slides.blocks import Flow, continued, flow, flow_texts, footer, title
 from raywalk.slides.figure import Run, Slide
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import Paragraph
@@ -42,14 +42,11 @@ def _ray(lesson: Lesson, whole: Stop, ray: Row) -> list[Slide]:
         box = _words_box(layout, layout.words.top)
     first, rest = _fitting(events, box).split(box.height)
     items = (title(head, layout.title), figure, *flow_texts(first, box), *under)
-    slides = [Slide(head, items, notes, "ray", figure=figure)]
-    while rest.lines:
-        part, rest = rest.split(box.height)
-        box = box._replace(left=layout.title.left)  # no figure stands there
-        again = say("slides.continued", title=head)
-        items = (title(again, layout.title), *flow_texts(part, box), *under)
-        slides.append(Slide(again, items, (), "ray", True))
-    return slides
+    no_figure = box._replace(left=layout.title.left)
+    return [
+        Slide(head, items, notes, "ray", figure=figure),
+        *continued(rest, no_figure, head, layout, "ray", under),
+    ]
 
 
 def _fitting(events: list[Event], box: Box) -> Flow:

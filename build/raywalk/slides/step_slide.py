@@ -6,7 +6,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raywalk.scene.model import Scene
-from raywalk.slides.blocks import BODY_SIZE, Flow, flow, flow_texts, footer, one_line, title
+from raywalk.slides.blocks import (
+    BODY_SIZE,
+    Flow,
+    continued,
+    flow,
+    flow_texts,
+    footer,
+    one_line,
+    title,
+)
 from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat, hex_of
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import paragraphs_of, title_and_body
@@ -68,18 +77,13 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
     notes = (here, *step_notes(scene, stop))
     slides = [Slide(head, (*items, *under), notes, stop.kind, figure=figure)]
-    while rest.lines:
-        part, rest = rest.split(_wide(layout).height)
-        # The rest is wrapped anew to the whole slide's width.
-        again = say("slides.continued", title=head)
-        texts = flow_texts(part, _wide(layout))
-        slides.append(
-            Slide(again, (title(again, layout.title), *texts, *under), (), stop.kind, True)
-        )
+    below = _below_title(layout)
+    words_below = below._replace(left=layout.words.left, width=layout.words.width)
+    slides += continued(rest, words_below, head, layout, stop.kind, under)
     is_cut = any(isinstance(item, Table) and not is_whole(item, stop) for item in numbers)
     if is_cut and is_last:
         again = say("slides.continued", title=head)
-        for table in ray_tables(stop, _below_title(layout)):
+        for table in ray_tables(stop, below):
             from_to = (int(table.rows[k][0].text) for k in (1, -1))
             under = footer(where(lesson, stop), step_place(lesson, stop, *from_to), layout)
             items = [title(again, layout.title), table, *_beside(lesson, stop, table), *under]
@@ -118,12 +122,6 @@ def _below_title(layout: Layout) -> Box:
     """The whole slide between its title and its footer."""
     top = layout.title.bottom + 12
     return Box(layout.title.left, top, layout.title.width, layout.footer.top - 12 - top)
-
-
-def _wide(layout: Layout) -> Box:
-    """Where the words that did not fit go on."""
-    top = layout.title.bottom + 12
-    return Box(layout.words.left, top, layout.words.width, layout.footer.top - 12 - top)
 
 
 def where(lesson: Lesson, stop: Stop) -> str:
@@ -204,7 +202,7 @@ def _picture(lesson: Lesson, stop: Stop, box: Box) -> list[Item]:
     tile = max(side / n, 5.0)
     x = frame.left + (column + 0.5) / n * side - tile / 2
     y = frame.top + (row + 0.5) / n * side - tile / 2
-    square = ((x, y), (x + tile, y), (x + tile, y + tile), (x, y + tile))
+    square = Box(x, y, tile, tile).corners
     items.append(Polygon(square, None, "#000000", 3.0, name=chosen_tile(stop.pixel)))
     items.append(Polygon(square, None, "#ffffff", 1.4, name=chosen_tile(stop.pixel)))
     beside = Box(frame.right + GAP, frame.top, box.right - frame.right - GAP, side)
@@ -230,8 +228,9 @@ def _pixel_colour(stop: Stop, box: Box) -> list[Item]:
 
 
 def _swatch(left: float, top: float, side: float, colour: str) -> Polygon:
-    corners = ((left, top), (left + side, top), (left + side, top + side), (left, top + side))
-    return Polygon(corners, colour, "rule", 0.75, name=say("slides.swatch"))
+    return Polygon(
+        Box(left, top, side, side).corners, colour, "rule", 0.75, name=say("slides.swatch")
+    )
 
 
 def legend(figure: Group, layout: Layout) -> list[Item]:

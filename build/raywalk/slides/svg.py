@@ -14,7 +14,7 @@ from raywalk.slides.layout import Box
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import DASH_LENGTHS, PRINT, SCREEN, Palette
 from raywalk.slides.table_parts import table_parts
-from raywalk.slides.typeface import ASCENT, FAMILY
+from raywalk.slides.typeface import FAMILY
 
 HEAD_LONG, HEAD_WIDE = 4.0, 3.4  # of an arrow, in widths of its line
 LEAST_HEAD = 1.6  # points: the line width that the thinnest line's head goes by
@@ -203,7 +203,7 @@ def data_url(data: bytes) -> str:
 
 
 def _text(text: Text, ink: Ink) -> str:
-    box, height = text.box, text.size * text.leading
+    box = text.box
     x = {"left": box.left, "centre": box.left + box.width / 2, "right": box.right}[text.align]
     anchor = {"left": "start", "centre": "middle", "right": "end"}[text.align]
     if text.right_to_left:  # then a line starts at its right
@@ -212,12 +212,10 @@ def _text(text: Text, ink: Ink) -> str:
     shape += ' direction="rtl"' if text.right_to_left else ""
     lines = []
     for k, line in enumerate(text.lines):
-        # The letters stand in the middle of their line: half of what is left goes above them.
-        y = box.top + k * height + (height - 1.117 * text.size) / 2 + ASCENT * text.size
         words = "".join(_run(run.text, run.bold, run.italic) for run in line)
         kept = ' xml:space="preserve"' if "  " in words else ""
         lines.append(
-            f'<text x="{_n(x)}" y="{_n(y)}" font-size="{_n(text.size)}" '
+            f'<text x="{_n(x)}" y="{_n(text.baseline(k))}" font-size="{_n(text.size)}" '
             f"{ink.fill(text.colour)}{shape}{kept}>{words}</text>"
         )
     return "".join(lines)

@@ -36,9 +36,8 @@ def cell_parts(cell: Cell, box: Box, align: str, size: float) -> list[Item]:
         items.append(Line(*ends, cell.sample, 2.2, cell.sample, name=cell.sample))
         left += SAMPLE_ROOM
     if cell.swatch:
-        x, y = box.right - SWATCH, middle - SWATCH / 2
-        corners = ((x, y), (x + SWATCH, y), (x + SWATCH, y + SWATCH), (x, y + SWATCH))
-        items.append(Polygon(corners, cell.swatch, "rule", 0.75, name="swatch"))
+        place = Box(box.right - SWATCH, middle - SWATCH / 2, SWATCH, SWATCH)
+        items.append(Polygon(place.corners, cell.swatch, "rule", 0.75, name="swatch"))
     if cell.text:
         right = box.right - (CELL_GAP if align == "left" else 0)
         place = Box(left, box.top, right - left, box.height)

@@ -25,7 +25,6 @@ FILES = {
     (False, True): "400Regular_Italic/Arimo_400Regular_Italic.ttf",
     (True, True): "700Bold_Italic/Arimo_700Bold_Italic.ttf",
 }
-ASCENT = 0.905  # of the size, from the baseline up; as in Arial
 FAMILY = "Arial, 'Liberation Sans', Arimo, Helvetica, sans-serif"
 
 

@@ -12,14 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from raywalk.geometry.compiled import Hits, Rays, rays_from
-from raywalk.geometry.containment import objects_around
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene.placement import placement
 from raywalk.scene.shapes import Plane
-from raywalk.trace.bounce import Bounced
 from raywalk.trace.camera import unit_directions
-from raywalk.trace.media import stack_width, stacks_holding
-from raywalk.trace.tree import Kind
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 # An endless floor fades outwards between these distances from the scene's middle, in its radii.
@@ -48,12 +44,12 @@ class Observer:
 def shaded_view(tracer: Tracer, observer: Observer) -> np.ndarray:
     """(height, width, 4) uint8: traced colours, and how much there is to see at each pixel:
     0 where rays leave the scene, fading far out on a plane."""
-    walls, media = Walls(tracer, observer.eye), _media_at(tracer, observer.eye)
+    walls, media = Walls(tracer, observer.eye), tracer.media_at(observer.eye)
     pixels = np.arange(observer.width * observer.height)
     view = np.zeros((len(pixels), 4), np.uint8)
     for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
         first = _through_cut(tracer, _rays_through(observer, strip), walls)
-        wave = tracer.to_the_end(_as_camera_rays(tracer, media, first))[0]
+        wave = tracer.to_the_end(first, media)[0]
         view[strip, :3] = eight_bit(wave.colour)
         view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
     return view.reshape(observer.height, observer.width, 4)
@@ -138,30 +134,15 @@ def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> Rays:
     while len(going):
         hits = tracer.compiled.hits(rays.take(going))
         through = np.flatnonzero(walls.let_through(hits))
-        going, hits = going[through], hits.take(through)
-        rays.origin[going], rays.leaving[going] = hits.point, hits.object
-        rays.inner[going], rays.triangle[going] = ~hits.inside, hits.triangle
+        going = going[through]
+        _pass(rays, going, hits.take(through))
     return rays
 
 
-def _media_at(tracer: Tracer, eye: np.ndarray) -> list[int]:
-    """The glass that the observer stands in."""
-    scene = tracer.scene
-    around = objects_around(tracer.compiled, eye)
-    return [k for k in around if scene.materials[scene.objects[k].material].transmit > 0]
-
-
-def _as_camera_rays(tracer: Tracer, media: list[int], rays: Rays) -> Bounced:
-    count, scene = len(rays.origin), tracer.scene
-    return Bounced(
-        rays=rays,
-        parent=np.full(count, -1, np.int32),
-        kind=np.full(count, Kind.CAMERA, np.uint8),
-        weight=np.ones(count),
-        share=np.ones(count),
-        media=stacks_holding(media, stack_width(scene), count),
-        faint=0,
-    )
+def _pass(rays: Rays, going: np.ndarray, hits: Hits) -> None:
+    """These rays go on from what they met."""
+    rays.origin[going], rays.leaving[going] = hits.point, hits.object
+    rays.inner[going], rays.triangle[going] = ~hits.inside, hits.triangle
 
 
 def _presence(tracer: Tracer, met: np.ndarray, point: np.ndarray) -> np.ndarray:
@@ -192,6 +173,5 @@ def _hidden(tracer: Tracer, eye: np.ndarray, points: np.ndarray, walls: Walls) -
         hidden[going[before & ~passed]] = True
         going, hits = going[passed], hits.take(passed)
         left[going] -= hits.t
-        rays.origin[going], rays.leaving[going] = hits.point, hits.object
-        rays.inner[going], rays.triangle[going] = ~hits.inside, hits.triangle
+        _pass(rays, going, hits)
     return hidden

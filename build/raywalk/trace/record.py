@@ -10,7 +10,7 @@ from raywalk.geometry.compiled import Rays
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tally import Tally, tally_tests
-from raywalk.trace.tree import RayTree
+from raywalk.trace.tree import RayTree, dense, level_pixels
 from raywalk.trace.wave import Wave
 
 if TYPE_CHECKING:
@@ -30,16 +30,11 @@ class Recorded(NamedTuple):
 
 
 def kept_pixels(size: int, resolutions: tuple[int, ...]) -> np.ndarray:
-    """(size * size,) bool: pixels whose ray some frustum resolution uses.
-
-    Tile (i, j) of n x n is picture pixel (i k + (k - 1) / 2, j k + (k - 1) / 2), k = size / n.
-    """
-    kept = np.zeros((size, size), bool)
+    """(size * size,) bool: pixels whose ray some frustum resolution uses."""
+    kept = np.zeros(size * size, bool)
     for n in resolutions:
-        step = size // n
-        centres = np.arange(n) * step + (step - 1) // 2
-        kept[np.ix_(centres, centres)] = True
-    return kept.reshape(-1)
+        kept[level_pixels(size, n)] = True
+    return kept
 
 
 def record(
@@ -119,7 +114,8 @@ def assemble(tracer: Tracer, records: list[Recorded], size: int) -> RayTree:
         level, strip_starts = _join(records, depth)
         if depth:
             parent = level["parent"] + strip_starts
-            path = _dense(BRANCHES * path[parent] + BRANCH_OF[level["kind"]])
+            # Small again: the numbers of 1000 bounces would overflow.
+            path = dense(BRANCHES * path[parent] + BRANCH_OF[level["kind"]])
             order = np.lexsort([place[parent], path])
             level["parent"] = (place[parent] + offset - len(place)).astype(np.int32)
         else:
@@ -143,11 +139,6 @@ def _join(records: list[Recorded], depth: int) -> tuple[dict[str, np.ndarray], n
             start += len(recorded.waves[depth - 1]["parent"])
     joined = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
     return joined, np.concatenate(starts)
-
-
-def _dense(path: np.ndarray) -> np.ndarray:
-    """Path numbers made small again, in the same order: 1000 bounces would overflow."""
-    return np.unique(path, return_inverse=True)[1].reshape(-1)
 
 
 def _tree(

@@ -56,6 +56,21 @@ LIT = (Visibility.REACHED, Visibility.UNTESTED)
 SHOT = (Visibility.REACHED, Visibility.BLOCKED)  # by a shadow ray
 
 
+def level_pixels(size: int, n: int) -> np.ndarray:
+    """(n * n,) picture pixels that the tiles of n x n share their centres with, raster order: tile
+    (i, j) is pixel (i k + (k - 1) / 2, j k + (k - 1) / 2), k = size / n. Raises ValueError."""
+    k, rest = divmod(size, n)
+    if rest or k % 2 == 0:
+        raise ValueError(f"{n} does not divide {size} with an odd quotient")
+    along = np.arange(n) * k + (k - 1) // 2
+    return np.asarray((along[:, None] * size + along).reshape(-1))
+
+
+def dense(key: np.ndarray) -> np.ndarray:
+    """Small numbers, equal where the keys are and in their order."""
+    return np.unique(key, return_inverse=True)[1].reshape(-1)
+
+
 @dataclass(frozen=True, eq=False)
 class RayTree:
     """Columns over m rays and L lights. World units; colours linear, unclamped.

@@ -70,9 +70,14 @@ class Tracer:
         self.lights = compile_lights(scene)
         self.ior_of = self.materials.ior[[obj.material for obj in scene.objects]]
         self.scene_sphere = finite_sphere(scene, self.compiled)
-        around = objects_around(self.compiled, np.array(scene.camera.eye, float))
-        refuse_buried_camera(scene, around)
-        self.eye_media = [k for k in around if self.materials.transmit[scene.objects[k].material]]
+        eye = np.array(scene.camera.eye, float)
+        refuse_buried_camera(scene, objects_around(self.compiled, eye))
+        self.eye_media = self.media_at(eye)
+
+    def media_at(self, eye: np.ndarray) -> list[int]:
+        """The glass that an eye (3,) is in, the largest body first."""
+        around = objects_around(self.compiled, eye)
+        return [k for k in around if self.materials.transmit[self.scene.objects[k].material]]
 
     def waves(self, pixels: np.ndarray, width: int, height: int) -> list[Wave]:
         """Traces pixels (n,) (row * width + column) to the end; wave 0 holds their colours."""
@@ -82,11 +87,11 @@ class Tracer:
 
     def follow(self, origin: np.ndarray, direction: np.ndarray) -> list[Wave]:
         """Traces rays (n, 3) that start where the eye is, or in the same media, to the end."""
-        return self.to_the_end(self._shot(origin, direction))
+        return self.to_the_end(rays_from(origin, direction), self.eye_media)
 
-    def to_the_end(self, first: Bounced) -> list[Wave]:
-        """Traces these first rays, wherever they start and whatever they leave."""
-        waves = [self._wave(first)]
+    def to_the_end(self, first: Rays, media: list[int]) -> list[Wave]:
+        """Traces these first rays, whatever they leave, which start in this glass."""
+        waves = [self._wave(self._shot(first, media))]
         while len(waves) <= self.plan.depth:
             last = waves[-1]
             bounced = bounce(
@@ -100,15 +105,15 @@ class Tracer:
             add_children(before.colour, after.parent, after.weight, after.colour)
         return waves
 
-    def _shot(self, origin: np.ndarray, direction: np.ndarray) -> Bounced:
-        count = len(origin)
+    def _shot(self, rays: Rays, media: list[int]) -> Bounced:
+        count = len(rays.origin)
         return Bounced(
-            rays=rays_from(origin, direction),
+            rays=rays,
             parent=np.full(count, -1, np.int32),
             kind=np.full(count, Kind.CAMERA, np.uint8),
             weight=np.ones(count),
             share=np.ones(count),
-            media=stacks_holding(self.eye_media, stack_width(self.scene), count),
+            media=stacks_holding(media, stack_width(self.scene), count),
             faint=0,
         )
 

@@ -11,7 +11,6 @@ import numpy as np
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file.header import begin_header
-from raywalk.trace_file.level import in_file_order
 from raywalk.trace_file.measure import measured_errors
 from raywalk.trace_file.noting import Noting, Ray
 from raywalk.trace_file.patches import split_into_patches
@@ -26,9 +25,8 @@ def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
 
 
-def written(level: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str, Any], Ray]:
+def written(tree: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str, Any], Ray]:
     """What the file holds, and the columns as every reader will have them."""
-    tree = in_file_order(level)
     tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
     extent = finite_extent(tree, scene)
     patches, patch_of = split_into_patches(tree.object, tree.point, tree.normal, extent)

@@ -1,4 +1,4 @@
-"""One frustum resolution read out of the whole ray tree, in the order the file keeps."""
+"""One frustum resolution read out of the whole ray tree, whose order the file keeps."""
 
 from __future__ import annotations
 
@@ -6,20 +6,10 @@ from dataclasses import fields, replace
 
 import numpy as np
 
-from raywalk.trace.kinds import BRANCH_OF, BRANCHES
-from raywalk.trace.tree import RayTree
+from raywalk.trace.tree import RayTree, level_pixels
 from raywalk.trace_file.errors import TraceFileError
 
 PER_HIT = ("hits_t", "hits_object")
-
-
-def level_pixels(size: int, n: int) -> np.ndarray:
-    """(n * n,) picture pixels that tile (i, j) shares its centre with, raster order."""
-    k, rest = divmod(size, n)
-    if rest or k % 2 == 0:
-        raise TraceFileError(f"{n} does not divide {size} with an odd quotient")
-    along = np.arange(n) * k + (k - 1) // 2
-    return np.asarray((along[:, None] * size + along).reshape(-1))
 
 
 def level_of(tree: RayTree, n: int) -> RayTree:
@@ -30,35 +20,10 @@ def level_of(tree: RayTree, n: int) -> RayTree:
     missing = n * n - int(np.count_nonzero(chosen[: tree.cameras]))
     if missing:
         raise TraceFileError(f"{missing} pixels of level {n} were not kept")
-    return _rows(tree, np.flatnonzero(chosen))
+    return rows_of(tree, np.flatnonzero(chosen))
 
 
-def in_file_order(tree: RayTree) -> RayTree:
-    """Depth by depth, path by path (RR, RT, TR, TT ...), each in its parents' order."""
-    rank = np.zeros(len(tree.pixel), np.int64)  # a ray's place within its depth
-    path = np.zeros(len(tree.pixel), np.int64)
-    ordered: list[np.ndarray] = []
-    rows = np.flatnonzero(tree.parent < 0)
-    while len(rows):
-        if ordered:
-            branch = BRANCH_OF[tree.kind[rows]]
-            path[rows] = _dense(BRANCHES * path[tree.parent[rows]] + branch)
-        place = rank[tree.parent[rows]] if ordered else tree.pixel[rows]
-        rows = rows[np.lexsort((place, path[rows]))]
-        rank[rows] = np.arange(len(rows))
-        ordered.append(rows)
-        of_these = np.zeros(len(tree.pixel) + 1, bool)  # the last serves parent -1
-        of_these[rows] = True
-        rows = np.flatnonzero(of_these[tree.parent])
-    return _rows(tree, np.concatenate(ordered))
-
-
-def _dense(path: np.ndarray) -> np.ndarray:
-    """Path numbers made small again, in the same order: 1000 bounces would overflow."""
-    return np.unique(path, return_inverse=True)[1].reshape(-1)
-
-
-def _rows(tree: RayTree, rows: np.ndarray) -> RayTree:
+def rows_of(tree: RayTree, rows: np.ndarray) -> RayTree:
     """The tree of these rows alone; they must hold the parent of each."""
     new_row = np.full(len(tree.pixel) + 1, -1, np.int32)  # the last serves parent -1
     new_row[rows] = np.arange(len(rows))

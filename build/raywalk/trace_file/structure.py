@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
-from raywalk.trace.tree import SENT_ON, Kind
+from raywalk.trace.tree import SENT_ON, Kind, dense
 from raywalk.trace_file.neighbours import NONE, follow, in_raster
 
 # (column, first row, group, kind, sides within these rows) -> symbols of these rows
@@ -46,7 +46,7 @@ def grow(n: int, first_object: np.ndarray, patch_of: np.ndarray, coder: Coder) -
     base = len(patch_of) + 1
     while wave.count:
         wave.surface = coder("surface", first, wave.before, wave.before, wave.sides)
-        wave.history = _dense(wave.before * base + patch_of[wave.surface])
+        wave.history = dense(wave.before * base + patch_of[wave.surface])
         group = wave.history * base + wave.surface
         wave.children = coder("children", first, group, wave.surface, wave.sides)
         waves.append(wave)
@@ -108,11 +108,6 @@ def _sides(wave: Structure, parent: np.ndarray, branch_of: np.ndarray) -> np.nda
         child[parent[mine]] = mine
         sides[:, mine] = follow(child, wave.sides[:, parent[mine]])
     return sides
-
-
-def _dense(key: np.ndarray) -> np.ndarray:
-    """Small numbers, equal where the keys are."""
-    return np.unique(key, return_inverse=True)[1].reshape(-1)
 
 
 def _joined(waves: list[Structure]) -> Structure:
