@@ -12,9 +12,8 @@ from raywalk.bench.cases import BrokenBounds, Case, refuse_broken
 from raywalk.bench.convex import wrong_verdicts
 from raywalk.bench.families import around, in_ball, towards
 from raywalk.bench.made_scenes import icosphere, scene_of
-from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
 from raywalk.bench.truth import nearest_hit, triangle_meets
-from raywalk.bench.twofold import Twofold
+from raywalk.bench.twofold import Twofold, error_of, nearest_root, sphere_roots
 from raywalk.scene.shapes import Box, Cylinder, Disc, Ellipsoid, Plane, Shape, Sphere, Triangle
 
 DOWN = np.array([0.0, 0.0, -1.0])

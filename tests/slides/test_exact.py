@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from raywalk.errors import UserError
-from raywalk.slides.files import ASKED, SIGHTS
+from raywalk.slides.formats import ASKED, SIGHTS
 from raywalk.slides.layout import WIDE
 from raywalk.stops.decoded import read_trace
 from raywalk.trace.pixel_tree import pixel_tree

@@ -23,7 +23,7 @@ from raywalk.slides.figure import (
     Text,
     flat,
 )  # fmt: skip
-from raywalk.slides.files import REMARKS
+from raywalk.slides.formats import REMARKS
 from raywalk.slides.html import deck_html
 from raywalk.slides.labels import Label, Places, crosses
 from raywalk.slides.layout import SMALLEST, Box

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import pytest
 
-from raywalk.site.ray_sheet import ray_sheet
+from raywalk.site.assets import ray_sheet
 from raywalk.slides.palette import DASH_LENGTHS, PALETTES, PRINT
 from raywalk.trace.kinds import BRANCHES, LINES, PAGE, RAYS, SLIDES
 from raywalk.trace.tree import SENT_ON, Kind

@@ -14,8 +14,7 @@ from conftest import STOPS, Encoded, decode
 from raywalk.errors import SourceErrors
 from raywalk.stops.decoded import read_trace
 from raywalk.trace_file.container import pack, script, unpack
-from raywalk.trace_file.encode import checksum
-from raywalk.trace_file.write import write_level
+from raywalk.trace_file.encode import checksum, write_level
 
 
 def changed(data: bytes, **parts: Any) -> bytes:

@@ -13,7 +13,7 @@ from tiny_tracer import make_scene, trace_tiny
 from raywalk.scene.shapes import Sphere
 from raywalk.trace.tree import Visibility
 from raywalk.trace_file.encode import encode
-from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.level import TraceFileError
 from raywalk.trace_file.precision import COLOUR, NORMAL, finite_extent
 
 EXACT = ("kind", "parent", "depth", "object", "material", "inside", "tests", "pixel")

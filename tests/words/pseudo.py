@@ -18,7 +18,7 @@ from raywalk.site.assets import PART, write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.pages import write_pages
 from raywalk.site.scene_data import scene_words
-from raywalk.trace_file.script import write_script
+from raywalk.trace_file.container import write_script
 from raywalk.words.catalogue import read_tree, words_from
 
 HEBREW = "אבגדהוזחטיכלמנסעפצקרשתאבגד"

@@ -189,8 +189,8 @@ def test_sentences_are_those_of_the_last_save_on_pages_and_slides(checkout):
 
 def test_an_edit_of_the_code_is_made_again_and_named(checkout):
     """Of slides, and of a scene's data for the page: what is not behind either stays."""
-    file = checkout / "build/raywalk/site/page_data.py"
+    file = checkout / "build/raywalk/site/scene_data.py"
     file.write_text(file.read_text(encoding="utf-8") + "# more\n", encoding="utf-8")
     said = site(checkout, BUILD)
-    assert "01-ball: page data made: code: site/page_data.py changed" in said
+    assert "01-ball: page data made: code: site/scene_data.py changed" in said
     assert "0 traced" in said and "slides of" not in said

@@ -14,7 +14,7 @@ from raywalk.commands.slides import traced
 from raywalk.pipeline import parts as keys
 from raywalk.pipeline import slides as slide_pipeline
 from raywalk.scene.read import read_scene
-from raywalk.slides.files import ASKED, KEPT
+from raywalk.slides.formats import ASKED, KEPT
 from raywalk.stops.process import Stops
 from raywalk.work.maker import OURS
 from raywalk.work.scripts import npm_package

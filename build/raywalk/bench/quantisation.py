@@ -16,9 +16,9 @@ from raywalk.stops.decoded import DecodedTrace, read_trace
 from raywalk.stops.process import Stops
 from raywalk.trace.tree import RayTree
 from raywalk.trace.wavefront import trace_scene
+from raywalk.trace_file.encode import write_level
 from raywalk.trace_file.level import level_of
 from raywalk.trace_file.precision import COLOUR
-from raywalk.trace_file.write import write_level
 
 SIZE, LEVEL = 165, 55
 # Column of the file's header: the bound it must keep whatever it states, and its unit.

@@ -9,8 +9,7 @@ import numpy as np
 from raywalk.bench.cases import Case, none_of
 from raywalk.bench.families import directions, from_inside, perpendicular, unit_rows
 from raywalk.bench.made_scenes import scene_of
-from raywalk.bench.sphere_truth import sphere_roots
-from raywalk.bench.twofold import Twofold, columns, dot
+from raywalk.bench.twofold import Twofold, columns, dot, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.optics.scatter import mirror_directions

@@ -10,7 +10,7 @@ from raywalk.bench.cases import Case, none_of
 from raywalk.bench.embree32 import sphere32
 from raywalk.bench.families import around, directions, in_ball, towards
 from raywalk.bench.made_scenes import scene_of
-from raywalk.bench.sphere_truth import nearest_root, sphere_roots
+from raywalk.bench.twofold import nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.shapes import Box, Disc, Plane, Shape, Sphere, Triangle
 

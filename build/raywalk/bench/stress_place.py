@@ -13,7 +13,7 @@ from raywalk.bench.embree32 import Embree32, sphere32
 from raywalk.bench.families import around
 from raywalk.bench.glass_bodies import SOLIDS
 from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, nearest_t, placed, scene_of
-from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
+from raywalk.bench.twofold import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import Light, SceneObject
 from raywalk.scene.shapes import Sphere

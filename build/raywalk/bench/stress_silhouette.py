@@ -10,7 +10,7 @@ from raywalk.bench.cases import Case, per_million
 from raywalk.bench.embree32 import sphere32
 from raywalk.bench.families import around, directions, perpendicular
 from raywalk.bench.made_scenes import scene_of
-from raywalk.bench.sphere_truth import error_of, nearest_root, sphere_roots
+from raywalk.bench.twofold import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.shapes import Sphere
 

@@ -24,7 +24,7 @@ from raywalk.work.snapshot import digest_of
 MESH = "mesh_"
 
 TRACE = Maker("raywalk.pipeline.trace_products", "write_products")
-PAGE_DATA = Maker("raywalk.site.page_data", "write_page_data")
+PAGE_DATA = Maker("raywalk.site.scene_data", "write_page_data")
 PREVIEW = Maker("raywalk.site.preview", "write_preview")
 
 

@@ -23,7 +23,7 @@ from raywalk.site.reports import publish_reports
 from raywalk.site.savings import savings_lines
 from raywalk.site.scene_data import scene_words
 from raywalk.site.sitemap import write_sitemap
-from raywalk.trace_file.script import write_script
+from raywalk.trace_file.container import write_script
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.publish import staged

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image
 
 from raywalk.scene.model import Scene
-from raywalk.slides.files import SIGHTS
+from raywalk.slides.formats import SIGHTS
 from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record

@@ -11,8 +11,7 @@ from raywalk.scene.model import Scene
 from raywalk.scene.translation import translation_file
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
-from raywalk.slides.files import KEPT, REMARKS
-from raywalk.slides.formats import COURSE_FORMATS, FORMATS, SHEET_FORMATS, TRANSLATED
+from raywalk.slides.formats import COURSE_FORMATS, FORMATS, KEPT, REMARKS, SHEET_FORMATS, TRANSLATED
 from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.layout import Layout

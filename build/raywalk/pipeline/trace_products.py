@@ -18,10 +18,10 @@ from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import SHOT, RayTree
 from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
+from raywalk.trace_file.container import write_script
+from raywalk.trace_file.encode import write_level
 from raywalk.trace_file.level import level_of
 from raywalk.trace_file.png import write_png
-from raywalk.trace_file.script import write_script
-from raywalk.trace_file.write import write_level
 from raywalk.work.progress import Report, say_nothing
 
 if TYPE_CHECKING:

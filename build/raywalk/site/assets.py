@@ -7,7 +7,7 @@ import json
 import subprocess
 from pathlib import Path
 
-from raywalk.site.ray_sheet import ray_sheet
+from raywalk.trace.kinds import LINES, PAGE
 from raywalk.words import Words
 from raywalk.work.snapshot import bytes_of
 
@@ -68,3 +68,24 @@ def named(out: Path, stem: str, ending: str, content: bytes) -> str:
     (out / "assets").mkdir(parents=True, exist_ok=True)
     (out / name).write_bytes(content)
     return name
+
+
+def ray_sheet() -> str:
+    """Custom properties of both pages, and a rule for each place that shows a kind."""
+    rules = [_colours(":root", "dark"), _colours(".projector", "light")]
+    for kind, row in PAGE.items():
+        rules.append(f".{kind} {{ --line: var(--ray-{kind}); }}")
+        rules.append(f".kind.{kind} {{ color: var(--word-{kind}); }}")
+        drawn, empty = row["edge"]
+        if empty:
+            edge = f"--on: {drawn}px; --period: {drawn + empty}px;"
+            rules.append(f".ray.{kind}::before {{ {edge} }}")
+    return "\n".join(rules) + "\n"
+
+
+def _colours(page: str, colour: str) -> str:
+    colours = [
+        f"--ray-{kind}: {LINES[kind][colour]}; --word-{kind}: {PAGE[kind][colour]};"
+        for kind in LINES
+    ]
+    return f"{page} {{ {' '.join(colours)} }}"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import cast
 
 import numpy as np
@@ -12,6 +14,7 @@ from raywalk.scene.model import Camera, LessonStep, Light, Material, Scene, Scen
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
+from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
     CameraData,
     LessonStepData,
@@ -24,6 +27,7 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
+from raywalk.trace_file.container import write_script
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,3 +145,27 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = linear, centre
     return [float(value) for value in matrix.T.reshape(-1)]
+
+
+def write_page_data(scene: Scene, traced: Path, folder: Path) -> None:
+    """traced: the folder of the scene's trace, with facts.json and display.npz."""
+    facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
+    data = scene_data(scene, read_display(scene, traced / "display.npz"), savings_of(facts))
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
+
+
+def read_display(scene: Scene, path: Path) -> Display:
+    """The drawing data that the trace stage handed on."""
+    arrays = np.load(path)
+    meshes = {
+        obj.name: DisplayMesh(
+            centre=arrays[f"{k}.centre"],
+            vertices=arrays[f"{k}.vertices"],
+            faces=arrays[f"{k}.faces"],
+            normals=arrays.get(f"{k}.normals"),
+        )
+        for k, obj in enumerate(scene.objects)
+        if isinstance(obj.shape, Mesh)
+    }
+    return Display(arrays["centre"], float(arrays["radius"]), meshes)

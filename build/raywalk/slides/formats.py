@@ -11,3 +11,10 @@ FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
 # Of a translation: figures have few words, and any printer sets several slides on a sheet.
 TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
 COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
+
+
+ASKED = "asked.json"  # what the tracer is asked
+SIGHTS = "sights.json"  # what it answers
+LESSON = "lesson.json"  # the lesson as the viewer's modules know it
+KEPT = "slides.pickle"  # a lesson's slides as plain data, for the course
+REMARKS = "remarks.txt"  # what could not be written, and why

@@ -17,7 +17,7 @@ from pptx.util import Pt
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.palette import Palette
 from raywalk.slides.pptx_shapes import ShapeWriter
-from raywalk.slides.pptx_xml import NAMESPACES, solid
+from raywalk.slides.pptx_text import NAMESPACES, solid
 
 TITLE_ONLY = 5  # of the template's layouts
 LONG_AGO = datetime(2020, 1, 1)  # every file's date: the same slides are the same bytes

@@ -15,9 +15,16 @@ from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Point, 
 from raywalk.slides.layout import Box
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import SCREEN, Palette
-from raywalk.slides.pptx_table import table_xml
-from raywalk.slides.pptx_text import text_body, wider
-from raywalk.slides.pptx_xml import NAMESPACES, emu, place, preset, solid
+from raywalk.slides.pptx_text import (
+    NAMESPACES,
+    emu,
+    place,
+    preset,
+    solid,
+    table_xml,
+    text_body,
+    wider,
+)
 from raywalk.slides.svg import HEAD_LONG
 from raywalk.slides.table_parts import cell_parts
 from raywalk.trace.kinds import SLIDES

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -18,8 +19,7 @@ from raywalk.slides.blocks import (
 )
 from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat, hex_of
 from raywalk.slides.layout import SMALLEST, Box, Layout
-from raywalk.slides.lesson_words import paragraphs_of, title_and_body
-from raywalk.slides.notes import step_notes
+from raywalk.slides.lesson_words import paragraphs_of, plain_text, title_and_body
 from raywalk.slides.palette import KINDS
 from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
@@ -253,3 +253,11 @@ def legend(figure: Group, layout: Layout) -> list[Item]:
         items.append(one_line(word, Box(left + SAMPLE + 6, top, wide, LEGEND_ROW), name=word))
         left += wide + 14
     return [Group(say("slides.legend"), "", tuple(items))] if items else []
+
+
+def step_notes(scene: Scene, stop: Stop) -> Iterator[str]:
+    """Paragraphs; an asking step's say nothing that gives its answer away."""
+    yield plain_text(stop.text(scene))
+    if stop.kind == "question":
+        yield say("slides.questionNote")
+    yield from (event.in_words for event in stop.events)

@@ -17,16 +17,17 @@ from typing import TypeVar
 
 import numpy as np
 
+from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
 from raywalk.geometry.containment import objects_around
 from raywalk.geometry.extent import finite_sphere
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.scene.model import Scene
+from raywalk.scene.shapes import Plane
 from raywalk.trace.bounce import Bounced, bounce
 from raywalk.trace.camera import camera_directions
 from raywalk.trace.lighting import light_hits
 from raywalk.trace.media import stack_width, stacks_holding
-from raywalk.trace.placement_check import refuse_buried_camera
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import Recorded, assemble, kept_pixels, record
 from raywalk.trace.tables import compile_lights, compile_materials
@@ -190,3 +191,23 @@ def _submit(
 def eight_bit(colour: np.ndarray) -> np.ndarray:
     """Linear colours clamped to 0..1 and rounded to 0..255 (halves up), no gamma."""
     return np.floor(255.0 * np.clip(colour, 0.0, 1.0) + 0.5).astype(np.uint8)
+
+
+def refuse_buried_camera(scene: Scene, around: list[int]) -> None:
+    """Raises SourceErrors if an opaque closed object contains the camera's eye.
+
+    A plane is a surface to an author, not a solid: being behind one is fine.
+    """
+    problems = [
+        SourceError(
+            scene.path,
+            "camera.eye",
+            f'{list(scene.camera.eye)} lies inside the opaque "{scene.objects[k].name}"',
+            allowed="a camera may stand outside, or inside glass (transmit > 0)",
+        )
+        for k in around
+        if not scene.materials[scene.objects[k].material].transmit
+        and not isinstance(scene.objects[k].shape, Plane)
+    ]
+    if problems:
+        raise SourceErrors(problems)

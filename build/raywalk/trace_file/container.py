@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import base64
 import gzip
+import os
 import zlib
+from pathlib import Path
 
 FORMAT, VERSION = "raywalk-trace", 2
 GZIP = 31  # window bits that make zlib write a gzip frame; it notes no time
@@ -29,3 +31,23 @@ def script(name: str, packed: bytes) -> bytes:
 def unpack(written: bytes) -> bytes:
     """The JSON bytes in what `script` made."""
     return gzip.decompress(base64.b64decode(written.split(b'"')[3]))
+
+
+def write_beside(path: Path, data: bytes) -> None:
+    """The file appears whole or not at all."""
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        beside.write_bytes(data)
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def write_script(path: Path, name: str, json_bytes: bytes) -> None:
+    """raywalkReceive("<name>","<base64 of the gzip of the JSON>") as a classic script."""
+    write_packed(path, name, pack(json_bytes))
+
+
+def write_packed(path: Path, name: str, packed: bytes) -> None:
+    """The same of JSON that is packed already."""
+    write_beside(path, script(name, packed))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import zlib
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
+from raywalk.trace_file.container import pack, write_beside, write_packed
 from raywalk.trace_file.header import begin_header
 from raywalk.trace_file.measure import measured_errors
 from raywalk.trace_file.noting import Noting, Ray
@@ -43,3 +45,10 @@ def checksum(header: dict[str, Any]) -> int:
     """Damage is noticed: one CRC-32 over the columns in the order of their names."""
     columns = header["columns"]
     return zlib.crc32("".join(columns[name] for name in sorted(columns)).encode())
+
+
+def write_level(folder: Path, level: RayTree, n: int, scene: Scene, picture: np.ndarray) -> None:
+    """<n>.json.gz for anyone, <n>.js for the viewer, which cannot fetch from file://."""
+    packed = pack(encode(level, scene, picture))
+    write_beside(folder / f"{n}.json.gz", packed)
+    write_packed(folder / f"{n}.js", f"{scene.id}/{n}", packed)

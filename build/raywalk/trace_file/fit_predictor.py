@@ -11,7 +11,41 @@ from dataclasses import dataclass
 import numpy as np
 
 from raywalk.trace_file import residuals
-from raywalk.trace_file.predictor import FLAT, UNIT, Predictor
+
+UNIT = 256  # of taps
+FLAT = (UNIT, UNIT, -UNIT, 0, 0, 0)  # left + up - up-left: right on any plane
+
+
+@dataclass(frozen=True)
+class Predictor:
+    """Of one kind of ray in one column. taps None: the affine part stands alone."""
+
+    affine: tuple[float, ...] = ()  # constant, then one coefficient per feature
+    taps: tuple[int, ...] | None = FLAT
+
+    def header(self) -> dict[str, list]:
+        written: dict[str, list] = {}
+        if self.affine:
+            written["affine"] = list(self.affine)
+        if self.taps != FLAT:
+            written["taps"] = list(self.taps or ())
+        return written
+
+
+def affine_part(
+    kind: np.ndarray, predictors: dict[int, Predictor], features: list[np.ndarray]
+) -> np.ndarray:
+    """l of every row. One product and one sum at a time, as the viewer does it."""
+    part = np.zeros(len(kind))
+    for of, predictor in predictors.items():
+        if predictor.affine:
+            rows = np.flatnonzero(kind == of)
+            value = np.full(len(rows), float(predictor.affine[0]))
+            for coefficient, feature in zip(predictor.affine[1:], features, strict=True):
+                value = value + coefficient * feature[rows]
+            part[rows] = value
+    return part
+
 
 FEW = 24  # below so many rays no fit repays its place in the header
 BITS_PER_NUMBER = {"exact": 100.0, "short": 40.0, "tap": 22.0}  # gzipped JSON, about

@@ -7,7 +7,11 @@ from dataclasses import fields, replace
 import numpy as np
 
 from raywalk.trace.tree import RayTree, level_pixels
-from raywalk.trace_file.errors import TraceFileError
+
+
+class TraceFileError(ValueError):
+    """A ray tree of which no trace file can be written, and why."""
+
 
 PER_HIT = ("hits_t", "hits_object")
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.trace.tree import RayTree, Visibility
-from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.level import TraceFileError
 from raywalk.trace_file.noting import Ray
 from raywalk.trace_file.precision import COLOUR
 from raywalk.trace_file.tables import SAME_SHARE

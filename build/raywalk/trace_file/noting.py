@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.trace_file import residuals
-from raywalk.trace_file.fit_predictor import fit_predictors, how_and_taps
-from raywalk.trace_file.predictor import Predictor, affine_part
+from raywalk.trace_file.fit_predictor import Predictor, affine_part, fit_predictors, how_and_taps
 from raywalk.trace_file.symbols import write_numbers, zigzag
 
 Ray = dict[str, np.ndarray]  # columns over rays, as rebuilt so far

@@ -13,7 +13,28 @@ import numpy as np
 
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tree import SENT_ON, Kind, dense
-from raywalk.trace_file.neighbours import NONE, follow, in_raster
+
+NONE = -1
+
+
+def follow(step: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """step[rows], with -1 leading to -1."""
+    if not len(step):
+        return np.full(rows.shape, NONE)
+    return np.where(rows >= 0, step[rows], NONE)
+
+
+def in_raster(n: int) -> np.ndarray:
+    """(4, n * n): left, up, up-left, up-right of n x n camera rays, -1 where there is none."""
+    row, column = np.divmod(np.arange(n * n), n)
+    here = np.arange(n * n)
+    return np.stack([
+        np.where(column > 0, here - 1, NONE),
+        np.where(row > 0, here - n, NONE),
+        np.where((row > 0) & (column > 0), here - n - 1, NONE),
+        np.where((row > 0) & (column < n - 1), here - n + 1, NONE),
+    ])  # fmt: skip
+
 
 # (column, first row, group, kind, sides within these rows) -> symbols of these rows
 Coder = Callable[[str, int, np.ndarray, np.ndarray, np.ndarray], np.ndarray]

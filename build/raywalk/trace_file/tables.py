@@ -10,7 +10,7 @@ import numpy as np
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild
-from raywalk.trace_file.errors import TraceFileError
+from raywalk.trace_file.level import TraceFileError
 from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
 from raywalk.trace_file.structure import bits_of
 

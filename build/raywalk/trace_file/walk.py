@@ -13,9 +13,8 @@ import numpy as np
 
 from raywalk.trace.tree import SENT_ON, Kind, Visibility
 from raywalk.trace_file import rebuild
-from raywalk.trace_file.neighbours import in_raster
 from raywalk.trace_file.noting import ABSENT, Noting, Ray
-from raywalk.trace_file.structure import Structure, grow
+from raywalk.trace_file.structure import Structure, grow, in_raster
 
 
 def walk(header: dict[str, Any], coder: Noting) -> Ray:
