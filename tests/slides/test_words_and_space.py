@@ -11,6 +11,7 @@ from pypdf import PdfReader
 
 from raywalk.pipeline.slide_products import write_files
 from raywalk.slides.blocks import flow
+from raywalk.slides.clip import clipped_line
 from raywalk.slides.figure import (
     Deck,
     Dot,
@@ -25,7 +26,7 @@ from raywalk.slides.figure import (
 )  # fmt: skip
 from raywalk.slides.formats import REMARKS
 from raywalk.slides.html import deck_html
-from raywalk.slides.labels import Label, Places, crosses
+from raywalk.slides.labels import Label, Places
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.palette import DASH_LENGTHS, KINDS, PRINT, SCREEN
@@ -119,7 +120,7 @@ def test_labels_keep_clear_of_rays(deck: Deck):
         ]
         rays = [line for group in groups for line in group.items if isinstance(line, Line)]
         for label in labels:
-            assert not [ray for ray in rays if crosses(tight(label), ray.start, ray.end)]
+            assert not [ray for ray in rays if clipped_line(ray.start, ray.end, tight(label))]
 
 
 def test_every_light_that_is_drawn_is_named(deck: Deck, balls):

@@ -133,7 +133,8 @@ LIFT = np.float32(1e-4)  # a usual choice; smaller brings acne, larger brings ga
 
 
 class TessellatedScene:
-    """Answers as a CompiledScene does, so that the same wavefront shades its hits."""
+    """The tracer on float32 Embree: tessellated spheres, rays lifted by a fixed offset. Answers as
+    a CompiledScene does, so that the same wavefront shades its hits."""
 
     def __init__(self, spheres: Sequence[Sphere], level: int, material: np.ndarray):
         corners = tessellated(spheres, level)

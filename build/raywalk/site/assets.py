@@ -71,7 +71,9 @@ def named(out: Path, stem: str, ending: str, content: bytes) -> str:
 
 
 def ray_sheet() -> str:
-    """Custom properties of both pages, and a rule for each place that shows a kind."""
+    """The style sheet's part on kinds of rays, out of their table: custom properties of both pages,
+    and a rule for each place that shows a kind. `.camera` and so on give what is inside of them
+    its kind's colour as --line; `.kind` is a word in a sentence, `.ray` an entry on the card."""
     rules = [_colours(":root", "dark"), _colours(".projector", "light")]
     for kind, row in PAGE.items():
         rules.append(f".{kind} {{ --line: var(--ray-{kind}); }}")

@@ -12,7 +12,7 @@ FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
 TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
 COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
 
-
+# Files that slides are made from, and what lies beside a deck and is not published.
 ASKED = "asked.json"  # what the tracer is asked
 SIGHTS = "sights.json"  # what it answers
 LESSON = "lesson.json"  # the lesson as the viewer's modules know it

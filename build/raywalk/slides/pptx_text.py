@@ -1,4 +1,5 @@
-"""A text's XML in PPTX: paragraphs that PowerPoint wraps as we did."""
+"""DrawingML as text: places, fills, paragraphs that PowerPoint wraps as we did, native tables with
+their rules and margins. Lengths are points, written as EMU."""
 
 from __future__ import annotations
 

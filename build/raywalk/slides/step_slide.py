@@ -256,7 +256,8 @@ def legend(figure: Group, layout: Layout) -> list[Item]:
 
 
 def step_notes(scene: Scene, stop: Stop) -> Iterator[str]:
-    """Paragraphs; an asking step's say nothing that gives its answer away."""
+    """What a speaker reads: the step's words, then its rays event by event, as the player does.
+    Paragraphs; an asking step's say nothing that gives its answer away."""
     yield plain_text(stop.text(scene))
     if stop.kind == "question":
         yield say("slides.questionNote")

@@ -84,7 +84,8 @@ ROWS = 64  # of the picture looked at together
 
 def palette_of(rgb8: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
     """The colours (k, 3) uint8 in ascending order and each pixel's index (height, width) uint8;
-    None if there are more than MOST. rgb8: (height, width, 3) uint8."""
+    None if there are more than MOST. rgb8: (height, width, 3) uint8. Strip by strip: no array of
+    all pixels is sorted."""
     colours = np.empty(0, np.uint32)
     for top in range(0, len(rgb8), ROWS):
         colours = np.union1d(colours, _packed(rgb8[top : top + ROWS]))

@@ -2,6 +2,11 @@
 
 The tree is grown as a reader will grow it, depth by depth: a coder is asked for each ray's surface
 and children, which it knows, and notes how well they were guessed.
+
+Guesses come from rays that lie beside a ray in the picture and have the same history. The
+neighbours of a camera ray are those of its pixel; those of a reflected ray are the reflected rays
+of its parent's neighbours, and so on. All come earlier in the file, so whoever reads it knows them
+when he reaches the ray.
 """
 
 from __future__ import annotations
