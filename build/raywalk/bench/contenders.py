@@ -1,14 +1,14 @@
-"""Ways to find hits, each behind the same two methods: ours, its parts, and its peers."""
+"""Ways to find hits, all called alike: ours, its parts, and its peers."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from raywalk.bench.embree32 import NOTHING, Embree32
+from raywalk.bench.embree32 import Embree32, sphere_t
 from raywalk.bench.families import unit_rows
 from raywalk.bench.made_scenes import ball, compiled_mesh, scene_of
 from raywalk.geometry.compiled import CompiledScene, rays_from
@@ -27,208 +27,162 @@ class Met:
     normal: np.ndarray  # (n, 3) of any length and sign
 
 
-class Method(Protocol):
-    """A method to find hits."""
+@dataclass(frozen=True)
+class Method:
+    """A method to find hits of rays, their origins and directions (n, 3)."""
 
     name: str
-    ours: bool
+    hits: Callable[[np.ndarray, np.ndarray], Met]
+    ours: bool = False
 
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met: ...
+
+def met_at(
+    t: np.ndarray, origin: np.ndarray, direction: np.ndarray, normal: np.ndarray
+) -> Met:  # fmt: skip
+    """Hits whose points follow from t."""
+    with np.errstate(invalid="ignore"):
+        return Met(t, origin + t[:, None] * direction, normal)
 
 
-class Ours:
+def ours(compiled: CompiledScene) -> Method:
     """The tracer's own door, in its own strips."""
 
-    ours = True
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        starts = range(0, len(origin), STRIP)
+        strips = [rays_from(origin[k : k + STRIP], direction[k : k + STRIP]) for k in starts]
+        parts = [compiled.hits(rays) for rays in strips]
+        columns = ([getattr(part, name) for part in parts] for name in ("t", "point", "geometric"))
+        return Met(*map(np.concatenate, columns))
 
-    def __init__(self, compiled: CompiledScene, name: str = "ours, float64"):
-        self.name, self.compiled = name, compiled
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
-        parts = [
-            self.compiled.hits(rays_from(origin[k : k + STRIP], direction[k : k + STRIP]))
-            for k in range(0, len(origin), STRIP)
-        ]
-        return Met(
-            np.concatenate([part.t for part in parts]),
-            np.concatenate([part.point for part in parts]),
-            np.concatenate([part.geometric for part in parts]),
-        )
+    return Method("ours, float64", hits, ours=True)
 
 
-class Embree:
+def embree(name: str, corners: np.ndarray) -> Method:
     """Float32 Embree alone, on triangles as they are."""
+    scene = Embree32(corners)
 
-    ours = False
-
-    def __init__(self, name: str, corners: np.ndarray):
-        self.name, self.scene = name, Embree32(corners)
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        t, _, normal = scene.nearest(origin, direction)
         o, d = origin.astype(np.float32), direction.astype(np.float32)
-        found = self.scene._scene.run(o, d, query="INTERSECT", output=True)
-        t = found["tfar"]
-        point = o + t[:, None] * d
-        return Met(np.where(t < NOTHING, t, np.inf).astype(float), point, found["Ng"])
+        return replace(met_at(t, o, d, normal), t=t.astype(float))
+
+    return Method(name, hits)
 
 
-class EmbreeThenPlanes:
+def embree_then_planes(corners: np.ndarray) -> Method:
     """Embree's triangle, then its plane in float64 numpy: hits are never questioned."""
+    scene, corner = Embree32(corners), corners[:, 0].copy()
+    normals = unit_rows(np.cross(corners[:, 1] - corner, corners[:, 2] - corner))
 
-    ours = False
-    name = "Embree candidates, float64 numpy"
-
-    def __init__(self, corners: np.ndarray):
-        self.scene, self.corner = Embree32(corners), corners[:, 0].copy()
-        self.normal = unit_rows(
-            np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        )
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
-        who = self.scene.proposed(origin, direction)
-        normal = self.normal[who]
-        height = (normal * (self.corner[who] - origin)).sum(axis=1)
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        who = scene.proposed(origin, direction)
+        normal = normals[who]
+        height = (normal * (corner[who] - origin)).sum(axis=1)
         t = np.where(who >= 0, height / (normal * direction).sum(axis=1), np.inf)
-        with np.errstate(invalid="ignore"):
-            return Met(t, origin + t[:, None] * direction, normal)
+        return met_at(t, origin, direction, normal)
+
+    return Method("Embree candidates, float64 numpy", hits)
 
 
-class EmbreeThenSpheres:
+def embree_then_spheres(spheres: Sequence[Sphere], level: int) -> Method:
     """Embree's facet of a tessellated sphere, then that sphere in float64 numpy."""
+    corners = tessellated(spheres, level)
+    facets, scene = len(corners) // len(spheres), Embree32(corners)
+    centres, radii = np.array([s.center for s in spheres]), np.array([s.radius for s in spheres])
 
-    ours = False
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        who = scene.proposed(origin, direction)
+        of = np.where(who >= 0, who // facets, 0)
+        t = sphere_t(origin, direction, centres[of], radii[of], float)
+        met = met_at(np.where(who >= 0, t, np.inf), origin, direction, origin)
+        return replace(met, normal=met.point - centres[of])
 
-    def __init__(self, spheres: Sequence[Sphere], level: int):
-        self.name = f"Embree candidates (level {level}), float64 numpy"
-        corners = tessellated(spheres, level)
-        self.facets, self.scene = len(corners) // len(spheres), Embree32(corners)
-        self.centre = np.array([s.center for s in spheres])
-        self.radius = np.array([s.radius for s in spheres])
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
-        who = self.scene.proposed(origin, direction)
-        ball_of = np.where(who >= 0, who // self.facets, 0)
-        t = sphere_t(origin, direction, self.centre[ball_of], self.radius[ball_of])
-        t = np.where(who >= 0, t, np.inf)
-        with np.errstate(invalid="ignore"):
-            point = origin + t[:, None] * direction
-        return Met(t, point, point - self.centre[ball_of])
+    return Method(f"Embree candidates (level {level}), float64 numpy", hits)
 
 
-class NumpySpheres:
+def numpy_spheres(spheres: Sequence[Sphere]) -> Method:
     """Every sphere for every ray, by the schoolbook's b^2 - 4ac in float64 numpy."""
 
-    ours = False
-    name = "numpy, schoolbook formula, float64"
-
-    def __init__(self, spheres: Sequence[Sphere]):
-        self.spheres = spheres
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
         t, centre = np.full(len(origin), np.inf), np.zeros((len(origin), 3))
-        for sphere in self.spheres:
-            found = sphere_t(origin, direction, np.array(sphere.center), sphere.radius)
+        for sphere in spheres:
+            found = sphere_t(origin, direction, np.array(sphere.center), sphere.radius, float)
             closer = found < t
             t, centre[closer] = np.where(closer, found, t), sphere.center
-        with np.errstate(invalid="ignore"):
-            point = origin + t[:, None] * direction
-        return Met(t, point, point - centre)
+        met = met_at(t, origin, direction, centre)
+        return replace(met, normal=met.point - centre)
+
+    return Method("numpy, schoolbook formula, float64", hits)
 
 
-class TrimeshRay:
+def trimesh_ray(name: str, corners: np.ndarray) -> Method:
     """trimesh.ray with its Embree backend: first hits and their places."""
+    import trimesh
+    from trimesh.ray.ray_pyembree import RayMeshIntersector
 
-    ours = False
-    name = "trimesh.ray"
+    faces = np.arange(3 * len(corners)).reshape(-1, 3)
+    mesh = trimesh.Trimesh(corners.reshape(-1, 3), faces, process=False)
+    intersector = RayMeshIntersector(mesh)
 
-    def __init__(self, corners: np.ndarray):
-        import trimesh
-        from trimesh.ray.ray_pyembree import RayMeshIntersector
-
-        vertices, faces = corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
-        self.mesh = trimesh.Trimesh(vertices, faces, process=False)
-        self.intersector = RayMeshIntersector(self.mesh)
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
-        places, ray, triangle = self.intersector.intersects_location(
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        places, ray, triangle = intersector.intersects_location(
             origin, direction, multiple_hits=False
         )
         t, point = np.full(len(origin), np.inf), np.zeros((len(origin), 3))
         normal = np.zeros((len(origin), 3))
         t[ray] = ((places - origin[ray]) * direction[ray]).sum(axis=1)
-        point[ray], normal[ray] = places, self.mesh.face_normals[triangle]
+        point[ray], normal[ray] = places, mesh.face_normals[triangle]
         return Met(t, point, normal)
 
+    return Method(name, hits)
 
-class Open3D:
+
+def open3d(name: str, corners: np.ndarray) -> Method:
     """Open3D's RaycastingScene: float32, Embree inside."""
+    import open3d
 
-    ours = False
-    name = "Open3D RaycastingScene"
+    scene = open3d.t.geometry.RaycastingScene(nthreads=1)
+    faces = np.arange(3 * len(corners), dtype=np.uint32).reshape(-1, 3)
+    vertices = open3d.core.Tensor(corners.reshape(-1, 3).astype(np.float32))
+    scene.add_triangles(vertices, open3d.core.Tensor(faces))
 
-    def __init__(self, corners: np.ndarray):
-        import open3d
-
-        self.core, self.scene = open3d.core, open3d.t.geometry.RaycastingScene(nthreads=1)
-        vertices = self.core.Tensor(corners.reshape(-1, 3).astype(np.float32))
-        faces = np.arange(3 * len(corners), dtype=np.uint32).reshape(-1, 3)
-        self.scene.add_triangles(vertices, self.core.Tensor(faces))
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
         rays = np.concatenate([origin, direction], axis=1).astype(np.float32)
-        found = self.scene.cast_rays(self.core.Tensor(rays), nthreads=1)
+        found = scene.cast_rays(open3d.core.Tensor(rays), nthreads=1)
         t = found["t_hit"].numpy().astype(float)
-        with np.errstate(invalid="ignore"):
-            point = origin + t[:, None] * direction
-        return Met(t, point, found["primitive_normals"].numpy())
+        return met_at(t, origin, direction, found["primitive_normals"].numpy())
+
+    return Method(name, hits)
 
 
-class Mitsuba:
+def mitsuba(
+    name: str, corners: np.ndarray | None = None, spheres: Sequence[Sphere] = ()
+) -> Method:  # fmt: skip
     """Mitsuba 3, variant llvm_ad_rgb (float32), one thread."""
+    import drjit
+    import mitsuba as mi
 
-    ours = False
-    name = "Mitsuba 3, llvm"
+    mi.set_variant("llvm_ad_rgb")
+    drjit.set_thread_count(1)
+    parts: dict[str, Any] = {"type": "scene"}
+    for k, sphere in enumerate(spheres):
+        parts[f"s{k}"] = {"type": "sphere", "center": list(sphere.center), "radius": sphere.radius}
+    if corners is not None:
+        mesh = mi.Mesh("mesh", 3 * len(corners), len(corners))
+        values = mi.traverse(mesh)
+        values["vertex_positions"] = corners.reshape(-1).astype(np.float32)
+        values["faces"] = np.arange(3 * len(corners), dtype=np.uint32)
+        values.update()
+        parts["mesh"] = mesh
+    scene = mi.load_dict(parts)
 
-    def __init__(self, corners: np.ndarray | None = None, spheres: Sequence[Sphere] = ()):
-        import drjit
-        import mitsuba
+    def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
+        o, d = (mi.Point3f(x.T.astype(np.float32)) for x in (origin, direction))
+        found = scene.ray_intersect(mi.Ray3f(o, mi.Vector3f(d)))
+        drjit.eval(found.t, found.p, found.n)
+        return Met(np.array(found.t).astype(float), np.array(found.p).T, np.array(found.n).T)
 
-        mitsuba.set_variant("llvm_ad_rgb")
-        drjit.set_thread_count(1)
-        self.dr, self.mi = drjit, mitsuba
-        parts: dict[str, Any] = {"type": "scene"}
-        for k, sphere in enumerate(spheres):
-            parts[f"s{k}"] = {
-                "type": "sphere", "center": list(sphere.center), "radius": sphere.radius
-            }  # fmt: skip
-        if corners is not None:
-            mesh = mitsuba.Mesh("mesh", 3 * len(corners), len(corners))
-            values = mitsuba.traverse(mesh)
-            values["vertex_positions"] = corners.reshape(-1).astype(np.float32)
-            values["faces"] = np.arange(3 * len(corners), dtype=np.uint32)
-            values.update()
-            parts["mesh"] = mesh
-        self.scene = mitsuba.load_dict(parts)
-
-    def hits(self, origin: np.ndarray, direction: np.ndarray) -> Met:
-        o, d = (self.mi.Point3f(x.T.astype(np.float32)) for x in (origin, direction))
-        found = self.scene.ray_intersect(self.mi.Ray3f(o, self.mi.Vector3f(d)))
-        self.dr.eval(found.t, found.p, found.n)
-        t = np.array(found.t).astype(float)
-        return Met(t, np.array(found.p).T, np.array(found.n).T)
-
-
-def sphere_t(
-    origin: np.ndarray, direction: np.ndarray, centre: np.ndarray, radius: np.ndarray | float
-) -> np.ndarray:
-    """Nearest t > 0 (n,) by the schoolbook; inf for a miss."""
-    to = origin - centre
-    a, b = (direction * direction).sum(axis=1), (to * direction).sum(axis=1)
-    c = (to * to).sum(axis=1) - np.square(radius)
-    with np.errstate(invalid="ignore"):
-        root = np.sqrt(b * b - a * c)
-        near, far = (-b - root) / a, (-b + root) / a
-    return np.where(near > 0, near, np.where(far > 0, far, np.inf))
+    return Method(name, hits)
 
 
 def tessellated(spheres: Sequence[Sphere], level: int) -> np.ndarray:
@@ -239,43 +193,38 @@ def tessellated(spheres: Sequence[Sphere], level: int) -> np.ndarray:
 
 def for_spheres(spheres: Sequence[Sphere]) -> tuple[list[Method], list[str]]:
     """All methods for spheres, ours first; and which peers are not installed."""
-    methods: list[Method] = [Ours(CompiledScene(scene_of(spheres)))]
+    methods = [ours(CompiledScene(scene_of(spheres)))]
     methods += [
-        Embree(f"Embree float32, level {level}", tessellated(spheres, level)) for level in LEVELS
+        embree(f"Embree float32, level {level}", tessellated(spheres, level)) for level in LEVELS
     ]
-    methods += [EmbreeThenSpheres(spheres, 64), NumpySpheres(spheres)]
     corners = tessellated(spheres, 64)
-    peers = {
-        "trimesh.ray (level 64)": lambda: TrimeshRay(corners),
-        "Open3D (level 64)": lambda: Open3D(corners),
-        "Mitsuba 3, llvm (its own spheres)": lambda: Mitsuba(spheres=spheres),
-    }
-    return _with_peers(methods, peers)
+    return _with_peers([*methods, embree_then_spheres(spheres, 64), numpy_spheres(spheres)], {
+        "trimesh.ray (level 64)": lambda name: trimesh_ray(name, corners),
+        "Open3D (level 64)": lambda name: open3d(name, corners),
+        "Mitsuba 3, llvm (its own spheres)": lambda name: mitsuba(name, spheres=spheres),
+    })  # fmt: skip
 
 
 def for_mesh(corners: np.ndarray) -> tuple[list[Method], list[str]]:
     """All methods for a mesh, ours first; and which peers are not installed."""
-    methods: list[Method] = [
-        Ours(compiled_mesh(corners)),
-        Embree("Embree float32, as is", corners),
-        EmbreeThenPlanes(corners),
-    ]
-    peers = {
-        "trimesh.ray": lambda: TrimeshRay(corners),
-        "Open3D": lambda: Open3D(corners),
-        "Mitsuba 3, llvm": lambda: Mitsuba(corners),
-    }
-    return _with_peers(methods, peers)
+    methods = [
+        ours(compiled_mesh(corners)), embree("Embree float32, as is", corners),
+        embree_then_planes(corners),
+    ]  # fmt: skip
+    return _with_peers(methods, {
+        "trimesh.ray": lambda name: trimesh_ray(name, corners),
+        "Open3D": lambda name: open3d(name, corners),
+        "Mitsuba 3, llvm": lambda name: mitsuba(name, corners),
+    })  # fmt: skip
 
 
-def _with_peers(methods: list[Method], peers: dict[str, Any]) -> tuple[list[Method], list[str]]:
+def _with_peers(
+    methods: list[Method], peers: dict[str, Callable[[str], Method]]
+) -> tuple[list[Method], list[str]]:
     missing = []
     for name, make in peers.items():
         try:
-            method = make()
+            methods.append(make(name))
         except (ImportError, RuntimeError):  # Mitsuba is there, but its LLVM is not
             missing.append(name)
-            continue
-        method.name = name
-        methods.append(method)
     return methods, missing

@@ -11,7 +11,7 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.bench.contenders import tessellated
-from raywalk.bench.embree32 import NOTHING, Embree32
+from raywalk.bench.embree32 import Embree32
 from raywalk.bench.made_scenes import scene_of, twenty_spheres
 from raywalk.bench.picture_truth import TruePicture
 from raywalk.bench.run_time import interleaved
@@ -142,8 +142,7 @@ class TessellatedScene:
         self.embree = Embree32(corners)
 
     def nearest(self, rays: Rays, t_max: np.ndarray | None = None) -> tuple[np.ndarray, ...]:
-        found, met = self._met(rays)
-        t = np.where(met != NOWHERE, found["tfar"], np.inf).astype(float)
+        t, met, _ = self._met(rays)
         if t_max is not None:
             met = np.where(t < t_max, met, NOWHERE).astype(np.int32)
             t = np.where(t < t_max, t, np.inf)
@@ -154,9 +153,7 @@ class TessellatedScene:
         return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros(0, bool)
 
     def hits(self, rays: Rays) -> Hits:
-        found, met = self._met(rays)
-        t = np.where(met != NOWHERE, found["tfar"], np.inf).astype(float)
-        normal = found["Ng"].astype(float)
+        t, met, normal = self._met(rays)
         length = np.linalg.norm(normal, axis=1, keepdims=True)
         normal /= np.where(length > 0, length, 1.0)
         inside = (normal * rays.direction).sum(axis=1) > 0
@@ -168,11 +165,9 @@ class TessellatedScene:
         nothing = np.full(len(t), -1, np.int32)
         return Hits(t, met, nothing, point, normal, normal, inside, material)
 
-    def _met(self, rays: Rays) -> tuple[dict[str, Any], np.ndarray]:
-        start = rays.origin.astype(np.float32)
-        toward = rays.direction.astype(np.float32)
+    def _met(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        start, toward = rays.origin.astype(np.float32), rays.direction.astype(np.float32)
         lifted = np.where((rays.leaving != NOWHERE)[:, None], start + LIFT * toward, start)
-        found = self.embree._scene.run(lifted, toward, query="INTERSECT", output=True)
-        hit = found["tfar"] < NOTHING
-        met = np.where(hit, found["primID"] // self.facets, NOWHERE).astype(np.int32)
-        return found, met
+        t, who, normal = self.embree.nearest(lifted, rays.direction)
+        met = np.where(np.isinf(t), NOWHERE, who // self.facets).astype(np.int32)
+        return t.astype(float), met, normal.astype(float)

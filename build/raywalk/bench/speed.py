@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from argparse import Namespace
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
 
 from raywalk.bench import (
     speed_cores,
@@ -18,72 +18,66 @@ from raywalk.bench import (
 from raywalk.bench.cases import Case
 from raywalk.scene.read import read_scenes
 
-Lines = list[str]
-Measure = Callable[[Namespace, list[Case]], Lines]
+
+class Part(NamedTuple):
+    """One thing to measure, and what is made of the figures."""
+
+    title: str
+    measured: Callable[[Namespace], Any]
+    cases: Callable[[Any, int], Iterable[Case]]  # of the figures and the seed
+    lines: Callable[[Any], Iterable[str]] = lambda figures: ()
 
 
 def part(key: str, chosen: Namespace, cases: list[Case]) -> dict[str, Any]:
     """Measures one part: its title and what it tells; its cases are added to `cases`."""
-    title, measure = PARTS[key]
-    return {"key": key, "title": title, "lines": measure(chosen, cases)}
+    which = PARTS[key]
+    figures = which.measured(chosen)
+    cases += which.cases(figures, chosen.seed)
+    return {"key": key, "title": which.title, "lines": list(which.lines(figures))}
 
 
-def _skips(chosen: Namespace, cases: list[Case]) -> Lines:
-    rows = list(speed_skips.skips(read_scenes(chosen.scenes), 3 if chosen.quick else 9))
-    cases += speed_skips.skip_cases(rows, chosen.seed)
-    return list(speed_skips.as_table(rows))
-
-
-def _floor(chosen: Namespace, cases: list[Case]) -> Lines:
+def _floor(chosen: Namespace) -> list[dict[str, Any]]:
     scenes = read_scenes(chosen.scenes)
-    scenes, rounds = (scenes[:1], 1) if chosen.quick else (scenes, 3)
-    rows = list(speed_floor.floors(scenes, rounds))
-    cases += speed_floor.floor_cases(rows, chosen.seed)
-    return list(speed_floor.as_table(rows))
+    return list(speed_floor.floors(*((scenes[:1], 1) if chosen.quick else (scenes, 3))))
 
 
-def _cores(chosen: Namespace, cases: list[Case]) -> Lines:
+def _memory(chosen: Namespace) -> list[dict[str, Any]]:
     scenes = read_scenes(chosen.scenes)
-    row = speed_cores.cores(scenes, 1 if chosen.quick else speed_cores.ROUNDS)
-    cases += speed_cores.core_cases(row, chosen.seed)
-    return list(speed_cores.as_table(row))
+    return [speed_memory.memory(each.path) for each in (scenes[2:3] if chosen.quick else scenes)]
 
 
-def _memory(chosen: Namespace, cases: list[Case]) -> Lines:
-    scenes = read_scenes(chosen.scenes)
-    peaks = [speed_memory.memory(scene.path) for scene in (scenes[2:3] if chosen.quick else scenes)]
-    cases += speed_memory.memory_cases(peaks, chosen.seed)
-    return []
-
-
-def _many(chosen: Namespace, cases: list[Case]) -> Lines:
-    cases += speed_many.many_cases(speed_many.many(), chosen.seed)
-    return []
-
-
-def _triangles(chosen: Namespace, cases: list[Case]) -> Lines:
+def _triangles(chosen: Namespace) -> list[dict[str, Any]]:
     finest, rounds = (1, 3) if chosen.quick else (speed_triangles.FINEST, 5)
     meshes = [speed_triangles.Fineness(path) for path in chosen.meshes]
-    rows = speed_triangles.triangles(meshes or speed_triangles.dragons(finest), rounds)
-    cases += speed_triangles.triangle_cases(rows, chosen.seed)
-    return list(speed_triangles.as_table(rows))
+    return speed_triangles.triangles(meshes or speed_triangles.dragons(finest), rounds)
 
 
-def _rebuild(chosen: Namespace, cases: list[Case]) -> Lines:
-    row = speed_rebuild.rebuild(chosen.scenes, chosen.work)
-    cases += speed_rebuild.rebuild_cases(row, chosen.seed)
-    return list(speed_rebuild.as_table(row))
-
-
-PARTS: dict[str, tuple[str, Measure]] = {
-    "skips": ("Skips: time without the skip over time with it", _skips),
-    "floor": (
-        "Making a scene, over meeting its rays with surfaces and deflating",
-        _floor,
+PARTS = {
+    "skips": Part(
+        "Skips: time without the skip over time with it",
+        lambda c: list(speed_skips.skips(read_scenes(c.scenes), 3 if c.quick else 9)),
+        speed_skips.skip_cases, speed_skips.as_table,
     ),
-    "cores": ("All scenes on two cores beside one", _cores),
-    "memory": ("Peak memory of making a scene", _memory),
-    "many": ("Many scenes beside few", _many),
-    "triangles": ("Time a ray over the triangles of a mesh", _triangles),
-    "rebuild": ("Building again after a change", _rebuild),
-}
+    "floor": Part(
+        "Making a scene, over meeting its rays with surfaces and deflating",
+        _floor, speed_floor.floor_cases, speed_floor.as_table,
+    ),
+    "cores": Part(
+        "All scenes on two cores beside one",
+        lambda c: speed_cores.cores(read_scenes(c.scenes), 1 if c.quick else speed_cores.ROUNDS),
+        speed_cores.core_cases, speed_cores.as_table,
+    ),
+    "memory": Part("Peak memory of making a scene", _memory, speed_memory.memory_cases),
+    "many": Part(
+        "Many scenes beside few", lambda c: speed_many.many(), speed_many.many_cases
+    ),
+    "triangles": Part(
+        "Time a ray over the triangles of a mesh",
+        _triangles, speed_triangles.triangle_cases, speed_triangles.as_table,
+    ),
+    "rebuild": Part(
+        "Building again after a change",
+        lambda c: speed_rebuild.rebuild(c.scenes, c.work),
+        speed_rebuild.rebuild_cases, speed_rebuild.as_table,
+    ),
+}  # fmt: skip

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from raywalk.bench.cases import Case, none_of
-from raywalk.bench.embree32 import sphere32
+from raywalk.bench.embree32 import sphere_t
 from raywalk.bench.families import around, directions, in_ball, towards
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.twofold import nearest_root, sphere_roots
@@ -59,7 +59,7 @@ def touching(close: float, count: int, seed: int) -> Case:
     expected = np.where(np.isinf(true[0].hi) & np.isinf(true[1].hi), -1, first)
     sure = (np.abs(roots[0][2]) > 4e-15) & (np.abs(roots[1][2]) > 4e-15)
     sure &= ~(np.abs(gap) < 4e-15)
-    t32 = [sphere32(origin, direction, centre, 1.0) for centre in centres]
+    t32 = [sphere_t(origin, direction, centre, 1.0) for centre in centres]
     met32 = np.where(np.isinf(t32[0]) & np.isinf(t32[1]), -1, t32[1] < t32[0])
     return none_of(
         sure, met != expected, seed, "touching spheres", f"rays within {close:g} of the contact",

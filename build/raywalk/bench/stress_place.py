@@ -9,7 +9,7 @@ import numpy as np
 
 from raywalk.bench.cases import Case, none_of, per_million
 from raywalk.bench.convex import wrong_verdicts
-from raywalk.bench.embree32 import Embree32, sphere32
+from raywalk.bench.embree32 import Embree32, sphere_t
 from raywalk.bench.families import around
 from raywalk.bench.glass_bodies import SOLIDS
 from raywalk.bench.made_scenes import CHALK, compiled_mesh, icosphere, nearest_t, placed, scene_of
@@ -48,7 +48,7 @@ def scaled_sphere(scale: float, count: int, seed: int) -> Case:
     near, far, depth = sphere_roots(origin, direction, centre, radius)
     true = nearest_root(near, far)
     plain = (depth > NOT_GRAZING**2) & np.isfinite(t)
-    single = sphere32(origin, direction, centre, radius)
+    single = sphere_t(origin, direction, centre, radius)
     both = plain & np.isfinite(single)
     relative = error_of(t, true)[plain] / true.hi[plain]
     relative32 = error_of(single, true)[both] / true.hi[both]
@@ -108,7 +108,7 @@ def moved_sphere(offset: float, count: int, seed: int) -> Case:
     t = nearest_t([Sphere((offset, -offset, offset), 1.0)], origin, direction)
     _, _, depth = sphere_roots(origin, direction, centre, 1.0)
     wrong = (np.isfinite(t) != (depth >= 0)) & (np.abs(depth) > 4e-15)
-    wrong32 = np.isfinite(sphere32(origin, direction, centre, 1.0)) != (depth >= 0)
+    wrong32 = np.isfinite(sphere_t(origin, direction, centre, 1.0)) != (depth >= 0)
     return none_of(
         count, wrong, seed, "scene offset", f"moved by {offset:g}, sphere", "wrong hit or miss",
         wrong32, "same formula",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from raywalk.bench.cases import Case, per_million
-from raywalk.bench.embree32 import sphere32
+from raywalk.bench.embree32 import sphere_t
 from raywalk.bench.families import around, directions, perpendicular
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.twofold import error_of, nearest_root, sphere_roots
@@ -44,7 +44,7 @@ def seen_from(distance: float, bound: float, count: int, seed: int) -> Iterator[
     kept = depth > max(1e-3, 4e-16 * distance)
     missed = int((kept & ~np.isfinite(t)).sum())
     errors = error_of(t, true)[kept] if not missed else np.full(1, np.inf)
-    single = sphere32(origin, direction, np.zeros(3), 1.0)[kept]
+    single = sphere_t(origin, direction, np.zeros(3), 1.0)[kept]
     error32 = np.abs(np.where(np.isfinite(single), single, 0.0) - true.hi[kept])
     rays = int(kept.sum())
     yield Case(
@@ -90,7 +90,7 @@ def tangent_anywhere(distance: float, count: int, seed: int) -> Case:
     _, _, depth = sphere_roots(origin, direction, np.zeros(3), 1.0)
     clear = np.abs(depth) > 2.0 * ROUNDED
     wrong = (np.isfinite(t) != (depth >= 0)) & clear
-    wrong32 = np.isfinite(sphere32(origin, direction, np.zeros(3), 1.0)) != (depth >= 0)
+    wrong32 = np.isfinite(sphere_t(origin, direction, np.zeros(3), 1.0)) != (depth >= 0)
     return Case(
         "tangent", f"from {distance:g}, all sides, closer than {ROUNDED:g} left out",
         "wrong hit or miss, ppm",
