@@ -28,12 +28,12 @@ def publish_reports(
     folder = out / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)
     plots = plots_of(kept["bench"]) if kept["bench"] else []
-    for plot in plots:
-        (folder / f"{plot.name}.svg").write_text(plot.svg, encoding="utf-8")
     text = json.dumps(kept, indent=1, allow_nan=False)
     (folder / "benchmarks.json").write_text(text + "\n", encoding="utf-8")
     shutil.copyfile(STYLE, folder / "benchmarks.css")
     environment = page_environment(templates)
+    for plot in plots:
+        (folder / f"{plot.name}.svg").write_text(plot.svg(environment), encoding="utf-8")
     environment.filters["shown"] = lambda value: value if isinstance(value, str) else shown(value)
     values = {"root": "../", "scenes": scenes, "plots": plots, **kept, **assets}
     page = rendered(environment, "benchmarks.html", values)

@@ -4,24 +4,43 @@ from JSON. World units where it says so; else points from the figure's top left,
 from __future__ import annotations
 
 import base64
-import json
-import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Annotated, Any
 
 import numpy as np
+from pydantic import BeforeValidator, ConfigDict, TypeAdapter
+from pydantic.alias_generators import to_camel
 
 from raywalk.scene.model import Scene
 
-Made = TypeVar("Made")
+
+class Told:
+    """TypeScript's names are Python's but for their capitals; every one must be known."""
+
+    __pydantic_config__ = ConfigDict(
+        alias_generator=to_camel, extra="forbid", arbitrary_types_allowed=True
+    )
+
+
+def _ends(four: Any) -> Any:
+    return (four[:2], four[2:]) if isinstance(four, list) else four
+
+
+def _bytes(text: Any) -> Any:
+    return np.frombuffer(base64.b64decode(text), np.uint8) if isinstance(text, str) else text
+
+
 Point = tuple[float, float]
 Vector = tuple[float, float, float]  # world units, or a linear colour
-Ends = tuple[Point, Point]
+Ends = Annotated[tuple[Point, Point], BeforeValidator(_ends)]
+Bytes = Annotated[np.ndarray, BeforeValidator(_bytes)]
+Colours = Annotated[np.ndarray, BeforeValidator(lambda text: _bytes(text).reshape(-1, 3))]
+Matrix = Annotated[np.ndarray, BeforeValidator(np.array)]
 
 
 @dataclass(frozen=True)
-class Piece:
+class Piece(Told):
     """A stretch of a line before the observer, as far as it is all seen or all hidden."""
 
     ends: Ends
@@ -30,7 +49,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class ThinLine:
+class ThinLine(Told):
     """A ray or shadow ray of a pixel that is not the selected one."""
 
     kind: str
@@ -51,17 +70,17 @@ class ChosenLine(ThinLine):
 
 
 @dataclass(frozen=True)
-class Lamp:
+class Lamp(Told):
     name: str
     at: Point | None
     off: bool
 
 
 @dataclass(frozen=True, eq=False)
-class Figure:
+class Figure(Told):
     """The picture plane, the ray-tracing camera and the lights from where the observer stands."""
 
-    grid: np.ndarray  # (3, 3): (column, row, 1) -> (x w, y w, w), w the depth
+    grid: Matrix  # (3, 3): (column, row, 1) -> (x w, y w, w), w the depth
     near: float  # nearer than this nothing is drawn; world units
     eye: Point | None
     edges: tuple[Ends | None, ...]  # from the eye to the picture plane's corners
@@ -76,7 +95,7 @@ class Figure:
 
 
 @dataclass(frozen=True)
-class Row:
+class Row(Told):
     """One of the selected pixel's rays, as the card has it."""
 
     number: int
@@ -94,7 +113,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Told):
     """One thing that happens to a ray, in words and numbers."""
 
     what: str
@@ -109,7 +128,7 @@ class Event:
 
 
 @dataclass(frozen=True)
-class Switches:
+class Switches(Told):
     """What is not as traced."""
 
     bounces: int | None
@@ -119,15 +138,15 @@ class Switches:
 
 
 @dataclass(frozen=True)
-class Picture:
+class Picture(Told):
     """A grid's tiles, (3 n n,) 8-bit."""
 
     n: int
-    tiles: np.ndarray
+    tiles: Bytes
 
 
 @dataclass(frozen=True, eq=False)
-class Stop:
+class Stop(Told):
     """A step of the lesson, or the answer to its question: what a slide of it shows."""
 
     step: int  # of the lesson, from 0
@@ -145,7 +164,7 @@ class Stop:
     figure: Figure
     chosen: tuple[ChosenLine, ...]
     thin: tuple[ThinLine, ...]
-    tiles: np.ndarray | None  # (n * n, 3) 8-bit; None where they are empty
+    tiles: Colours | None  # (n * n, 3) 8-bit; None where they are empty
     hidden_tiles: frozenset[int]
     picture: Picture | None  # the finest grid with the switches set
     bytes: tuple[int, int, int]  # the selected tile's colour
@@ -159,60 +178,25 @@ class Stop:
 
 
 @dataclass(frozen=True)
-class Question:
+class Question(Told):
     """Of a worksheet: one whose answer the trace knows."""
 
     asks: str
     answer: str
 
 
+@dataclass(frozen=True, eq=False)
+class Lesson(Told):
+    """As there."""
+
+    stops: tuple[Stop, ...]
+    questions: tuple[Question, ...]
+
+
+LESSON = TypeAdapter(Lesson)
+
+
 def read_stops(file: Path) -> tuple[list[Stop], list[Question]]:
     """The lesson's stops, and what its worksheet asks of the trace."""
-    lesson = json.loads(file.read_text(encoding="utf-8"))
-    return [_stop(each) for each in lesson["stops"]], [
-        Question(**each) for each in lesson["questions"]
-    ]
-
-
-def _made(make: type[Made], raw: dict[str, Any], **instead: Any) -> Made:
-    """TypeScript's names are Python's but for their capitals; every one must be known."""
-    fields = {re.sub("[A-Z]", lambda m: f"_{m[0].lower()}", key): v for key, v in raw.items()}
-    return make(**{key: _frozen(value) for key, value in fields.items()} | instead)
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value
-
-
-def _stop(raw: dict[str, Any]) -> Stop:
-    figure, picture = raw["figure"], raw["picture"]
-    return _made(
-        Stop, raw,
-        switches=_made(Switches, raw["switches"]),
-        figure=_made(
-            Figure, figure, grid=np.array(figure["grid"]), edges=tuple(map(_ends, figure["edges"])),
-            lamps=tuple(_made(Lamp, each) for each in figure["lamps"]),
-        ),
-        chosen=tuple(
-            _made(ChosenLine, each, pieces=_pieces(each), whole=_ends(each["whole"]))
-            for each in raw["chosen"]
-        ),
-        thin=tuple(_made(ThinLine, each, pieces=_pieces(each)) for each in raw["thin"]),
-        tiles=_bytes(raw["tiles"]).reshape(-1, 3) if raw["tiles"] else None,
-        hidden_tiles=frozenset(raw["hiddenTiles"]),
-        picture=Picture(picture["n"], _bytes(picture["tiles"])) if picture else None,
-        rows=tuple(_made(Row, each) for each in raw["rows"]),
-        events=tuple(_made(Event, each) for each in raw["events"]),
-    )  # fmt: skip
-
-
-def _ends(four: list[float] | None) -> Ends | None:
-    return ((four[0], four[1]), (four[2], four[3])) if four else None
-
-
-def _pieces(line: dict[str, Any]) -> tuple[Piece, ...]:
-    return tuple(_made(Piece, each, ends=_ends(each["ends"])) for each in line["pieces"])
-
-
-def _bytes(text: str) -> np.ndarray:
-    return np.frombuffer(base64.b64decode(text), np.uint8)
+    told = LESSON.validate_json(file.read_bytes())
+    return list(told.stops), list(told.questions)
