@@ -15,8 +15,7 @@ from raywalk.pipeline.parts import plain, shut_for
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.site.scene_data import scene_words
-from raywalk.slides.formats import ASKED, KEPT, LESSON, REMARKS, SIGHTS
-from raywalk.slides.formats import COURSE
+from raywalk.slides.formats import ASKED, COURSE, KEPT, LESSON, REMARKS, SIGHTS
 from raywalk.slides.layout import WIDE, Layout
 from raywalk.stops.process import Stops
 from raywalk.words import read_words

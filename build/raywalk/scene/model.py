@@ -69,6 +69,8 @@ class Light:
 
 @dataclass(frozen=True)
 class Camera:
+    """A pinhole with a square picture."""
+
     eye: Triple
     target: Triple
     up: Triple = (0.0, 1.0, 0.0)

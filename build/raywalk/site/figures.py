@@ -16,22 +16,15 @@ def scene_figures(scene: Scene, facts: dict[str, Any], words: Words) -> Figures:
     say, grouped = words.say, words.numbers.grouped
     size, levels = scene.render.size, sorted(scene.render.resolutions)
     kept = sum(facts[kind] for kind in ("camera", "secondary", "shadow"))
+    things = {"objects": len(scene.objects), "lights": len(scene.lights)}
+    grids = {"amount": len(levels), "least": levels[0], "most": levels[-1]}
     figures = [
-        (
-            say("pages.figures.picture"),
-            say("pages.figures.pictureIs", size=size),
-        ),
-        (
-            say("pages.figures.grids"),
-            say("pages.figures.gridsAre", amount=len(levels), least=levels[0], most=levels[-1]),
-        ),
+        (say("pages.figures.picture"), say("pages.figures.pictureIs", size=size)),
+        (say("pages.figures.grids"), say("pages.figures.gridsAre", **grids)),
         (say("pages.figures.rays"), grouped(kept)),
         (say("pages.figures.shadowRays"), grouped(facts["shadow"])),
         (say("pages.figures.deepest"), str(facts["deepest"])),
-        (
-            say("pages.figures.things"),
-            say("pages.figures.thingsAre", objects=len(scene.objects), lights=len(scene.lights)),
-        ),
+        (say("pages.figures.things"), say("pages.figures.thingsAre", **things)),
     ]
     if scene.has_glass:
         at_glass = {"opaque": "glassOpaque", "pass": "glassPass"}[scene.render.glass_shadows]

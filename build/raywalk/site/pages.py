@@ -187,15 +187,13 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
     return environment
 
 
+def _named(scene: Scene) -> dict[str, str]:
+    return {key: getattr(scene, key) for key in ("id", "key", "title", "teaches")}
+
+
 def _card(scene: Scene, home: str) -> dict[str, str]:
-    return {
-        "id": scene.id,
-        "key": scene.key,
-        "title": scene.title,
-        "teaches": scene.teaches,
-        "url": f"{home}scenes/{scene.id}/index.html",
-        "thumb": f"scenes/{scene.id}/thumb.png",
-    }
+    at = f"scenes/{scene.id}"
+    return _named(scene) | {"url": f"{home}{at}/index.html", "thumb": f"{at}/thumb.png"}
 
 
 def _glass(scene: Scene, home: str) -> dict[str, str]:
@@ -203,19 +201,14 @@ def _glass(scene: Scene, home: str) -> dict[str, str]:
 
 
 def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
+    render = scene.render
     return {
-        "id": scene.id,
-        "key": scene.key,
-        "title": scene.title,
-        "teaches": scene.teaches,
+        **_named(scene),
         "picture": f"scenes/{scene.id}/picture.png",
-        "size": scene.render.size,
-        "levels": sorted(scene.render.resolutions),
-        "depth": scene.render.depth,
-        "shadows": scene.render.shadows,
-        "figures": figures,
+        "size": render.size, "levels": sorted(render.resolutions), "depth": render.depth,
+        "shadows": render.shadows, "figures": figures,
         "lesson": [
             {"html": lesson_html(step.text), "answer": lesson_html(step.answer)}
             for step in scene.lesson
         ],
-    }
+    }  # fmt: skip

@@ -10,17 +10,15 @@ from typing import cast
 import numpy as np
 
 from raywalk.scene.lesson_text import lesson_html
-from raywalk.scene.model import Camera, LessonStep, Light, Material, Scene, SceneObject
+from raywalk.scene.model import LessonStep, Light, Scene, SceneObject
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
-    CameraData,
     LessonStepData,
     LessonStop,
     LightData,
-    MaterialData,
     ObjectData,
     Savings,
     SceneData,
@@ -49,14 +47,14 @@ def scene_data(scene: Scene, display: Display, savings: Savings) -> SceneData:
         "teaches": scene.teaches,
         "picture": "picture.png",
         "size": scene.render.size,
-        "camera": _camera(scene.camera),
+        "camera": scene.camera,
         "background": list(scene.background),
         "shadows": scene.render.shadows,
         "depth": scene.render.depth,
         "levels": sorted(scene.render.resolutions),
-        "start": _start(scene),
+        "start": start_of(scene),
         "bounds": {"center": display.centre.tolist(), "radius": display.radius},
-        "materials": [_material(m) for m in scene.materials],
+        "materials": list(scene.materials),
         "objects": [_object(obj, display) for obj in scene.objects],
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
@@ -85,35 +83,17 @@ def _step(step: LessonStep) -> LessonStepData:
     return data
 
 
-def _start(scene: Scene) -> StartData:
+def _light(light: Light) -> LightData:
+    return {key: getattr(light, key) for key in LightData.__annotations__}  # type: ignore[return-value]
+
+
+def start_of(scene: Scene) -> StartData:
     """The first lesson step's ray, so that a visitor meets the scene where its story begins."""
     view = scene.lesson[0].view if scene.lesson else {}
     levels = sorted(scene.render.resolutions)
     n = view.get("resolution") or min(levels, key=lambda level: (abs(level - 15), level))
     pixel = view.get("pixel") if "resolution" in view else None
     return {"resolution": n, "pixel": list(pixel or (n // 2, n // 2))}
-
-
-def _camera(camera: Camera) -> CameraData:
-    return {
-        "eye": list(camera.eye),
-        "target": list(camera.target),
-        "up": list(camera.up),
-        "fov": camera.fov,
-    }
-
-
-def _material(material: Material) -> MaterialData:
-    return cast(MaterialData, asdict(material))
-
-
-def _light(light: Light) -> LightData:
-    return {
-        "name": light.name,
-        "position": list(light.position),
-        "colour": list(light.colour),
-        "intensity": light.intensity,
-    }
 
 
 def _object(obj: SceneObject, display: Display) -> ObjectData:
@@ -151,7 +131,7 @@ def write_page_data(scene: Scene, traced: Path, folder: Path) -> None:
     """traced: the folder of the scene's trace, with facts.json and display.npz."""
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
     data = scene_data(scene, read_display(scene, traced / "display.npz"), savings_of(facts))
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False, default=asdict)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 
 

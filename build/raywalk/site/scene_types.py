@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal, NotRequired
 from pydantic import WithJsonSchema
 from typing_extensions import TypedDict
 
+from raywalk.scene.model import Camera, Material
 from raywalk.scene.shapes import DRAWN
 
 
@@ -31,25 +32,6 @@ Stage = Literal["meshes", "shadows", "highlights", "reflection", "refraction"]
 Saving = Literal[
     "shadow", "turned", "colourless", "dark", "unshadowed", "faint", "tests", "mesh", "kept"
 ]
-
-
-class CameraData(TypedDict):
-    eye: Vec3
-    target: Vec3
-    up: Vec3
-    fov: float  # vertical, degrees
-
-
-class MaterialData(TypedDict):
-    name: str
-    ambient: Vec3
-    diffuse: Vec3
-    specular: Vec3
-    shininess: float
-    reflect: float
-    transmit: float
-    ior: float
-    fresnel: bool
 
 
 class CheckerData(TypedDict):
@@ -138,14 +120,14 @@ class SceneData(TypedDict):
     teaches: str
     picture: str  # file name beside scene.js
     size: int  # the picture is size x size
-    camera: CameraData
+    camera: Camera
     background: Vec3
     shadows: bool
     depth: int
     levels: list[int]  # frustum resolutions, ascending; <n>.js beside scene.js
     start: StartData
     bounds: BoundsData
-    materials: list[MaterialData]
+    materials: list[Material]
     objects: list[ObjectData]
     meshes: dict[str, MeshData]
     lights: list[LightData]

@@ -15,6 +15,7 @@ from typing import Any
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
 from raywalk.site.assets import PART
+from raywalk.site.scene_data import start_of
 from raywalk.trace_file.container import pack, script, unpack
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
@@ -89,7 +90,7 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         trace = folder / f"{finest['n']}.json.gz"
         data = sent(folder / "scene.js")
         first = sent(folder / "index.html") + _without_meshes(folder / "scene.js")
-        first += sent(folder / f"{first_level(scene)}.json.gz")
+        first += sent(folder / f"{start_of(scene)['resolution']}.json.gz")
         sizes += [
             Size("trace", f"{name}/{trace.name}", sent(trace), max(finest["rays"], FEW_RAYS)),
             Size("picture", f"{name}/picture.png", sent(folder / "picture.png")),
@@ -114,13 +115,6 @@ def _without_meshes(path: Path) -> int:
     scene = json.loads(unpack(path.read_bytes())) | {"meshes": {}}
     text = json.dumps(scene, separators=(",", ":")).encode()
     return len(gzip.compress(script(f"{path.parent.name}/scene", pack(text)), LEVEL, mtime=0))
-
-
-def first_level(scene: Scene) -> int:
-    """The grid a scene's page opens with."""
-    view = scene.lesson[0].view if scene.lesson else {}
-    near = min(scene.render.resolutions, key=lambda n: abs(n - 15))
-    return int(view.get("resolution") or near)
 
 
 def sent(path: Path) -> int:

@@ -24,7 +24,10 @@ HEAD = """\
 export type Vec3 = readonly [number, number, number];
 """
 # Of the schemas' names those that the viewer knows by another.
-NAMES = {"ViewTable": "View", "SwitchesTable": "SwitchesView", "vector": "Vec3", "colour": "Vec3"}
+NAMES = {
+    "ViewTable": "View", "SwitchesTable": "SwitchesView", "vector": "Vec3", "colour": "Vec3",
+    "Camera": "CameraData", "Material": "MaterialData",
+}  # fmt: skip
 MOST_IN_TUPLE = 4  # a list of up to 6 or 12 numbers is used as a list
 
 Schema = dict[str, Any]
@@ -91,9 +94,11 @@ def _object(schema: Schema) -> str:
 
 
 def _fields(schema: Schema) -> Iterator[str]:
+    """What has a default is there all the same, unless that is null."""
     required = schema.get("required", [])
     for key, part in schema["properties"].items():
-        yield f"readonly {key}{'' if key in required else '?'}: {_type(part)}"
+        is_there = key in required or part.get("default") is not None
+        yield f"readonly {key}{'' if is_there else '?'}: {_type(part)}"
 
 
 if __name__ == "__main__":

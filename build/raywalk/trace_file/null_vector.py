@@ -41,27 +41,15 @@ def triangular(table):
     return small
 
 
-@kernel
-def gradient_rule(point, normal):
+def gradient_rule(point: np.ndarray, normal: np.ndarray) -> np.ndarray:
     """(3 n, 9) equations normal x (M point + b) = 0 in M's xx, yy, zz, xy, xz, yz and b."""
-    table = np.zeros((3 * point.shape[0], 9))
-    for i in range(point.shape[0]):
-        x, y, z = point[i, 0], point[i, 1], point[i, 2]
-        for a in range(3):  # the cross product's component along axis a
-            b, c = (a + 1) % 3, (a + 2) % 3
-            for row, share in ((c, normal[i, b]), (b, -normal[i, c])):
-                into = table[3 * i + a]
-                into[6 + row] += share
-                if row == 0:
-                    into[0] += share * x
-                    into[3] += share * y
-                    into[4] += share * z
-                elif row == 1:
-                    into[1] += share * y
-                    into[3] += share * x
-                    into[5] += share * z
-                else:
-                    into[2] += share * z
-                    into[4] += share * x
-                    into[5] += share * y
-    return table
+    x, y, z, one = *point.T, np.ones(len(point))
+    gradient = np.zeros((3, len(point), 9))  # M point + b, component by component
+    for row, places, parts in (
+        (0, [0, 3, 4, 6], (x, y, z, one)), (1, [1, 3, 5, 7], (y, x, z, one)),
+        (2, [2, 4, 5, 8], (z, x, y, one)),
+    ):  # fmt: skip
+        gradient[row][:, places] = np.stack(parts, axis=1)
+    n = normal.T[:, :, None]
+    across = [n[b] * gradient[c] - n[c] * gradient[b] for b, c in ((1, 2), (2, 0), (0, 1))]
+    return np.stack(across, axis=1).reshape(-1, 9) + 0.0  # no zero is negative
