@@ -20,7 +20,7 @@ from raywalk.geometry.triangle import (
 from raywalk.optics.compiled import kernel
 
 LEAF = 4  # triangles in a leaf at most
-STACK = 64  # median splits halve: 2^64 triangles would fit
+STACK = 64  # while it is built; median splits halve: 2^64 triangles would fit
 # A ray leaves the triangles in whose planes, but for the error bound, it starts: those closer than
 # this many bounds, and those that continue its own face, up to this cosine. Between them they
 # hold all neighbours: the planes of others part by more than the bound within that distance.
@@ -30,11 +30,12 @@ REPEATED = 1e-12  # share of t by which the hits of neighbours on their common e
 
 
 class Bvh(NamedTuple):
-    """Nodes in depth-first order; a node's first child follows it, `skip` is the second."""
+    """Nodes in depth-first order, so a ray walks them without a stack: into a node, to its first
+    child, which follows it, or to the next triangles; past it, to `skip`."""
 
     low: np.ndarray  # (nodes, 3)
     high: np.ndarray  # (nodes, 3)
-    second: np.ndarray  # (nodes,) int32: second child, -1 for a leaf
+    skip: np.ndarray  # (nodes,) int32: what follows all that is in it; of a first child the second
     first: np.ndarray  # (nodes,) int32: a leaf's first place in `order`
     held: np.ndarray  # (nodes,) int32: its triangles, 0 for an inner node
     order: np.ndarray  # (triangles,) int32: triangle ids, leaf by leaf
@@ -69,7 +70,11 @@ def build_bvh(corners):
         begin[depth], end[depth], parent[depth] = middle, b, node
         begin[depth + 1], end[depth + 1], parent[depth + 1] = a, middle, -1
         depth += 2
-    return low[:made], high[:made], second[:made], first[:made], count[:made], order
+    skip = np.full(made, made, np.int32)
+    for node in range(made):
+        if second[node] >= 0:
+            skip[node + 1], skip[second[node]] = second[node], skip[node]
+    return low[:made], high[:made], skip, first[:made], count[:made], order
 
 
 @kernel
@@ -129,17 +134,13 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
     tests counts boxes and triangles. Ties go to the lowest triangle.
     """
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
-    stack = np.empty(STACK, np.int32)
-    depth, node, tests = 0, 0, 0
+    node, tests = 0, 0
     best, who, u, v = t_max, -1, 0.0, 0.0
-    while True:
+    while node < len(bvh.skip):
         tests += 1
-        if box_entry(bvh.low, bvh.high, node, o, d, best) < np.inf:
-            if bvh.held[node] == 0:
-                stack[depth] = bvh.second[node]
-                depth += 1
-                node += 1
-                continue
+        if box_entry(bvh.low, bvh.high, node, o, d, best) == np.inf:
+            node = bvh.skip[node]
+        else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 tests += 1
@@ -151,10 +152,8 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
                 if bound > 0.0 and is_left(corners, triangle, own, o, d, t, bound):
                     continue
                 best, who, u, v = t, triangle, a, b
-        if depth == 0:
-            return (best if who >= 0 else np.inf), who, u, v, tests
-        depth -= 1
-        node = stack[depth]
+            node += 1
+    return (best if who >= 0 else np.inf), who, u, v, tests
 
 
 @kernel
@@ -184,15 +183,11 @@ def bvh_all(bvh, corners, o, d, found, entering):
     the same sense are one hit.
     """
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
-    stack = np.empty(STACK, np.int32)
-    depth, node, filled = 0, 0, 0
-    while True:
-        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) < np.inf:
-            if bvh.held[node] == 0:
-                stack[depth] = bvh.second[node]
-                depth += 1
-                node += 1
-                continue
+    node, filled = 0, 0
+    while node < len(bvh.skip):
+        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) == np.inf:
+            node = bvh.skip[node]
+        else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 t, _, _ = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
@@ -200,10 +195,8 @@ def bvh_all(bvh, corners, o, d, found, entering):
                     nx, ny, nz = triangle_normal(corners, triangle)
                     insert(found, entering, filled, t, nx * d[0] + ny * d[1] + nz * d[2] < 0.0)
                     filled += 1
-        if depth == 0:
-            return without_repeats(found, entering, filled)
-        depth -= 1
-        node = stack[depth]
+            node += 1
+    return without_repeats(found, entering, filled)
 
 
 @kernel

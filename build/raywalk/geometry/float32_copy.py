@@ -91,29 +91,25 @@ def _rectangles(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def crowded(bvh, corners, core, asked, gap):
     """Whether another triangle comes closer than gap to the core of each asked one, bool."""
     answer = np.zeros(asked.shape[0], np.bool_)
-    stack, low, high = np.empty(64, np.int32), np.empty(3), np.empty(3)
+    low, high = np.empty(3), np.empty(3)
     for i in range(asked.shape[0]):
         me = asked[i]
         for k in range(3):
             low[k] = min(core[me, 0, k], core[me, 1, k], core[me, 2, k]) - gap
             high[k] = max(core[me, 0, k], core[me, 1, k], core[me, 2, k]) + gap
-        depth, stack[0] = 1, 0
-        while depth > 0 and not answer[i]:
-            depth -= 1
-            node = stack[depth]
+        node = 0
+        while node < len(bvh.skip) and not answer[i]:
             misses = False
             for k in range(3):
                 misses |= bvh.low[node, k] > high[k] or bvh.high[node, k] < low[k]
             if misses:
-                continue
-            if bvh.held[node] == 0:
-                stack[depth], stack[depth + 1] = bvh.second[node], node + 1
-                depth += 2
+                node = bvh.skip[node]
                 continue
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 other = bvh.order[place]
                 if other != me and not apart(core[me], corners[other], gap):
                     answer[i] = True
+            node += 1
     return answer
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.geometry.bvh import REPEATED, STACK, box_entry, is_left
+from raywalk.geometry.bvh import REPEATED, box_entry, is_left
 from raywalk.geometry.triangle import (
     distance_sq_to,
     shear,
@@ -21,26 +21,20 @@ AT_EDGE = 1e-6
 @kernel
 def is_near(bvh, corners, o, radius, own):
     """Whether a triangle other than `own` comes as close to a point as this."""
-    stack = np.empty(STACK, np.int32)
-    depth, node = 0, 0
-    while True:
+    node = 0
+    while node < len(bvh.skip):
         apart = False
         for k in range(3):
             apart |= o[k] < bvh.low[node, k] - radius or o[k] > bvh.high[node, k] + radius
-        if not apart:
-            if bvh.held[node] == 0:
-                stack[depth] = bvh.second[node]
-                depth += 1
-                node += 1
-                continue
+        if apart:
+            node = bvh.skip[node]
+        else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 if triangle != own and distance_sq_to(o, corners, triangle) <= radius * radius:
                     return True
-        if depth == 0:
-            return False
-        depth -= 1
-        node = stack[depth]
+            node += 1
+    return False
 
 
 @kernel
@@ -83,17 +77,13 @@ def tied_across(bvh, corners, o, d, own, bound, t, who):
     """Of the triangles that a ray passes in the other sense than `who`, but for rounding in the
     same place, the nearest, then lowest: (triangle, u, v); triangle -1 if there is none."""
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
-    stack = np.empty(STACK, np.int32)
-    depth, node = 0, 0
+    node = 0
     sense = leaves(corners, who, d)
     best, found, u, v = t * (1.0 + REPEATED), -1, 0.0, 0.0
-    while True:
-        if box_entry(bvh.low, bvh.high, node, o, d, best) < np.inf:
-            if bvh.held[node] == 0:
-                stack[depth] = bvh.second[node]
-                depth += 1
-                node += 1
-                continue
+    while node < len(bvh.skip):
+        if box_entry(bvh.low, bvh.high, node, o, d, best) == np.inf:
+            node = bvh.skip[node]
+        else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 distance, a, b = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
@@ -105,10 +95,8 @@ def tied_across(bvh, corners, o, d, own, bound, t, who):
                     continue
                 if triangle != own:
                     best, found, u, v = distance, triangle, a, b
-        if depth == 0:
-            return found, u, v
-        depth -= 1
-        node = stack[depth]
+            node += 1
+    return found, u, v
 
 
 @kernel

@@ -32,7 +32,8 @@ def shallow_boxes(mesh: MeshTarget) -> ShallowBoxes:
         end = len(node)
         for place in range(begin, end):
             if mesh.bvh.held[node[place]] == 0:
-                node += [node[place] + 1, int(mesh.bvh.second[node[place]])]
+                first = node[place] + 1
+                node += [first, int(mesh.bvh.skip[first])]
                 parent += [place, place]
         begin = end
     low, high = mesh.bvh.low[node] + mesh.centre, mesh.bvh.high[node] + mesh.centre
