@@ -10,7 +10,7 @@ from mpmath import mpf  # type: ignore[import-untyped]
 
 from raywalk.bench.contenders import Met
 from raywalk.bench.made_scenes import scene_of
-from raywalk.bench.truth import at, inner, minus, nearest_hit, triangle_meets, unit, vector
+from raywalk.bench.truth import at, cross, inner, minus, nearest_hit, triangle_meets, unit, vector
 from raywalk.scene.shapes import Sphere
 
 OTHER = 1e-3  # relative: further off than this, another surface was hit, or tessellation ended
@@ -82,8 +82,7 @@ def candidates(
 
 def facet_normal(corners: np.ndarray) -> tuple:
     a, b, c = (vector(corner) for corner in corners)
-    u, v = minus(b, a), minus(c, a)
-    return unit((u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]))
+    return unit(cross(minus(b, a), minus(c, a)))
 
 
 def errors_of(met: Met, truth: Truth, either_way: bool = False) -> Errors:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import platform
@@ -13,7 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.bench.cases import Case
+from raywalk.site.assets import named
 from raywalk.site.reports import FORMAT, REPORTS, publish_reports
+from raywalk.trace_file.container import write_beside
 
 SITE_SOURCE = Path("site_src")
 PACKAGES = ("numpy", "numba", "embreex", "trimesh", "mpmath", "mitsuba", "open3d")
@@ -38,14 +39,10 @@ def publish_page(work: Path, out: Path) -> Iterator[str]:
 
 
 def _keep(work: Path, name: str, measured: dict[str, Any]) -> None:
-    folder = work / REPORTS
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(
-        {"format": FORMAT, "machine": _machine(), **measured}, indent=1, allow_nan=False
-    )
-    beside = folder / f"{name}.json.partial"
-    beside.write_text(text + "\n", encoding="utf-8")
-    beside.replace(folder / f"{name}.json")
+    (work / REPORTS).mkdir(parents=True, exist_ok=True)
+    whole = {"format": FORMAT, "machine": _machine(), **measured}
+    text = json.dumps(whole, indent=1, allow_nan=False) + "\n"
+    write_beside(work / REPORTS / f"{name}.json", text.encode())
 
 
 def _machine() -> dict[str, str]:
@@ -74,12 +71,7 @@ def _model() -> str:
 
 def _style_of(out: Path) -> str:
     """The site's style sheet, by its name there; written if the site is not built yet."""
-    found = sorted((out / "assets").glob("style-*.css"))
-    if found:
+    if found := sorted((out / "assets").glob("style-*.css")):
         return f"assets/{found[0].name}"
     sheets = sorted((SITE_SOURCE / "styles").glob("*.css"))
-    content = b"\n".join(sheet.read_bytes() for sheet in sheets)
-    name = f"assets/style-{hashlib.sha256(content).hexdigest()[:10]}.css"
-    (out / "assets").mkdir(parents=True, exist_ok=True)
-    (out / name).write_bytes(content)
-    return name
+    return named(out, "style", "css", b"\n".join(sheet.read_bytes() for sheet in sheets))

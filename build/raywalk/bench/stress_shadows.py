@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of, per_million
 from raywalk.bench.embree32 import Embree32
 from raywalk.bench.families import around, directions
 from raywalk.bench.made_scenes import compiled_mesh, icosphere, placed, scene_of
@@ -17,7 +18,7 @@ from raywalk.scene.model import Light, Scene
 from raywalk.scene.shapes import Plane, Sphere
 from raywalk.trace.lighting import light_hits
 from raywalk.trace.tables import compile_lights, compile_materials
-from raywalk.trace.tree import Visibility
+from raywalk.trace.tree import SHOT, Visibility
 
 # Scale and offset.
 PLACES = {
@@ -47,6 +48,13 @@ def visibility(scene: Scene, compiled: CompiledScene, rays: Rays, hits: Hits) ->
     return light_hits(scene, compiled, materials, lights, rays, hits).visibility
 
 
+def seen_in(scene: Scene, rays: Rays) -> tuple[np.ndarray, Hits]:
+    """The same where these rays meet a scene's surfaces, and their hits."""
+    compiled = CompiledScene(scene)
+    hits = compiled.hits(rays)
+    return visibility(scene, compiled, rays, hits), hits
+
+
 def acne_and_leaks(name: str, count: int, seed: int) -> Case:
     """A convex mesh: what faces the light is lit. A mesh round it: then nothing is."""
     scale, offset = PLACES[name]
@@ -64,12 +72,11 @@ def acne_and_leaks(name: str, count: int, seed: int) -> Case:
     seen = visibility(scene, alone, rays, hits)[:, 0]
     acne = int((seen == Visibility.BLOCKED).sum())
     leaks = int((visibility(scene, closed, rays, closed.hits(rays)) == Visibility.REACHED).sum())
-    asked = int(np.isin(seen, (Visibility.BLOCKED, Visibility.REACHED)).sum())
-    facing = np.isin(seen, (Visibility.BLOCKED, Visibility.REACHED))
+    facing = np.isin(seen, SHOT)
+    asked = int(facing.sum())
     wrong32 = acne_and_leaks32(inner, outer, scale, middle, hits.point[facing], position)
-    return Case(
-        "mesh shadows", name, "acne and light leaks, ppm", 0.0,
-        per_million(acne + leaks, 2 * asked), 2 * asked, seed, per_million(wrong32, 2 * asked),
+    return none_of(
+        2 * asked, acne + leaks, seed, "mesh shadows", name, "acne and light leaks", wrong32,
         f"Embree, offset {OFFSET32:g}", note=f"{acne} points of acne, {leaks} of leaks",
     )  # fmt: skip
 
@@ -100,13 +107,10 @@ def light_near_plane(height: float, count: int, seed: int) -> Case:
     rays = rays_from(origin, direction / np.linalg.norm(direction, axis=1, keepdims=True))
     lights = [Light("above", (0.1, -1.0 + height, 0.2)), Light("below", (0.1, -1.0 - height, 0.2))]
     scene = scene_of([Plane((0.0, -1.0, 0.0), (0.0, 1.0, 0.0))], lights)
-    compiled = CompiledScene(scene)
-    seen = visibility(scene, compiled, rays, compiled.hits(rays))
+    seen, _ = seen_in(scene, rays)
     wrong = (seen[:, 0] != Visibility.REACHED) | (seen[:, 1] == Visibility.REACHED)
-    return Case(
-        "light near a surface", f"{height:g} above and below a plane", "wrong points, ppm",
-        0.0, per_million(int(wrong.sum()), count), count, seed,
-    )  # fmt: skip
+    name = f"{height:g} above and below a plane"
+    return none_of(count, wrong, seed, "light near a surface", name, "wrong points")
 
 
 def light_near_sphere(height: float, count: int, seed: int) -> Case:
@@ -123,17 +127,13 @@ def light_near_sphere(height: float, count: int, seed: int) -> Case:
     normal = top + spread[:, None] * rng.normal(size=(count, 3))
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     rays = rays_from(3.0 * normal, -normal)
-    scene = scene_of([Sphere((0.0, 0.0, 0.0), 1.0)], lights)
-    compiled = CompiledScene(scene)
-    hits = compiled.hits(rays)
-    seen = visibility(scene, compiled, rays, hits)
+    seen, hits = seen_in(scene_of([Sphere((0.0, 0.0, 0.0), 1.0)], lights), rays)
     above = np.array([light.position for light in lights]) @ hits.point.T - 1.0
     sure = np.abs(above) > 1e-15
     wrong = ((seen.T == Visibility.REACHED) != (above > 0)) & sure
-    return Case(
-        "light near a surface", f"{height:g} above and below a sphere", "wrong points, ppm",
-        0.0, per_million(int(wrong.sum()), int(sure.sum())), int(sure.sum()), seed,
-        note=f"{int((above[0] > 0).sum()):,} points see the upper light",
+    return none_of(
+        sure, wrong, seed, "light near a surface", f"{height:g} above and below a sphere",
+        "wrong points", note=f"{int((above[0] > 0).sum()):,} points see the upper light",
     )  # fmt: skip
 
 
@@ -145,14 +145,10 @@ def light_on_far_side(count: int, seed: int) -> Case:
     rays = rays_from(origin, np.tile([0.0, -1.0, 0.0], (count, 1)))
     lights = [Light("south pole", (0.0, 0.0, 0.0)), Light("north pole", (0.0, 2.0, 0.0))]
     ball, floor = Sphere((0.0, 1.0, 0.0), 1.0), Plane((0.0, -1.0, 0.0), (0.0, 1.0, 0.0))
-    scene = scene_of([ball, floor], lights)
-    compiled = CompiledScene(scene)
-    seen = visibility(scene, compiled, rays, compiled.hits(rays))
+    seen, _ = seen_in(scene_of([ball, floor], lights), rays)
     wrong = (seen[:, 0] != Visibility.REACHED) | (seen[:, 1] != Visibility.BLOCKED)
-    return Case(
-        "light near a surface", "on the near and far pole of a ball", "wrong points, ppm",
-        0.0, per_million(int(wrong.sum()), count), count, seed,
-    )  # fmt: skip
+    name = "on the near and far pole of a ball"
+    return none_of(count, wrong, seed, "light near a surface", name, "wrong points")
 
 
 def leaving(count: int, seed: int) -> Iterator[Case]:
@@ -172,14 +168,12 @@ def leaving(count: int, seed: int) -> Iterator[Case]:
         inwards = side < 0
         rays = Rays(hits.point, away, hits.object, inwards, hits.triangle).take(met)
         again = compiled.nearest(rays)[1] != NOWHERE
-        single = Embree32(icosphere(3)) if place == len(CONVEX) else None
-        wrong = again != inwards[met]
-        wrong32 = None
-        if single is not None:
-            unlifted = single.proposed(hits.point[met], away[met]) >= 0
-            wrong32 = per_million(int((unlifted != inwards[met]).sum()), int(met.sum()))
-        yield Case(
-            "leaving a surface", name, "met again outwards, or not met inwards, ppm",
-            0.0, per_million(int(wrong.sum()), int(met.sum())), int(met.sum()), seed,
-            wrong32, "Embree without offset" if single else "",
+        case = none_of(
+            int(met.sum()), again != inwards[met], seed, "leaving a surface", name,
+            "met again outwards, or not met inwards",
         )  # fmt: skip
+        if place == len(CONVEX):
+            unlifted = Embree32(icosphere(3)).proposed(hits.point[met], away[met]) >= 0
+            wrong32 = per_million(int((unlifted != inwards[met]).sum()), case.rays)
+            case = replace(case, float32=wrong32, float32_by="Embree without offset")
+        yield case

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from raywalk.bench.cases import Case, per_million
+from raywalk.bench.cases import Case, none_of
 from raywalk.bench.embree32 import sphere_t
 from raywalk.bench.families import around, directions, perpendicular
-from raywalk.bench.made_scenes import scene_of
+from raywalk.bench.made_scenes import nearest_t, scene_of
 from raywalk.bench.twofold import error_of, nearest_root, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.shapes import Sphere
@@ -37,7 +37,7 @@ def seen_from(distance: float, bound: float, count: int, seed: int) -> Iterator[
     """Error of t, median and largest; grazing rays (closer than 1e-3 of the radius) left out."""
     rng = np.random.default_rng(seed)
     origin, direction = around(rng, count, distance, aim=0.99)
-    t = CompiledScene(scene_of([UNIT])).nearest(rays_from(origin, direction))[0]
+    t = nearest_t([UNIT], origin, direction)
     near, far, depth = sphere_roots(origin, direction, np.zeros(3), 1.0)
     true = nearest_root(near, far)
     # A rounded direction moves the ray's foot by eps times the distance: it must not graze.
@@ -86,14 +86,12 @@ def tangent_anywhere(distance: float, count: int, seed: int) -> Case:
     k = rng.uniform(1.0, TANGENT, count)
     off = 1.0 + rng.choice([-1.0, 1.0], count) * 10.0**-k
     origin = off[:, None] * perpendicular(rng, direction) - distance * direction
-    t = CompiledScene(scene_of([UNIT])).nearest(rays_from(origin, direction))[0]
+    t = nearest_t([UNIT], origin, direction)
     _, _, depth = sphere_roots(origin, direction, np.zeros(3), 1.0)
     clear = np.abs(depth) > 2.0 * ROUNDED
-    wrong = (np.isfinite(t) != (depth >= 0)) & clear
+    wrong = np.isfinite(t) != (depth >= 0)
     wrong32 = np.isfinite(sphere_t(origin, direction, np.zeros(3), 1.0)) != (depth >= 0)
-    return Case(
-        "tangent", f"from {distance:g}, all sides, closer than {ROUNDED:g} left out",
-        "wrong hit or miss, ppm",
-        0.0, per_million(int(wrong.sum()), int(clear.sum())), int(clear.sum()), seed,
-        per_million(int(wrong32.sum()), count), "same formula",
-    )  # fmt: skip
+    name = f"from {distance:g}, all sides, closer than {ROUNDED:g} left out"
+    return none_of(
+        clear, wrong, seed, "tangent", name, "wrong hit or miss", wrong32, "same formula"
+    )

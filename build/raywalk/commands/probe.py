@@ -24,6 +24,7 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """Writes the hits beside and renames, or yields them."""
     from raywalk.trace.probe import probe, read_rays
+    from raywalk.trace_file.container import write_beside
 
     scene = read_scene(scene_file(chosen.scene, chosen.scenes))
     hits = probe(scene, *read_rays(chosen.rays))
@@ -31,8 +32,6 @@ def run(chosen: Namespace) -> Iterator[str]:
     if chosen.out is None:
         yield text
         return
-    beside = chosen.out.with_name(chosen.out.name + ".partial")
-    beside.write_text(text + "\n", encoding="utf-8")
-    beside.replace(chosen.out)
+    write_beside(chosen.out, f"{text}\n".encode())
     met = sum(hit is not None for hit in hits)
     yield f"{len(hits)} rays, {met} hits: {chosen.out}"

@@ -6,7 +6,7 @@ from raywalk.slides.figure import Cell, Table
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
-from raywalk.slides.words import columns, fixed, place, say
+from raywalk.slides.words import columns, numbers, place, say
 
 ROW = 20.0  # points
 SAMPLE = 26.0  # of a ray's line before its number
@@ -80,7 +80,7 @@ def _row(ray: Row, decimals: int) -> tuple[Cell, ...]:
 def _fitting(value: float, decimals: int) -> str:
     """One decimal less for every further digit before the point."""
     digits = len(str(int(abs(value))))
-    return fixed(value, max(0, decimals - max(0, digits - 1)))
+    return numbers().fixed(value, max(0, decimals - max(0, digits - 1)))
 
 
 def _widths(body: list[tuple[Cell, ...]], whole: float) -> list[float]:

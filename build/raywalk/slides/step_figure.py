@@ -15,7 +15,7 @@ from raywalk.slides.labels import Label, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.pictures import tiles_picture, washed
 from raywalk.slides.stops import ChosenLine, Ends, Stop, ThinLine
-from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched, vector
+from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
 
 CHOSEN_WIDTH = 2.2
 PASSED_WIDTH = 1.4  # of rays that a walk has behind it
@@ -273,7 +273,7 @@ def _labels(drawing: Drawing) -> list[Label]:
     labels += _light_names(drawing)
     first = next(iter(hits(stop)), None)
     if first and (at := drawing.point(first.end)):
-        labels.append(Label(vector(first.to), at))
+        labels.append(Label(numbers().vector(first.to), at))
     return labels
 
 

@@ -12,7 +12,7 @@ from raywalk.slides.ray_table import SAMPLE, SWATCH
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
-from raywalk.slides.words import kind_word, number, place, say, sum_columns, tone
+from raywalk.slides.words import kind_word, numbers, place, say, sum_columns
 
 ROW = 22.0
 LITTLE = 0.002  # of a colour, its channels together: three decimals hardly show it
@@ -95,14 +95,15 @@ def _telling(stop: Stop) -> tuple[int, int]:
 def _row(ray: Row) -> tuple[Cell, ...]:
     at = ray.object or say("event.term.background")
     first = (Cell(str(ray.number), sample=ray.kind), Cell(kind_word(ray.kind)), Cell(at))
+    share = Cell(numbers().number(ray.share))
     if ray.object and ray.keeps == 0:
-        return (*first, Cell(number(ray.share)), Cell(say("slides.sendsOn")), Cell(), Cell())
-    given = (Cell(number(ray.share)), Cell(tone(ray.own)), Cell(tone(ray.gives)))
-    return (*first, *given, Cell(swatch=ray.shows_given))
+        return (*first, share, Cell(say("slides.sendsOn")), Cell(), Cell())
+    given = (Cell(numbers().tone(ray.own)), Cell(numbers().tone(ray.gives)))
+    return (*first, share, *given, Cell(swatch=ray.shows_given))
 
 
 def _total(stop: Stop) -> list[tuple[Cell, ...]]:
-    total, blank = Cell(tone(stop.rows[0].colour), bold=True), Cell()
+    total, blank = Cell(numbers().tone(stop.rows[0].colour), bold=True), Cell()
     swatch = Cell(swatch=hex_of(stop.bytes))
     last = Cell(", ".join(map(str, stop.bytes)), bold=True)
     return [

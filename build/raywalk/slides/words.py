@@ -5,12 +5,13 @@ Slides are written in one language at a time: `with speaking("de"):` says in whi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
 from raywalk.words import Words, read_words
+from raywalk.words.numbers import Numbers
 
 if TYPE_CHECKING:
     from raywalk.scene.model import Scene
@@ -38,20 +39,9 @@ def say(key: str, /, **slots: object) -> str:
     return words().say(key, **slots)
 
 
-def vector(values: Iterable[float]) -> str:
-    return words().numbers.vector(values)
-
-
-def fixed(value: float, decimals: int) -> str:
-    return words().numbers.fixed(value, decimals)
-
-
-def number(value: float) -> str:
-    return words().numbers.number(value)
-
-
-def tone(colour: Sequence[float]) -> str:
-    return words().numbers.tone(colour)
+def numbers() -> Numbers:
+    """How the language writes them."""
+    return words().numbers
 
 
 def kind_word(kind: str) -> str:
@@ -84,7 +74,7 @@ def switched(switches: Switches) -> list[str]:
         if factor == 0:
             parts.append(say("slides.lampOff", light=name))
         else:
-            parts.append(say("slides.lampDimmed", light=name, factor=number(factor)))
+            parts.append(say("slides.lampDimmed", light=name, factor=numbers().number(factor)))
     if not switches.shadows:
         parts.append(say("slides.noShadows"))
     parts += [say(f"slides.without.{part}") for part in switches.without]
@@ -116,8 +106,8 @@ def figure_alt(scene: Scene, stop: Stop) -> str:
         elif line.leaves:
             parts.append(say("slides.leavesAlt", kind=kind))
         else:
-            name = stop.rows[line.ray - 1].object
-            parts.append(say("slides.hitsAlt", kind=kind, name=name, point=vector(line.to)))
+            met, point = stop.rows[line.ray - 1].object, numbers().vector(line.to)
+            parts.append(say("slides.hitsAlt", kind=kind, name=met, point=point))
     if len(stop.chosen) > MOST_TOLD:
         parts.append(say("slides.moreAlt", count=len(stop.chosen) - MOST_TOLD))
     if stop.thin:

@@ -16,7 +16,7 @@ from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.stops import Question
-from raywalk.slides.words import number, say, vector, words
+from raywalk.slides.words import numbers, say, words
 from raywalk.words.catalogue import find, slots_of
 
 SIZE = 12.0
@@ -52,8 +52,9 @@ def questions(lesson: Lesson) -> list[Question]:
 
 def _given(scene: Scene) -> tuple[list[Item], float]:
     """What one needs to know of the scene to work it out."""
-    facts = [say("slides.givenCamera", eye=vector(scene.camera.eye),
-                target=vector(scene.camera.target), fov=f"{scene.camera.fov:g}")]  # fmt: skip
+    camera, vector = scene.camera, numbers().vector
+    facts = [say("slides.givenCamera", eye=vector(camera.eye), target=vector(camera.target),
+                fov=f"{camera.fov:g}")]  # fmt: skip
     facts += [f"{obj.name}: {shape_words(obj)}" for obj in scene.objects]
     facts += [
         say("slides.givenLight", light=light.name, at=vector(light.position))
@@ -77,7 +78,8 @@ def shape_words(obj: SceneObject) -> str:
 def _written(value: str | float | Triple) -> str:
     if isinstance(value, str):
         return value
-    return number(value) if isinstance(value, float | int) else vector(value)
+    write = numbers()
+    return write.number(value) if isinstance(value, float | int) else write.vector(value)
 
 
 def _block(count: int, question: Question, with_answers: bool) -> tuple[list[Item], float]:
