@@ -115,16 +115,11 @@ def holds_ahead(bvh, corners, o, d, own, bound):
     place halfway to the next hit are counted.
     """
     kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
-    stack = np.empty(STACK, np.int32)
-    depth, node = 0, 0
-    count, nearest, in_doubt = 0, np.inf, False
-    while True:
-        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) < np.inf:
-            if bvh.held[node] == 0:
-                stack[depth] = bvh.second[node]
-                depth += 1
-                node += 1
-                continue
+    node, count, nearest, in_doubt = 0, 0, np.inf, False
+    while node < len(bvh.skip):
+        if box_entry(bvh.low, bvh.high, node, o, d, np.inf) == np.inf:
+            node = bvh.skip[node]
+        else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 t, u, v = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
@@ -135,10 +130,7 @@ def holds_ahead(bvh, corners, o, d, own, bound):
                 count += 1 if leaves(corners, triangle, d) else -1
                 nearest = min(nearest, t)
                 in_doubt |= min(u, min(v, 1.0 - u - v)) <= AT_EDGE
-        if depth == 0:
-            break
-        depth -= 1
-        node = stack[depth]
+            node += 1
     if nearest == np.inf or not in_doubt:
         return count > 0
     half = 0.5 * nearest
