@@ -32,6 +32,7 @@ MAY_IMPORT = {
     "site": {
         "scene",
         "trace.kinds",
+        "trace.tree",
         "trace_file",
         "words",
         "errors",

@@ -147,7 +147,7 @@ Parts = Annotated[
     tuple[Part, ...],
     Allowed('a list of "ambient", "diffuse", "specular", "reflected", "refracted"'),
 ]
-BRIGHTEST = 2.0  # in viewer/state/switches.ts too
+BRIGHTEST = 2.0
 Dimming = Annotated[
     float, Field(strict=True, ge=0, le=BRIGHTEST, allow_inf_nan=False),
     Allowed(f"a number from 0 to {BRIGHTEST:g}"),

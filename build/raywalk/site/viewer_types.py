@@ -16,12 +16,16 @@ from typing import Any
 from pydantic import TypeAdapter
 
 import raywalk.trace_file
-from raywalk.scene.schema import ViewTable
+from raywalk.scene.schema import BRIGHTEST, ViewTable
 from raywalk.site.scene_types import BoxesData, SceneData, SceneWords, SectionsData
+from raywalk.trace.tree import Visibility
 
-HEAD = """\
+# Besides tables: constants whose values the viewer says again, to be refused where they differ.
+HEAD = f"""\
 /** Made by raywalk/site/viewer_types.py: not to be edited. World units, right-handed, +y up. */
 export type Vec3 = readonly [number, number, number];
+export type Visibility = {{ {"; ".join(f"{of.name.lower()}: {of}" for of in Visibility)} }};
+export type Brightest = {BRIGHTEST:g};
 """
 # Of the schemas' names those that the viewer knows by another.
 NAMES = {

@@ -1,9 +1,9 @@
 /** What-if switches: what a person has switched, and how that changes. Nothing is traced anew; see what-if.ts. */
-import type { SceneData, SwitchesView } from "../trace/types";
+import type { Brightest, SceneData, SwitchesView } from "../trace/types";
 
 export type Part = "ambient" | "diffuse" | "specular" | "reflected" | "refracted";
 export const PARTS: readonly Part[] = ["ambient", "diffuse", "specular", "reflected", "refracted"];
-export const BRIGHTEST = 2;
+export const BRIGHTEST: Brightest = 2;
 const STEP = 0.25; // of a button; the slider's are finer
 const ROUNDED = 1e-9; // a slider's 0.75 may be a little less
 

@@ -6,9 +6,10 @@
 
 // What a scene's scripts hold and how a lesson step or an address gives a view (what is absent keeps its start
 // value): made from the pipeline's own types.
-export type { BoxesData, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, SwitchesView, Vec3, View } from "./pipeline-types";
+export type { BoxesData, Brightest, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, SwitchesView, Vec3, View } from "./pipeline-types";
+import type { Visibility } from "./pipeline-types";
 
-export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const; // off: only by a switch, in no file
+export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const satisfies Visibility & { off: number }; // off: only by a switch, in no file
 
 /** One scene at one frustum resolution: n x n camera rays and everything they led to.
  *  Rays are path-major: ray k < n * n is the camera ray of pixel k = row * n + column. */
