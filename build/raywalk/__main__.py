@@ -20,6 +20,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 COMMANDS = {
     "site": "build_site",
     "check": "check",
+    "model": "model",
     "inspect": "inspect",
     "probe": "probe",
     "pixel": "pixel",

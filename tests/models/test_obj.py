@@ -190,7 +190,7 @@ def test_what_is_not_used_is_named(tmp_path: Path) -> None:
         ),
         (
             "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
-            "made.obj: holds no usable triangle (1 without area); export a mesh of triangles that "
+            "made.obj holds no usable triangle (1 without area); export a mesh of triangles that "
             "have an area",
         ),
         ("", "made.obj: it is empty; copy or export it again"),

@@ -110,7 +110,7 @@ def test_what_follows_the_triangles_is_left_out(tmp_path: Path) -> None:
             "normal`, `outer loop`, three times `vertex`, `endloop`, `endfacet`: export the model "
             "again",
         ),
-        (text_of(CORNERS[:0]), "made.stl: holds no usable triangle; export a mesh of triangles "
+        (text_of(CORNERS[:0]), "made.stl holds no usable triangle; export a mesh of triangles "
          "that have an area"),
     ],
     ids=["cut", "tiny", "text cut", "comma", "two coordinates", "two vertices", "word", "none"],

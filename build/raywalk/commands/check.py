@@ -43,6 +43,7 @@ def run(chosen: Namespace) -> Iterator[str]:
     yield from warnings
     for scene in scenes:
         yield f"{scene.id}: {len(scene.objects)} objects, {len(scene.lights)} lights: in order"
+        yield from (f"  {line}" for line in _mesh_lines(scene))
 
 
 def check_geometry(scene: Scene) -> list[str]:
@@ -55,7 +56,20 @@ def check_geometry(scene: Scene) -> list[str]:
     from raywalk.geometry.overlap import overlap_warnings
     from raywalk.trace.wavefront import Tracer
 
-    return overlap_warnings(scene, Tracer(scene).compiled)
+    found = overlap_warnings(scene, Tracer(scene).compiled)
+    if scene.has_mesh:
+        from raywalk.geometry.mesh_report import mesh_warnings
+
+        found = mesh_warnings(scene) + found
+    return found
+
+
+def _mesh_lines(scene: Scene) -> list[str]:
+    if not scene.has_mesh:
+        return []
+    from raywalk.geometry.mesh_report import mesh_lines
+
+    return mesh_lines(scene)
 
 
 def scene_file(named: str, folder: Path) -> Path:

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.mesh_normals import averaged_normals, grouped_normals, own_normals
-from raywalk.models.clean import Cleaned, clean, worth_tracing
-from raywalk.models.edges import edges_of, open_edges
+from raywalk.models.clean import Cleaned, worth_tracing
+from raywalk.models.edges import balanced, edges_of, open_edges
 from raywalk.models.faults import ModelFault
-from raywalk.models.read import read_model
+from raywalk.models.kept import read_cleaned
+from raywalk.models.pieces import chosen
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
-
-READ = 2  # files kept: a scene's objects often are parts of one
 
 
 @dataclass(frozen=True)
@@ -45,28 +42,10 @@ def load_triangles(scene: Scene, obj: SceneObject) -> Triangles:
     shape = obj.shape
     assert isinstance(shape, Mesh)
     try:
-        cleaned = read_cleaned(shape.path, shape.weld)
-        return _placed(obj, shape, cleaned)
+        return _placed(obj, shape, read_cleaned(shape.path, shape.weld))
     except ModelFault as fault:
         key = f'objects "{obj.name}".{"file" if shape.model == fault.path.name else "model"}'
-        where = ", ".join(part for part in (fault.path.name, fault.place) if part)
-        joint = " " if fault.cause.startswith(("holds", "is ")) else ": "
-        problem = SourceError(scene.path, key, where + joint + fault.cause, hint=fault.remedy)
-        raise SourceErrors([problem]) from None
-
-
-def read_cleaned(path: Path, weld: float | None) -> Cleaned:
-    """A file's triangles, made fit. Raises ModelFault."""
-    try:
-        state = path.stat()
-        return _kept(path, state.st_mtime_ns, state.st_size, weld)
-    except (OSError, ValueError):
-        return clean(read_model(path), weld)  # which says what is wrong with the file
-
-
-@lru_cache(READ)
-def _kept(path: Path, changed: int, size: int, weld: float | None) -> Cleaned:
-    return clean(read_model(path), weld)
+        raise SourceErrors([SourceError(scene.path, key, fault.told, hint=fault.remedy)]) from None
 
 
 def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
@@ -74,6 +53,13 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     if shape.subdivide:
         vertices, faces = _subdivided(cleaned, shape.subdivide)
     source = np.repeat(cleaned.source, len(faces) // len(cleaned.faces))
+    closed, dropped = cleaned.shape.closed, cleaned.dropped
+    if shape.piece:
+        mine = np.repeat(chosen(cleaned, shape.piece), len(faces) // len(cleaned.faces))
+        faces, source = faces[mine], source[mine]
+        closed = balanced(edges_of(faces))
+        dropped = dropped if shape.piece.first else {}
+        vertices, faces = _compact(vertices, faces)
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     linear, offset = obj.transform[:3, :3], obj.transform[:3, 3]
     placed = (vertices - middle) @ linear.T
@@ -94,9 +80,9 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         faces=np.ascontiguousarray(faces),
         normals=normals,
         normal_rows=np.ascontiguousarray(rows),
-        closed=cleaned.shape.closed and not flattened,
+        closed=closed and not flattened,
         layered=cleaned.shape.layered,
-        dropped={**cleaned.dropped, **flattened},
+        dropped={**dropped, **flattened},
     )
 
 

@@ -38,6 +38,13 @@ def open_edges(edges: Edges) -> np.ndarray:
     return edges.ends[edges.uses % 2 == 1]
 
 
+def balanced(edges: Edges) -> bool:
+    """Whether each edge is passed as often to as fro: then the surface is closed."""
+    if not len(edges.start):
+        return True
+    return not np.add.reduceat(edges.along.astype(np.int64), edges.start).any()
+
+
 def neighbours_of(edges: Edges) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Triangles (p,) and (p,) that share an edge with nobody else, and (p,) bool: they are wound
     against each other."""

@@ -17,9 +17,14 @@ class ModelFault(Exception):
     def __reduce__(self) -> tuple[type[ModelFault], tuple[Path, str, str, str]]:
         return ModelFault, (self.path, self.place, self.cause, self.remedy)
 
-    def __str__(self) -> str:
+    @property
+    def told(self) -> str:
+        """The sentence without its remedy."""
         where = ", ".join(part for part in (shown(self.path.name), self.place) if part)
-        return f"{where}: {self.cause}; {self.remedy}"
+        return f"{where}{' ' if self.cause.startswith('holds') else ': '}{self.cause}"
+
+    def __str__(self) -> str:
+        return f"{self.told}; {self.remedy}"
 
 
 def shown(value: bytes | str) -> str:

@@ -6,6 +6,7 @@ to them, and what they make comes back as bytes. Dask hands the work of a lost w
 
 from __future__ import annotations
 
+import os
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
@@ -34,6 +35,7 @@ class ClusterError(UserError):
 
 
 Files = dict[str, bytes]  # name -> content
+DEEP = "a/b/c/d"
 
 
 def run_on_cluster(
@@ -91,8 +93,9 @@ def _result(done: Any, distributed: Any) -> tuple[float, Files]:
 
 
 def mesh_files(scene: Scene) -> Files:
-    """The content of each mesh file of a scene, by its path here."""
-    paths = {obj.shape.path for obj in scene.objects if isinstance(obj.shape, Mesh)}
+    """The content of each mesh file of a scene, and of those it needs, by its path here."""
+    meshes = [obj.shape for obj in scene.objects if isinstance(obj.shape, Mesh)]
+    paths = {path for mesh in meshes for path in (mesh.path, *mesh.beside)}
     return {str(path): path.read_bytes() for path in sorted(paths)}
 
 
@@ -135,16 +138,25 @@ def refuse_other_makers(expected: Parts, found: Parts) -> None:
 
 
 def with_meshes(scene: Scene, meshes: Files, folder: Path) -> Scene:
-    """The scene with its mesh files in a folder of this machine, under their own names."""
-    places = {}
-    for k, (path, content) in enumerate(meshes.items()):
-        places[path] = folder / str(k) / Path(path).name
-        places[path].parent.mkdir()
-        places[path].write_bytes(content)
+    """The scene with its mesh files in a folder of this machine, under their own names, and what
+    they need beside them as it was."""
+    homes: dict[Path, Path] = {}
+
+    def placed(path: Path, of: Path) -> Path:
+        # Deep enough for files that lie some folders above the mesh's own.
+        home = homes.setdefault(of.parent, folder / str(len(homes)) / DEEP)
+        place = Path(os.path.normpath(home / os.path.relpath(path, of.parent)))
+        if place.is_relative_to(folder) and not place.exists():
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(meshes[str(path)])
+        return place
+
+    def moved(mesh: Mesh) -> Mesh:
+        beside = tuple(placed(path, mesh.path) for path in mesh.beside)
+        return replace(mesh, path=placed(mesh.path, mesh.path), beside=beside)
+
     objects = tuple(
-        replace(obj, shape=replace(obj.shape, path=places[str(obj.shape.path)]))
-        if isinstance(obj.shape, Mesh)
-        else obj
+        replace(obj, shape=moved(obj.shape)) if isinstance(obj.shape, Mesh) else obj
         for obj in scene.objects
     )
     return replace(scene, objects=objects)

@@ -41,10 +41,11 @@ def trace_parts(scene: Scene) -> Parts:
 
 
 def models_of(scene: Scene) -> dict[str, str]:
-    """Hash of each object's mesh file. Raises OSError."""
-    meshes = {obj.name: obj.shape.path for obj in scene.objects if isinstance(obj.shape, Mesh)}
-    hashes = {path: digest(path) for path in set(meshes.values())}
-    return {f"{path.name} of {name}": hashes[path] for name, path in meshes.items()}
+    """Hash of each object's mesh file, and of those it needs. Raises OSError."""
+    meshes = [(obj.name, obj.shape) for obj in scene.objects if isinstance(obj.shape, Mesh)]
+    named = [(name, path) for name, mesh in meshes for path in (mesh.path, *mesh.beside)]
+    hashes = {path: digest(path) for path in {path for _, path in named}}
+    return {f"{path.name} of {name}": hashes[path] for name, path in named}
 
 
 def shut_for(scene: Scene) -> str:

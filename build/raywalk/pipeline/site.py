@@ -78,10 +78,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     return Built(
         f"{len(scenes)} scenes: {missing} traced, {len(scenes) - missing} unchanged",
         [
-            obj.shape.path
+            path
             for scene in scenes
             for obj in scene.objects
             if isinstance(obj.shape, Mesh)
+            for path in (obj.shape.path, *obj.shape.beside)
         ],
         {"scenes": len(scenes), "size": size, "remarks": notes},
     )

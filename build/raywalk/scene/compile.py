@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 
+import numpy as np
+
 from raywalk.scene.address import address_of
 from raywalk.scene.check_view import check_view
 from raywalk.scene.checks import (
@@ -17,6 +19,7 @@ from raywalk.scene.checks import (
 from raywalk.scene.draft import Draft
 from raywalk.scene.lights import point_lights
 from raywalk.scene.materials import Materials
+from raywalk.scene.mesh_parts import dressed_parts, mesh_of
 from raywalk.scene.model import (
     Camera,
     Checker,
@@ -32,7 +35,7 @@ from raywalk.scene.names import with_defaults
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import resolutions_of
 from raywalk.scene.schema import SceneFile, StepTable, ViewTable
-from raywalk.scene.schema_objects import MeshTable, ObjectTable, PlaneTable
+from raywalk.scene.schema_objects import MaterialTable, MeshTable, ObjectTable, PlaneTable
 from raywalk.scene.shapes import SHAPES, Mesh, Shape
 from raywalk.scene.transforms import is_singular, product
 
@@ -142,11 +145,14 @@ class _Parts:
     def _add_object(self, i: int, table: ObjectTable, name: str, known: Materials) -> None:
         at = ("objects", i)
         shape = self._shape_of(table, at)
-        material = self._material_of(table, name, known, (*at, "material"))
         transform = product(table.transform)
         if is_singular(transform):
             self.problems.add((*at, "transform"), "flattens the object: it has no inverse")
             return
+        if isinstance(table, MeshTable) and (table.materials or table.material is None):
+            self._add_parts(table, shape, name, known, at, transform)
+            return
+        material = self._dressed(table.material, name, known, (*at, "material"))
         if shape is None or material is None:
             return
         check_closed(shape, material, at, self.problems)
@@ -157,7 +163,7 @@ class _Parts:
         """None, with the problem noted, if it has no extent or no file."""
         if isinstance(table, MeshTable):
             found = mesh_file(table, self.models, at, self.problems)
-            return Mesh(*found, table.smooth, table.subdivide, table.weld) if found else None
+            return mesh_of(table, *found) if found else None
         kind = SHAPES[table.kind]
         shape: Shape = kind(**{each.name: getattr(table, each.name) for each in fields(kind)})
         flaws = list(shape.flaws())
@@ -165,12 +171,31 @@ class _Parts:
             self.problems.add((*at, key) if key else at, message, hint=hint)
         return None if flaws else shape
 
-    def _material_of(
-        self, table: ObjectTable, name: str, known: Materials, at: Sequence[str | int]
+    def _add_parts(
+        self, table: MeshTable, shape: Shape | None, name: str, known: Materials, at: Location,
+        transform: np.ndarray,
+    ) -> None:  # fmt: skip
+        """A mesh as objects: one for each material that it is shown in."""
+        given = {
+            part: self._dressed(dress, f"{name}, {part}", known, (*at, "materials", part))
+            for part, dress in table.materials.items()
+        }
+        rest = None
+        if table.material is not None:
+            rest = self._dressed(table.material, name, known, (*at, "material"))
+        if not isinstance(shape, Mesh):
+            return
+        for part in dressed_parts(table, shape, name, given, rest, at, self.problems):
+            self.objects.append(
+                SceneObject(part.name, part.mesh, self._index(part.material), transform)
+            )
+
+    def _dressed(
+        self, dress: str | MaterialTable, name: str, known: Materials, at: Sequence[str | int]
     ) -> Material | None:
-        if isinstance(table.material, str):
-            return known.find(table.material, at)
-        return known.inline(table.material, name, at)
+        if isinstance(dress, str):
+            return known.find(dress, at)
+        return known.inline(dress, name, at)
 
     def _checkered(
         self, table: ObjectTable, name: str, material: Material

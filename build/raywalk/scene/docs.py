@@ -132,7 +132,7 @@ def _section(title: str, table: type[Table]) -> str:
     rows = [
         _row(key, field)
         for key, field in table.model_fields.items()
-        if key not in shared and key != "type"
+        if key != "type" and (key not in shared or field.description != shared[key].description)
     ]
     lines = [f"## {title}", "", *_purpose(table)]
     return "\n".join([*lines, "| key | allowed | default | meaning |", "|---|---|---|---|", *rows])

@@ -61,15 +61,18 @@ def _material_form(value: Any) -> str | None:
     return by_form(value) if isinstance(value, str | dict | Table) else None
 
 
+Dress = Annotated[
+    Annotated[Text, SINGLE] | Annotated[MaterialTable, TABLE],
+    Discriminator(_material_form),
+    Allowed("the name of a material, or a table with a material's keys"),
+]
+
+
 class ObjectTable(Table):
     """What every object has, whatever its shape."""
 
     name: Maybe[Name] = maybe('what a person calls it; default "sphere 1" and so on')
-    material: Annotated[
-        Annotated[Text, SINGLE] | Annotated[MaterialTable, TABLE],
-        Discriminator(_material_form),
-        Allowed("the name of a material, or a table with a material's keys"),
-    ] = means("a material's name, or a table with the keys of one")
+    material: Dress = means("a material's name, or a table with the keys of one")
     transform: Annotated[
         tuple[TransformTable, ...],
         Allowed("a list of steps", hint="such as [{ translate = [0, 1, 0] }, { scale = 2 }]"),
@@ -148,7 +151,18 @@ Weld = Annotated[
 
 
 class MeshTable(ObjectTable):
+    """Triangles of a file. `raywalk model FILE` tells what it holds. Without `material` it is shown
+    in the file's own materials; each that `materials` names becomes an object of its own."""
+
     type: Literal["mesh"]
+    material: Maybe[Dress] = maybe(
+        "a material's name, or a table with the keys of one, for all that `materials` does not "
+        "name (default: the file's own)"
+    )
+    materials: Annotated[
+        dict[str, Dress],
+        Allowed("a table of materials", hint='such as materials = { red = "glass" }'),
+    ] = means("for parts and materials of the file, by their names", {})
     model: Maybe[Name] = maybe("a name in models/models.toml, or give `file`")
     file: Maybe[Name] = maybe(
         "a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene file"

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from raywalk.models.piece import Piece
 from raywalk.scene.exact import EYE, axes_across, exact, rotation, unit
 from raywalk.scene.wording import plain
 
@@ -272,6 +273,8 @@ class Mesh(Shape):
     smooth: bool = True  # normals interpolated from the vertices, else one per triangle
     subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
     weld: float | None = None  # corners nearer than this share of the size are one; None: 1e-6
+    piece: Piece | None = None  # only what has its label; None: the whole file
+    beside: tuple[Path, ...] = ()  # files that it needs: materials, buffers
 
     canonical = MESH
 

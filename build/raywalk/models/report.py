@@ -1,0 +1,88 @@
+"""What a model file holds and what was done to it, as data: for the command, checks and JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from raywalk.models.clean import Cleaned
+from raywalk.models.edges import edges_of, open_edges
+
+PLACES = 20  # of open edges that are told
+# What files of a format mostly are measured in, where they do not say it.
+USUAL = {"STL": "millimetre", "3MF": "millimetre"}
+
+
+def report(cleaned: Cleaned) -> dict[str, Any]:
+    """Plain values, which JSON can write. Lengths are in the file's own units."""
+    model, shape = cleaned.model, cleaned.shape
+    places = _open_places(cleaned)
+    low, high = _box(cleaned)
+    return {
+        "file": model.path.name,
+        "format": model.format,
+        "triangles": len(cleaned.faces),
+        "vertices": len(np.unique(cleaned.faces)),
+        "box": [low.tolist(), high.tolist()],
+        "size": (high - low).tolist(),
+        "unit": model.unit,
+        "likely_unit": model.unit or next(
+            (unit for name, unit in USUAL.items() if name in model.format), ""
+        ),
+        "parts": _parts(cleaned),
+        "materials": _materials(cleaned),
+        "normals": "own" if model.normals else "smoothing groups" if model.smoothing is not None
+        else "",
+        "colours": model.colours_of,
+        "closed": shape.closed,
+        "open_edges": {"count": len(places), "places": places[:PLACES].tolist()},
+        "shells": {
+            "count": len(shape.shells),
+            "hollows": sum(shell.is_hollow for shell in shape.shells),
+            "within_another": sum(s.within >= 0 and not s.is_hollow for s in shape.shells),
+            "overlapping": len(shape.overlapping),
+            "too_many_to_tell": shape.is_untold,
+        },
+        "joined": cleaned.joined,
+        "turned": int(cleaned.turned.sum()),
+        "dropped": cleaned.dropped,
+        "ignored": list(model.ignored),
+    }  # fmt: skip
+
+
+def _box(cleaned: Cleaned) -> tuple[np.ndarray, np.ndarray]:
+    corners = cleaned.vertices[cleaned.faces]
+    return corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+
+
+def _open_places(cleaned: Cleaned) -> np.ndarray:
+    """(k, 3) middles of open edges, by place."""
+    ends = open_edges(edges_of(cleaned.faces))
+    middle = np.round(cleaned.vertices[ends].mean(axis=1), 9) + 0.0
+    return np.asarray(middle[np.lexsort(middle.T)])
+
+
+def _parts(cleaned: Cleaned) -> list[dict[str, Any]]:
+    model = cleaned.model
+    counts = np.bincount(model.part_of()[cleaned.source], minlength=len(model.parts))
+    return [
+        {"name": name, "triangles": int(count)}
+        for name, count in zip(model.parts, counts.tolist(), strict=True)
+        if count
+    ]
+
+
+def _materials(cleaned: Cleaned) -> list[dict[str, Any]]:
+    model = cleaned.model
+    of = model.material_of()[cleaned.source]
+    return [
+        {
+            "name": each.name,
+            "colour": None if each.diffuse is None else list(each.diffuse),
+            "opacity": each.opacity,
+            "texture": each.texture.name if each.texture else None,
+            "triangles": int((of == k).sum()),
+        }
+        for k, each in enumerate(model.materials)
+    ]

@@ -1,0 +1,180 @@
+"""The same in sentences: one home for what the command, `check` and a build say of a model."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from raywalk.models.faults import shown
+
+MOST = 12  # names or places in a row
+CENTIMETRE = {"millimetre": 0.1, "millimeter": 0.1, "metre": 100.0, "meter": 100.0, "inch": 2.54,
+              "centimeter": 1.0, "foot": 30.48, "micron": 1e-4}  # fmt: skip
+
+
+def in_short(told: dict[str, Any]) -> str:
+    """A line: "two.obj, OBJ: 24 triangles, 16 corners, 2 parts, closed; 4 triangles turned"."""
+    holds = [_count(told["triangles"], "triangle"), _count(told["vertices"], "corner")]
+    for key in ("part", "material"):
+        if len(told[f"{key}s"]) > 1:
+            holds.append(_count(len(told[f"{key}s"]), key))
+    edges = told["open_edges"]["count"]
+    holds.append("closed" if told["closed"] else f"open at {_count(edges, 'edge')}")
+    done = list(_done(told))
+    return f"{shown(told['file'])}, {told['format']}: {', '.join(holds)}" + (
+        f"; {', '.join(done)}" if done else ""
+    )
+
+
+def _done(told: dict[str, Any]) -> Iterator[str]:
+    if told["joined"]:
+        yield f"{_count(told['joined'], 'corner')} joined with near ones"
+    if told["turned"]:
+        yield f"{_count(told['turned'], 'triangle')} turned to face outwards"
+    if told["dropped"]:
+        yield f"left out: triangles {dropped_in_words(told['dropped'])}"
+
+
+def dropped_in_words(dropped: dict[str, int]) -> str:
+    """ "2 without area, 1 not finite" """
+    return ", ".join(f"{count} {reason}" for reason, count in dropped.items())
+
+
+def listed(names: Iterable[str]) -> str:
+    """ "red, green and 3 more" """
+    every = list(names)
+    if len(every) > MOST:
+        return f"{', '.join(every[:MOST])} and {len(every) - MOST} more"
+    return " and ".join(part for part in (", ".join(every[:-1]), *every[-1:]) if part)
+
+
+def warnings(told: dict[str, Any]) -> list[str]:
+    """What a person should know who put the model into a scene."""
+    shells = told["shells"]
+    found = list(told["ignored"])
+    if shells["overlapping"]:
+        found.append(
+            f"{_count(shells['overlapping'], 'pair')} of its shells overlap, and count as one body"
+        )
+    if shells["too_many_to_tell"]:
+        found.append(
+            f"it has {shells['count']} shells, too many to tell which lie in which: each faces "
+            "outwards"
+        )
+    return found
+
+
+def in_full(told: dict[str, Any]) -> Iterator[str]:
+    """Line by line, all that `raywalk model` prints."""
+    yield f"{shown(told['file'])}: {told['format']}"
+    yield f"  triangles: {told['triangles']:,}, on {_count(told['vertices'], 'corner')}"
+    yield f"  box: {_point(told['box'][0])} to {_point(told['box'][1])}"
+    yield f"  size: {_sized(told)}"
+    yield from _named(told)
+    yield f"  normals: {_normals(told)}"
+    if told["colours"]:
+        yield f"  colours: of its {told['colours']}"
+    yield f"  surface: {_surface(told)}"
+    for place in told["open_edges"]["places"][:MOST]:
+        yield f"    open at {_point(place)}"
+    more = told["open_edges"]["count"] - MOST
+    if more > 0:
+        yield f"    and at {more} more places; --picture FILE.png draws them all"
+    yield f"  cleaned: {', '.join(_done(told)) or 'nothing was to be done'}"
+    yield from (f"  note: {line}" for line in warnings(told))
+    yield from _for_a_scene(told)
+
+
+def _sized(told: dict[str, Any]) -> str:
+    across = " x ".join(f"{side:.6g}" for side in told["size"])
+    unit = told["likely_unit"]
+    if not unit:
+        return f"{across} of its units (the file does not say which)"
+    how = "as the file says" if told["unit"] else "as such files mostly are"
+    if unit not in CENTIMETRE:
+        return f"{across} {unit} ({how})"
+    largest = max(told["size"]) * CENTIMETRE[unit]
+    return f"{across} {unit} ({how}), {largest:.4g} cm at its longest"
+
+
+def _named(told: dict[str, Any]) -> Iterator[str]:
+    for key in ("part", "material"):
+        found = [each for each in told[f"{key}s"] if each["name"]]
+        if found:
+            yield f"  {key}s: {len(found)}"
+        for each in found[:MOST]:
+            count = _count(each["triangles"], "triangle")
+            yield f"    {shown(each['name'])}: {count}{_looks(each)}"
+        if len(found) > MOST:
+            yield f"    and {len(found) - MOST} more"
+
+
+def _looks(each: dict[str, Any]) -> str:
+    told = ""
+    if each.get("colour"):
+        told += f", colour {_point(each['colour'])}"
+    if each.get("texture"):
+        told += f", texture {shown(each['texture'])}"
+    if each.get("opacity", 1.0) < 1.0:
+        told += f", opacity {each['opacity']:.4g}"
+    return told
+
+
+def _normals(told: dict[str, Any]) -> str:
+    return {
+        "own": "its own are used (smooth = false: flat faces)",
+        "smoothing groups": "by its smoothing groups (smooth = false: flat faces)",
+        "": "it has none: averaged at each corner (smooth = false: flat faces)",
+    }[told["normals"]]
+
+
+def _surface(told: dict[str, Any]) -> str:
+    shells, edges = told["shells"], told["open_edges"]["count"]
+    said = ["closed: it may be of glass"] if told["closed"] else [
+        f"open at {_count(edges, 'edge')}: it cannot be of glass" if edges
+        else "its triangles do not agree on which side is outside: it cannot be of glass"
+    ]  # fmt: skip
+    if shells["count"] > 1:
+        said.append(f"{shells['count']} shells")
+    if shells["hollows"]:
+        said.append(f"{shells['hollows']} of them around hollows")
+    if within := shells["within_another"]:
+        lie = "lies within another, and is" if within == 1 else "lie within others, and are"
+        said.append(f"{within} {lie} no border in glass")
+    return ", ".join(said)
+
+
+def _for_a_scene(told: dict[str, Any]) -> Iterator[str]:
+    """What to write."""
+    yield "  in a scene:"
+    yield "    [[objects]]"
+    yield '    type = "mesh"'
+    yield f"    file = {_text(told['file'])}"
+    names = [each["name"] for each in (*told["materials"], *told["parts"]) if each["name"]]
+    if told["materials"]:
+        yield "    # without `material` it is shown in the file's own materials, or dress some:"
+    else:
+        yield '    material = "white"' + (
+            '   # or "glass", as it is closed' if told["closed"] else ""
+        )
+    if names:
+        yield f'    # materials = {{ {_key(names[0])} = "mirror" }}'
+
+
+def _key(name: str) -> str:
+    bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
+    return name if bare else _text(name)
+
+
+def _text(value: str) -> str:
+    """As TOML writes it: JSON's rules are a part of its own."""
+    return json.dumps(value, ensure_ascii=not value.isprintable())
+
+
+def _count(number: int, word: str) -> str:
+    return f"{number:,} {word}" + ("" if number == 1 else "s")
+
+
+def _point(numbers: list[float]) -> str:
+    return "[" + ", ".join(f"{value:.6g}" for value in numbers) + "]"

@@ -1,0 +1,162 @@
+"""Parts and materials of a mesh file: objects that a scene dresses by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.models.solids import QUADS, cube, obj_text, written
+
+from raywalk.errors import SourceErrors
+from raywalk.geometry.compiled import CompiledScene
+from raywalk.geometry.mesh_report import mesh_lines, mesh_warnings
+from raywalk.scene.model import Scene
+
+MTL = "newmtl red\nKd 0.9 0.1 0.1\nKs 0.5 0.5 0.5\nNs 30\nnewmtl green\nKd 0.1 0.8 0.1\nd 0.4\n"
+TWO = (
+    "mtllib two.mtl\no left\nusemtl red\n" + obj_text(cube(at=(-1, 0, 0)), QUADS)
+    + "o right\nusemtl green\n" + obj_text(cube(at=(1, 0, 0)), QUADS, 9)
+)  # fmt: skip
+
+
+@pytest.fixture
+def scene(scene_from: Callable[[str], Scene], tmp_path: Path) -> Callable[[str], Scene]:
+    """A function from a mesh's keys to the scene of two cubes that has them."""
+    written(tmp_path / "two.obj", TWO)
+    written(tmp_path / "two.mtl", MTL)
+    return lambda keys: scene_from(
+        f'[[objects]]\nname = "model"\ntype = "mesh"\nfile = "two.obj"\n{keys}\n'
+    )
+
+
+def dressed(made: Scene) -> dict[str, tuple[str, tuple[float, ...]]]:
+    """Of each object by name: its material's name and diffuse colour."""
+    used = {obj.name: made.materials[obj.material] for obj in made.objects}
+    return {name: (material.name, material.diffuse) for name, material in used.items()}
+
+
+def test_a_files_materials_are_used_where_the_scene_gives_none(
+    scene: Callable[[str], Scene],
+) -> None:
+    """An object each, in its colour; the ambient is a tenth of that."""
+    made = scene("")
+    assert dressed(made) == {
+        "model, red": ("red", (0.9, 0.1, 0.1)), "model, green": ("green", (0.1, 0.8, 0.1)),
+    }  # fmt: skip
+    red = made.materials[made.objects[0].material]
+    assert red.ambient == pytest.approx((0.09, 0.01, 0.01))
+    assert (red.specular, red.shininess, red.transmit) == ((0.5, 0.5, 0.5), 30, 0)
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ('material = "white"', {"model": "white"}),
+        ('materials = { red = "glass" }', {"model, red": "glass", "model, green": "green"}),
+        ('materials = { left = "mirror" }', {"model, left": "mirror", "model, green": "green"}),
+        (
+            'material = "white"\nmaterials = { right = { like = "water" } }',
+            {"model, rest": "white", "model, right": "model, right"},
+        ),
+        (
+            'materials = { red = "mirror", left = "glass" }',  # a part goes before a material
+            {"model, left": "glass", "model, green": "green"},
+        ),
+    ],
+)
+def test_parts_and_materials_are_dressed_by_name(
+    scene: Callable[[str], Scene], keys: str, expected: dict[str, str]
+) -> None:
+    """What no name is given for is in `material`, or in the file's own."""
+    made = scene(keys)
+    assert {name: material for name, (material, _) in dressed(made).items()} == expected
+
+
+def test_the_objects_are_the_triangles_of_their_names(scene: Callable[[str], Scene]) -> None:
+    """Each a closed cube on its side, which may be of glass."""
+    compiled = CompiledScene(scene('materials = { red = "glass" }'))
+    left, right = compiled.meshes
+    assert (left.triangles.closed, right.triangles.closed) == (True, True)
+    assert np.allclose([left.centre, right.centre], [[-1, 0, 0], [1, 0, 0]], rtol=0, atol=1e-15)
+    assert [len(mesh.triangles.faces) for mesh in (left, right)] == [12, 12]
+
+
+def test_a_piece_of_a_closed_surface_is_open(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """A cube with one face of another material: that face cannot be of glass."""
+    text = obj_text(cube(), QUADS).replace("f 1", "usemtl paint\nf 1", 1)
+    written(tmp_path / "one.obj", text.replace("f 5", "usemtl rest\nf 5", 1))
+    keys = 'file = "one.obj"\nmaterials = { paint = "glass" }\n'
+    made = scene_from(f'[[objects]]\ntype = "mesh"\n{keys}')
+    with pytest.raises(SourceErrors, match=r'"mesh 1, paint" is an open mesh \(4 open edges'):
+        CompiledScene(made)
+
+
+def test_a_name_that_the_file_does_not_have_is_refused_with_those_it_has(
+    scene: Callable[[str], Scene],
+) -> None:
+    """With the nearest one; and a file without materials wants one."""
+    with pytest.raises(SourceErrors) as caught:
+        scene('materials = { rde = "glass" }')
+    told = str(caught.value)
+    assert "objects[0].materials.rde: two.obj has no part or material of that name" in told
+    assert 'did you mean "red"?  known: red, green, left, right' in told
+
+
+def test_a_file_without_materials_wants_one_of_the_scene(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """The key is named."""
+    written(tmp_path / "bare.obj", obj_text(cube(), QUADS))
+    with pytest.raises(SourceErrors) as caught:
+        scene_from('[[objects]]\ntype = "mesh"\nfile = "bare.obj"\n')
+    told = str(caught.value)
+    assert "objects[0].material: missing: bare.obj tells no material of its own" in told
+
+
+def test_a_broken_file_is_told_where_it_is_read(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """With the object's key, the line and the remedy."""
+    written(tmp_path / "bad.obj", "v 0 0\n")
+    with pytest.raises(SourceErrors) as caught:
+        scene_from('[[objects]]\ntype = "mesh"\nfile = "bad.obj"\n')
+    assert 'objects[0].file: bad.obj, line 1: "v 0 0" has 2 of' in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["x" * 5000, "a\\u0000b", "x" * 300 + ".obj", "a\\u0000.obj"])
+def test_names_that_no_file_can_have_are_files_that_are_not_there(
+    scene_from: Callable[[str], Scene], name: str
+) -> None:
+    """5,000 characters, or a zero."""
+    with pytest.raises(SourceErrors, match=r"objects\[0\]\.file: "):
+        scene_from(f'[[objects]]\ntype = "mesh"\nfile = "{name}"\nmaterial = "white"\n')
+
+
+def test_what_is_not_used_is_said(scene: Callable[[str], Scene]) -> None:
+    """Materials where the scene gives one; transparency where it does not."""
+    assert mesh_warnings(scene('material = "white"')) == [
+        '"model": the materials of two.obj, red and green, are not used, as the scene gives one: '
+        "leave `material` out to see them, or dress them by name in `materials`"
+    ]
+    assert mesh_warnings(scene("")) == [
+        '"model": green is transparent in the file, and opaque here: give it a glass in `materials`'
+    ]
+    assert mesh_lines(scene("")) == [
+        '"model": two.obj, OBJ: 24 triangles, 16 corners, 2 parts, 2 materials, closed; shown in '
+        "its own materials red and green"
+    ]
+    assert mesh_lines(scene('materials = { red = "glass" }'))[0].endswith(
+        "shown red in glass and green in green"
+    )
+
+
+def test_the_material_file_is_one_that_the_mesh_needs(
+    scene: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """So that a build notes when it changes, and a cluster gets it."""
+    (mesh,) = {obj.shape for obj in scene('material = "white"').objects}
+    assert mesh.beside == (tmp_path / "two.mtl",)
