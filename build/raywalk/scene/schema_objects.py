@@ -155,7 +155,7 @@ class MeshTable(ObjectTable):
     in the file's own materials; each that `materials` names becomes an object of its own."""
 
     type: Literal["mesh"]
-    material: Maybe[Dress] = maybe(
+    material: Maybe[Dress] = maybe(  # type: ignore[assignment]
         "a material's name, or a table with the keys of one, for all that `materials` does not "
         "name (default: the file's own)"
     )
