@@ -3,6 +3,7 @@
 const HOME = self.registration.scope;
 const OURS = `raywalk ${HOME} `; // other sites of the same host have caches of their own
 const NAME = OURS + BUILD.version;
+const OTHERS = `${NAME} others`; // pages of another build than this, by client
 const MARK = "x-raywalk-hash";
 const AT_ONCE = 6; // requests
 
@@ -22,12 +23,31 @@ async function hashOf(bytes) {
   return [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join("").slice(0, BUILD.files["index.html"][0].length);
 }
 
-/** From the network, with its hash noted. Throws where the host has another one by now. */
+/** From the network, with its hash noted; `other` is what the host has instead by now. */
 async function fetched(path) {
   const answer = await fetch(addressOf(path), { cache: "no-cache" });
+  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
   const bytes = await answer.arrayBuffer();
-  if (!answer.ok || (await hashOf(bytes)) !== BUILD.files[path][0]) throw new Error(`${path}: not this build's`);
-  return new Response(bytes, { headers: { "content-type": answer.headers.get("content-type") ?? "", [MARK]: BUILD.files[path][0] } });
+  const headers = { "content-type": answer.headers.get("content-type") ?? "" };
+  if ((await hashOf(bytes)) !== BUILD.files[path][0]) return { other: new Response(bytes, { headers }) };
+  return { own: new Response(bytes, { headers: { ...headers, [MARK]: BUILD.files[path][0] } }) };
+}
+
+/** Pages and their data never mix. A page of a newer build has everything from the host; one of an older build, which was
+ *  open when this worker took over, has nothing any longer: it says so, and is right when it is loaded anew. */
+const note = async (client, build) => (await caches.open(OTHERS)).put(addressOf(`@${client}`), new Response(build));
+const buildOf = async (client) => (client ? (await (await caches.open(OTHERS)).match(addressOf(`@${client}`)))?.text() : undefined);
+
+/** The host has another build by now, whose worker is asked for; from now on pages come from there while it can be reached. */
+async function fromAnother(event, other) {
+  await note("host", "newer");
+  event.waitUntil(self.registration.update().catch(() => {}));
+  return event.request.mode === "navigate" ? asNewer(event, other) : Response.error();
+}
+
+async function asNewer(event, page) {
+  await note(event.resultingClientId, "newer");
+  return page;
 }
 
 /** What older builds kept and this one has unchanged need not be fetched again. */
@@ -56,7 +76,12 @@ async function keep(paths) {
   const cache = await caches.open(NAME);
   const left = paths.filter((path) => Object.hasOwn(BUILD.files, path));
   const one = async () => {
-    for (let path = left.shift(); path; path = left.shift()) if (!(await cache.match(addressOf(path)))) await cache.put(addressOf(path), await fetched(path));
+    for (let path = left.shift(); path; path = left.shift()) {
+      if (await cache.match(addressOf(path))) continue;
+      const { own } = await fetched(path);
+      if (!own) throw new Error(`${path}: not this build's`);
+      await cache.put(addressOf(path), own);
+    }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, one));
 }
@@ -70,14 +95,22 @@ async function list() {
 }
 
 async function answer(event, path) {
+  if (event.request.mode === "navigate") {
+    const page = (await buildOf("host")) && (await fetch(event.request).catch(() => null));
+    if (page?.ok) return asNewer(event, page);
+  } else {
+    const other = await buildOf(event.clientId);
+    if (other) return other === "newer" ? fetch(event.request) : Response.error();
+  }
   const cache = await caches.open(NAME);
   const kept = await cache.match(addressOf(path));
   if (kept) return kept;
   try {
-    const fresh = await fetched(path);
-    const ours = cache.put(addressOf(path), fresh.clone()).then(() => (isData(path) ? keep(pagesOf(path)) : null));
+    const { own, other } = await fetched(path);
+    if (!own) return fromAnother(event, other);
+    const ours = cache.put(addressOf(path), own.clone()).then(() => (isData(path) ? keep(pagesOf(path)) : null));
     event.waitUntil(ours.catch(() => {})); // no room: then it is not kept
-    return fresh;
+    return own;
   } catch {
     return elsewhere(event, path);
   }
@@ -104,7 +137,9 @@ self.addEventListener("install", (event) => {
 
 self.addEventListener("activate", (event) => {
   const go = async () => {
-    for (const name of await caches.keys()) if (name.startsWith(OURS) && name !== NAME) await caches.delete(name);
+    const older = (await caches.keys()).filter((name) => name.startsWith(OURS) && name !== NAME && name !== OTHERS);
+    if (older.length) for (const { id } of await self.clients.matchAll({ includeUncontrolled: true })) await note(id, "older");
+    for (const name of older) await caches.delete(name);
     await self.clients.claim();
   };
   event.waitUntil(go());

@@ -1,5 +1,6 @@
 /** On a host: without its network the site goes on, from what was kept; a newer build takes its place quietly. */
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -125,6 +126,52 @@ test("a newer build says so quietly, opens when asked, and leaves nothing of the
     assert.deepEqual(page.faults, []);
     await page.close();
   } finally {
+    own.close();
+    rmSync(site, { recursive: true });
+  }
+});
+
+test("two builds, one after the other, through one worker: pages and data are of the same build, whatever is asked for", async () => {
+  const site = mkdtempSync(join(tmpdir(), "raywalk-two-builds-"));
+  const own = await serve(site, "/");
+  const context = await browser.newContext();
+  try {
+    cpSync(DIST, site, { recursive: true, filter: (path) => !/slides|sizes|benchmarks/.test(path.slice(DIST.length)) });
+    const older = await context.newPage();
+    older.setDefaultTimeout(PATIENCE);
+    await older.goto(`${own.url}${first.path}`);
+    await older.evaluate(() => Promise.all([window.raywalk.ready, navigator.serviceWorker.ready]));
+    await older.waitForFunction(async (id) => (await Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url)))).flat().some((url) => url.endsWith(`${id}/scene.js`)), first.id);
+    execFileSync(".venv/bin/python", ["tests/viewer/two_builds.py", site]);
+
+    /** In vain: what it asks for fails, and it stays where it is. */
+    const stays = async (key) => {
+      await Promise.all([older.waitForEvent("requestfailed"), older.keyboard.press(key)]);
+      await older.waitForFunction(() => !window.raywalk.loading().length && document.querySelector("#notice .notice-text")?.textContent);
+      assert.equal((await state(older)).scene, first.id, "an open page of the older build takes no data of the newer one");
+    };
+    await stays(second.key);
+
+    const newer = await context.newPage();
+    newer.setDefaultTimeout(PATIENCE);
+    await newer.goto(`${own.url}${third.path}`); // not kept: it comes from the host
+    assert.match(await newer.title(), /^Newer: /);
+    for (const { key, id } of [first, second]) {
+      await newer.keyboard.press(key); // the first one's data are kept, of the older build
+      await newer.waitForFunction((id) => window.raywalk.state()?.scene === id && window.raywalk.stats().shown.scene === id, id);
+      assert.match(await newer.title(), /^Newer: /, id);
+    }
+    await newer.goto(`${own.url}${first.path}`); // kept, but the host is known to be newer
+    assert.match(await newer.title(), /^Newer: /);
+
+    await newer.goto(`${own.url}index.html`);
+    await newer.locator("#newer button").waitFor();
+    await Promise.all([newer.waitForEvent("load"), newer.locator("#newer button").click()]);
+    await stays(third.key); // its worker is the newer one now
+    await older.reload();
+    assert.match(await older.title(), /^Newer: /);
+  } finally {
+    await context.close();
     own.close();
     rmSync(site, { recursive: true });
   }
