@@ -48,6 +48,7 @@ def load_triangles(scene: Scene, obj: SceneObject) -> Triangles:
         raise SourceErrors([SourceError(scene.path, key, fault.told, hint=fault.remedy)]) from None
 
 
+@np.errstate(over="ignore", invalid="ignore")  # places near the end of all numbers
 def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     vertices, faces = cleaned.vertices, cleaned.faces
     if shape.subdivide:

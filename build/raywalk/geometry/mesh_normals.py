@@ -52,6 +52,9 @@ def own_normals(
     flat = face_normals(corners)
     # Normals go by the inverse transpose, here times the determinant: cofactors lose no digits.
     size = np.abs(linear).max()
+    table = np.where(np.isfinite(table), table, 0.0)
+    largest = np.abs(table).max(axis=1, keepdims=True, initial=0.0)
+    table = np.divide(table, largest, out=np.zeros_like(table), where=largest > 0)
     mapped = unit_rows(
         unit_rows(np.where(np.isfinite(table), table, 0.0)) @ _cofactors(linear / size).T
     )

@@ -43,6 +43,7 @@ class Cleaned:
         return np.asarray(self.vertices[open_edges(edges_of(self.faces))])
 
 
+@np.errstate(over="ignore", invalid="ignore")  # places near the end of all numbers
 def clean(model: Model, weld: float | None = None) -> Cleaned:
     """weld: nearer than this share of the model's size corners of open edges are one. Raises
     ModelFault if nothing is left."""
@@ -58,6 +59,9 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
             model.path, "", "holds no usable triangle" + (f" ({why})" if why else ""),
             "export a mesh of triangles that have an area",
         )  # fmt: skip
+    if count or flat:  # a corner that nothing uses any more must not move the model's middle
+        kept, index = np.unique(faces, return_inverse=True)
+        vertices, faces = vertices[kept], index.reshape(-1, 3)
     shape = turn_outwards(vertices, faces, model.part_of()[source])
     return Cleaned(model, vertices, shape.faces, source, shape.turned, shape, dropped, used, count)
 

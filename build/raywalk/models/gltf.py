@@ -111,9 +111,8 @@ class _Reader:
         linear, offset = placed.matrix[:3, :3], placed.matrix[:3, 3]
         if np.linalg.det(linear) < 0:
             faces = faces[:, ::-1]
-        with np.errstate(all="ignore"):
-            self.vertices.append(at @ linear.T + offset)
-            self.normals.append(self._normals(attributes, at, linear))
+        self.vertices.append(at @ linear.T + offset)
+        self.normals.append(self._normals(attributes, at, linear))
         self.colours.append(self._attribute(attributes, "COLOR_0", len(at), 3))
         self.textures.append(self._attribute(attributes, "TEXCOORD_0", len(at), 2))
         first = sum(len(each) for each in self.vertices[:-1])

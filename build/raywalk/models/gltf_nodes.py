@@ -11,6 +11,9 @@ import numpy as np
 from raywalk.models.faults import ModelFault
 from raywalk.models.gltf_buffers import whole
 
+TURNS = ("matrix", "rotation", "scale", "translation")
+HUGE = 1e100  # of a node's matrix
+
 
 class Placed(NamedTuple):
     """A mesh where a node puts it."""
@@ -44,7 +47,10 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
             )  # fmt: skip
         met.add(index)
         node = nodes[whole(index)]
-        matrix = outer @ _matrix(node)
+        own = _matrix(node)
+        if not (np.abs(own) < HUGE).all():
+            raise ModelFault(path, f"node {index}", "its place is no number", "export it again")
+        matrix = outer @ own
         if "mesh" in node:
             mesh = document["meshes"][whole(node["mesh"])]
             name = node.get("name") or mesh.get("name") or f"node {index}"
@@ -53,6 +59,8 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
 
 
 def _matrix(node: dict[str, Any]) -> np.ndarray:
+    if not all((np.abs(np.array(node.get(key, [0]), float)) < HUGE).all() for key in TURNS):
+        return np.full((4, 4), np.nan)
     if "matrix" in node:
         return np.array(node["matrix"], float).reshape(4, 4).T
     made = np.eye(4)

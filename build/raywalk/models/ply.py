@@ -63,7 +63,8 @@ def _polygons(
     )
     whose: np.ndarray | None = None
     if listed is not None and len(listed.counts):
-        counts, corners = listed.counts, listed.values.astype(np.int64)
+        with np.errstate(invalid="ignore"):  # what is no number becomes no vertex, told below
+            counts, corners = listed.counts, listed.values.astype(np.int64)
         keep = counts >= 3
         whose = np.flatnonzero(keep)
         counts, corners = counts[keep], corners[np.repeat(keep, counts)]

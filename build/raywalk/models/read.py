@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from raywalk.models.faults import ModelFault, shown
 from raywalk.models.model import Model
 
@@ -23,7 +25,9 @@ def read_model(path: Path) -> Model:
         )  # fmt: skip
     data = _bytes(path)
     try:
-        return _reader(kind)(path, data)
+        # Numbers that are none, or too large, are dropped later, and counted.
+        with np.errstate(all="ignore"):
+            return _reader(kind)(path, data)
     except MemoryError:
         raise ModelFault(
             path, "", "it needs more memory than there is", "make it smaller"

@@ -24,6 +24,7 @@ MODEL = "3d/3dmodel.model"
 MOST_TIMES = 40  # as large as the file its XML may be: 10 to 15 times is usual
 ALWAYS = 64 << 20  # bytes of XML that are read anyway
 MOST_TRIANGLES = 20_000_000  # with all copies
+HUGE = 1e100  # of a transform
 DEEPEST = 32  # components within components
 CUT = "it is cut short or damaged: copy or export it again"
 
@@ -50,6 +51,7 @@ def read_3mf(path: Path, data: bytes) -> Model:
         NotImplementedError,
         RuntimeError,
         OSError,
+        ValueError,
     ) as problem:
         raise ModelFault(
             path, "", f"its package cannot be unpacked ({problem})"[:200], CUT
@@ -165,9 +167,12 @@ class _Reader:
         if told is None:
             return np.eye(4, 3)
         try:
-            return np.array([float(word) for word in told.split()]).reshape(4, 3)
+            matrix = np.array([float(word) for word in told.split()]).reshape(4, 3)
         except ValueError:
+            matrix = np.full((4, 3), np.nan)
+        if not (np.abs(matrix) < HUGE).all():
             self._fault(element, f"{quoted(told)} is not a transform of 12 numbers")
+        return matrix
 
     def model(self) -> Model:
         """All items of the build, or all objects if there is none."""
