@@ -17,7 +17,6 @@ from raywalk.trace_file.measure import measured_errors
 from raywalk.trace_file.noting import Noting, Ray
 from raywalk.trace_file.patches import split_into_patches
 from raywalk.trace_file.precision import finite_extent
-from raywalk.trace_file.truth import TrueNumbers
 from raywalk.trace_file.walk import walk
 
 
@@ -33,8 +32,8 @@ def written(tree: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str,
     extent = finite_extent(tree, scene)
     patches, patch_of = split_into_patches(tree.object, tree.point, tree.normal, extent)
     header, symbols = begin_header(tree, scene, extent, patches, patch_of)
-    noting = Noting(symbols, TrueNumbers(tree, header, symbols, tile))
-    ray = walk(header, noting)
+    noting = Noting(symbols)
+    ray = walk(header, noting, tree, tile)
     header["columns"], header["predictors"] = noting.columns(), noting.predictors
     header["errors"] = measured_errors(tree, header, ray, tile)
     header["crc32"] = checksum(header)

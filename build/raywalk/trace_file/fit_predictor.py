@@ -5,7 +5,7 @@ Any predictor decodes to the same numbers, so this is free to try and to be repl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,7 +33,7 @@ class Predictor:
 
 
 def affine_part(
-    kind: np.ndarray, predictors: dict[int, Predictor], features: list[np.ndarray]
+    kind: np.ndarray, predictors: dict[int, Predictor], features: Sequence[np.ndarray]
 ) -> np.ndarray:
     """l of every row. One product and one sum at a time, as the viewer does it."""
     part = np.zeros(len(kind))
@@ -56,7 +56,7 @@ RANK = 1e-12
 
 
 def fit_predictors(
-    number: np.ndarray, kind: np.ndarray, near: np.ndarray, features: list[np.ndarray]
+    number: np.ndarray, kind: np.ndarray, near: np.ndarray, features: Sequence[np.ndarray]
 ) -> dict[int, Predictor]:
     """The cheapest predictor of each kind; kinds served best by the usual one are left out.
 

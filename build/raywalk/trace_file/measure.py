@@ -10,6 +10,7 @@ from raywalk.trace.tree import RayTree, Visibility
 from raywalk.trace_file.level import TraceFileError
 from raywalk.trace_file.noting import Ray
 from raywalk.trace_file.precision import COLOUR
+from raywalk.trace_file.rebuild import kept_factor
 from raywalk.trace_file.tables import SAME_SHARE
 
 EXACT = ("kind", "parent", "depth", "object", "material", "inside", "visibility", "blocker")
@@ -21,7 +22,12 @@ def measured_errors(
     """Largest difference of each column to the tree, or TraceFileError if it is no rounding."""
     for name in EXACT:
         _must_agree(name, getattr(tree, name), ray[name], tree.object >= 0)
-    hit, lit = tree.object >= 0, _stored_light(tree, header)
+
+    def factor(name: str) -> float:
+        kept = kept_factor(header, name, tree.material)
+        return _most((ray[name] - getattr(tree, name))[kept].ravel())
+
+    hit = tree.object >= 0
     blocked = tree.visibility == Visibility.BLOCKED
     to_light = _to_lights(tree, header)
     found = {
@@ -32,8 +38,8 @@ def measured_errors(
         "weight": _most(ray["weight"] - tree.weight),
         "localWeight": _most((ray["localWeight"] - tree.local_weight)[hit]),
         "blocked": _most(((ray["blockedAt"] - tree.blocked_at) * to_light)[blocked]),
-        "diffuse": _most((ray["diffuse"] - tree.diffuse)[lit["diffuse"]]),
-        "specular": _most((ray["specular"] - tree.specular)[lit["specular"]]),
+        "diffuse": factor("diffuse"),
+        "specular": factor("specular"),
         "hits": _most(ray["hitsT"] - tree.hits_t),
         "colour": _most((ray["colour"] - tree.colour).reshape(-1)),
     }
@@ -54,16 +60,6 @@ def _must_agree(name: str, true: np.ndarray, rebuilt: np.ndarray, hit: np.ndarra
         true, rebuilt = true[hit], rebuilt[hit]
     if (true.astype(np.int64) != rebuilt).any():
         raise TraceFileError(f"column {name} does not come back: the tree breaks a rule")
-
-
-def _stored_light(tree: RayTree, header: dict[str, Any]) -> dict[str, np.ndarray]:
-    """(m, lights) where a factor is kept: it multiplies a colour and is not in the dark."""
-    kept = {}
-    for name in ("diffuse", "specular"):
-        shown = [any(m[name]) and m["local"] > 0 for m in header["materials"]]
-        coloured = np.array([*shown, False])[tree.material]
-        kept[name] = np.repeat(coloured[:, None], tree.visibility.shape[1], axis=1)
-    return kept
 
 
 def _to_lights(tree: RayTree, header: dict[str, Any]) -> np.ndarray:

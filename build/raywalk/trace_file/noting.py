@@ -1,8 +1,8 @@
-"""The coder: knows every column's true numbers and notes the residuals."""
+"""The coder: is told every column's true numbers and notes the residuals."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,8 +13,6 @@ from raywalk.trace_file.symbols import write_numbers, zigzag
 
 Ray = dict[str, np.ndarray]  # columns over rays, as rebuilt so far
 ABSENT = -1  # kind and group of rays that store nothing in a column
-# (column, what is rebuilt so far) -> true values in steps, not yet rounded; one per ray
-Truth = Callable[[str, Ray], np.ndarray]
 
 
 class Noting:
@@ -22,8 +20,8 @@ class Noting:
     that a reader will have. Arrays count rays; kind and group are ABSENT where nothing is stored.
     """
 
-    def __init__(self, symbols: dict[str, np.ndarray], truth: Truth):
-        self.known, self.truth = symbols, truth
+    def __init__(self, symbols: dict[str, np.ndarray]):
+        self.known = symbols
         self.texts: dict[str, list[str]] = {}
         self.predictors: dict[str, dict[str, Any]] = {}
 
@@ -36,14 +34,15 @@ class Noting:
         return symbol
 
     def numbers(
-        self, name: str, ray: Ray, group: np.ndarray, kind: np.ndarray, sides: np.ndarray,
-        features: list[np.ndarray],
+        self, name: str, true: np.ndarray, stored: np.ndarray, group: np.ndarray,
+        kind: np.ndarray, sides: np.ndarray, features: Sequence[np.ndarray] = (),
     ) -> np.ndarray:  # fmt: skip
-        stored = kind != ABSENT
+        """true: (m,) in steps, not yet rounded; stored: (m,) bool: which rays have one."""
         if not stored.any():
             self.texts[name] = [""]
             return np.zeros(len(kind))
-        number = np.where(stored, np.floor(self.truth(name, ray) + 0.5), 0.0)
+        group, kind = np.where(stored, group, ABSENT), np.where(stored, kind, ABSENT)
+        number = np.where(stored, np.floor(np.asarray(true, float) + 0.5), 0.0)
         near = residuals.near_in(group, kind, sides)
         predictors = fit_predictors(number, kind, near, features)
         left = note_numbers(number, kind, near, predictors, features)[stored]
@@ -58,7 +57,7 @@ class Noting:
 
 def note_numbers(
     number: np.ndarray, kind: np.ndarray, near: np.ndarray,
-    predictors: dict[int, Predictor], features: list[np.ndarray],
+    predictors: dict[int, Predictor], features: Sequence[np.ndarray],
 ) -> np.ndarray:  # fmt: skip
     """(m,) int64 residuals of whole numbers (float64, below 2**51); near as in residuals.py."""
     kinds = int(kind.max(initial=0)) + 1

@@ -97,6 +97,13 @@ def recombine(header: dict[str, Any], ray: dict[str, np.ndarray]) -> np.ndarray:
 COLOURS = ("ambient", "diffuse", "specular")
 
 
+def kept_factor(header: dict[str, Any], name: str, material: np.ndarray) -> np.ndarray:
+    """(m,) bool: where a lighting factor ("diffuse", "specular") is kept: it multiplies a colour,
+    and is not in the dark. material: (m,), -1 where nothing is hit."""
+    coloured = [any(of[name]) and of["local"] > 0 for of in header["materials"]]
+    return np.asarray(np.array([*coloured, False])[material])
+
+
 def _gather(colour: np.ndarray, ray: dict[str, np.ndarray]) -> None:
     """Depth by depth from the deepest; a parent has at most one child of each branch."""
     of = BRANCH_OF[ray["kind"]]

@@ -54,7 +54,7 @@ class Structure:
     kind: np.ndarray
     level: np.ndarray  # bounces before this ray
     before: np.ndarray  # equal where two rays have the same history so far
-    sides: np.ndarray  # (4, m) see neighbours.py
+    sides: np.ndarray  # (4, m) as in_raster has them
     paths: list[int]  # where each path (RR, RT ...) of one depth starts, and the end
     surface: np.ndarray
     children: np.ndarray

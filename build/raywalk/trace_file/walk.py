@@ -1,8 +1,9 @@
 """The one pass through a trace file's columns.
 
-Each step gives the coder a column of whole numbers to note and makes what a person sees of
-it; later columns are predicted from what is known by then. So the encoder sees exactly what the
-viewer (viewer/trace/decode.ts), which reads in this order, will see, and states its errors.
+Each step gives the coder a column's true numbers, in steps, to note, and makes of the whole ones
+what a person sees; later columns are predicted from what is known by then. So the encoder sees
+exactly what the viewer (viewer/trace/decode.ts), which reads in this order, will see, and states
+its errors.
 """
 
 from __future__ import annotations
@@ -11,14 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.trace.tree import SENT_ON, Kind, Visibility
+from raywalk.trace.tree import SENT_ON, Kind, RayTree, Visibility
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.noting import ABSENT, Noting, Ray
 from raywalk.trace_file.structure import Structure, grow, in_raster
+from raywalk.trace_file.tables import drawn_hits
 
 
-def walk(header: dict[str, Any], coder: Noting) -> Ray:
-    """All columns of types.ts's Trace by their names there, and level, history, surface."""
+def walk(header: dict[str, Any], coder: Noting, true: RayTree, tile: np.ndarray) -> Ray:
+    """All columns of types.ts's Trace by their names there, and level, history, surface.
+
+    true: what is to be written; tile: (n * n, 3) 8-bit.
+    """
     n, tables = header["n"], header["tables"]
     sides = in_raster(n)
     zeros = np.zeros(n * n, np.int64)
@@ -35,20 +40,21 @@ def walk(header: dict[str, Any], coder: Noting) -> Ray:
         "sign": surfaces[tree.surface, 3],
         "object": np.array([p["object"] for p in header["patches"]])[patch_of[tree.surface]],
     }  # fmt: skip
-    hits_along(header, coder, ray, chosen, sides)
-    points(header, coder, ray, tree)
-    normals(header, coder, ray, tree)
-    weights(header, coder, ray, tree)
-    tiles(header, coder, ray, sides)
-    lights(header, coder, ray, tree)
+    hits_along(header, coder, ray, chosen, sides, true)
+    points(header, coder, ray, tree, true)
+    normals(header, coder, ray, tree, true)
+    weights(header, coder, ray, tree, true)
+    tiles(header, coder, ray, sides, tile)
+    lights(header, coder, ray, tree, true)
     ray["colour"] = rebuild.recombine(header, ray)
     return ray
 
 
 def hits_along(
-    header: dict[str, Any], coder: Noting, ray: Ray, chosen: np.ndarray, sides: np.ndarray
-) -> None:
-    """Every hit along each camera ray. One image a key (object, how often met before).
+    header: dict[str, Any], coder: Noting, ray: Ray, chosen: np.ndarray, sides: np.ndarray,
+    true: RayTree,
+) -> None:  # fmt: skip
+    """Every hit along each camera ray. One image a key (object, how often met before), of 1 / z.
 
     chosen: (n * n,) each ray's row in the table of signatures.
     """
@@ -58,11 +64,13 @@ def hits_along(
     row, column = np.divmod(np.arange(n * n), n)
     features = [column.astype(float), row.astype(float)]
     along = images_along(met, images)
-    z = np.ones((n * n, len(images)))
+    who, place, far = drawn_hits(true, header["camera"]["eye"])
+    depths, image_of = np.zeros((len(images), n * n)), along[chosen[who], place]
+    depths[image_of, who] = size[who] / far / np.array([i["step"] for i in images])[image_of]
+    z, zeros = np.ones((n * n, len(images))), np.zeros(n * n, np.int64)
     for k, image in enumerate(images):
-        group = np.where((along == k).any(axis=1), 0, ABSENT)[chosen]
-        number = coder.numbers(f"depth{k}", ray, group, group, sides, features)
-        here = group == 0
+        here = (along == k).any(axis=1)[chosen]
+        number = coder.numbers(f"depth{k}", depths[k], here, zeros, zeros, sides, features)
         z[here, k] = 1 / (number[here] * image["step"])
     nearest = z[np.arange(n * n), along[chosen, 0]]
     ray["cameraPoint"] = np.stack(
@@ -108,17 +116,19 @@ def ascending(t: np.ndarray, start: np.ndarray) -> np.ndarray:
     return out
 
 
-def points(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
+def points(
+    header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
+) -> None:  # fmt: skip
     """Where rays end, and their lengths. Those of camera rays are known from depth images."""
     m, n = tree.count, header["n"]
     camera = np.arange(m) < n * n
     free = np.array([patch["points"] == "free" for patch in header["patches"]])[ray["patch"]]
-    numbers = []
-    for k in range(3):
-        stored = ~camera & (free | (k < 2))
-        kind = np.where(stored, ray["patch"], ABSENT)
-        group = np.where(stored, ray["history"], ABSENT)
-        numbers.append(coder.numbers(f"point{k}", ray, group, kind, tree.sides, []))
+    numbers = [
+        coder.numbers(
+            f"point{k}", at, ~camera & (free | (k < 2)), ray["history"], ray["patch"], tree.sides
+        )
+        for k, at in enumerate(coordinates(header, true, np.where(camera, ABSENT, ray["patch"])))
+    ]
     point = np.zeros((m, 3))
     for k, patch in enumerate(header["patches"]):
         rows = np.flatnonzero(~camera & (ray["patch"] == k))
@@ -135,17 +145,40 @@ def points(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> 
     ray["t"] = np.where(ray["object"] < 0, np.inf, t)
 
 
-def normals(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
-    patches = header["patches"]
+def coordinates(header: dict[str, Any], true: RayTree, patch_of: np.ndarray) -> np.ndarray:
+    """(3, m) points in steps of their patches' own coordinates; the third only where it is free."""
+    out = np.zeros((3, len(patch_of)))
+    for k, patch in enumerate(header["patches"]):
+        rows = np.flatnonzero(patch_of == k)
+        if not len(rows):
+            continue
+        at = true.point[rows].T
+        if patch["points"] != "free":
+            axes, away = np.array(patch["axes"]).reshape(-1, 3), at.T - patch["origin"]
+            if patch["points"] == "flat":
+                at = axes @ away.T
+            else:
+                at = np.stack(rebuild.to_octahedron(np.linalg.solve(axes.T, away.T).T))
+        out[: len(at), rows] = at / patch["step"]
+    return out
+
+
+def normals(
+    header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
+) -> None:  # fmt: skip
+    patches, step = header["patches"], header["steps"]["normal"]
     stored = np.array([patch["normals"] == "stored" for patch in patches])[ray["patch"]]
-    kind = np.where(stored, 2 * ray["patch"] + (tree.level > 0), ABSENT)
-    group = np.where(stored, ray["history"], ABSENT)
-    u, v = (coder.numbers(f"normal{k}", ray, group, kind, tree.sides, []) for k in range(2))
+    kind = 2 * ray["patch"] + (tree.level > 0)
+    hit = (true.normal**2).sum(axis=1) > 0
+    folded = rebuild.to_octahedron(np.where(hit[:, None], true.normal, [0.0, 0.0, 1.0]))
+    u, v = (
+        coder.numbers(f"normal{k}", at / step, stored, ray["history"], kind, tree.sides)
+        for k, at in enumerate(folded)
+    )
     normal = np.zeros((tree.count, 3))
     for k, patch in enumerate(patches):
         rows = np.flatnonzero(ray["patch"] == k)
         if patch["normals"] == "stored":
-            step = header["steps"]["normal"]
             at = rebuild.on_octahedron(u[rows] * step, v[rows] * step)
         elif patch["normals"] == "none":
             continue
@@ -156,15 +189,23 @@ def normals(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) ->
     ray["normal"] = normal
 
 
-def weights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
+def weights(
+    header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
+) -> None:  # fmt: skip
     """Shares: constants of the material, or split between reflected and refracted."""
-    materials = header["materials"]
+    materials, step = header["materials"], header["steps"]["split"]
     split = np.array([*(m["split"] for m in materials), 0.0])[ray["material"]]
     parted = (split > 0) & ((tree.children & (Kind.REFLECTED.bit | Kind.REFRACTED.bit)) > 0)
     parted &= (tree.children & Kind.TOTAL.bit) == 0
-    kind = np.where(parted, ray["surface"], ABSENT)
-    group = np.where(parted, ray["history"], ABSENT)
-    share = coder.numbers("split", ray, group, kind, tree.sides, []) * header["steps"]["split"]
+    mirror = np.zeros(tree.count)  # the reflected share; from the refracted child where it is alone
+    for sent in (Kind.REFRACTED, Kind.REFLECTED):
+        rows = np.flatnonzero(true.kind == sent)
+        of, own = true.parent[rows], true.weight[rows]
+        mirror[of] = own if sent == Kind.REFLECTED else split[of] - own
+    share = coder.numbers(
+        "split", mirror / step, parted, ray["history"], ray["surface"], tree.sides
+    )
+    share = share * step
     weight = np.ones(tree.count)
     for sent in SENT_ON:
         rows = np.flatnonzero(tree.kind == sent)
@@ -177,12 +218,14 @@ def weights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) ->
             weight[rows] = np.where(parted[parent], of_split, weight[rows])
     ray["weight"] = weight
     ray["localWeight"] = np.array([*(m["local"] for m in materials), 0.0])[ray["material"]]
-    whole = np.zeros(tree.count, np.int64)
-    tests = coder.numbers("tests", ray, ray["history"], ray["patch"] + whole, tree.sides, [])
+    every = np.ones(tree.count, bool)
+    tests = coder.numbers("tests", true.tests, every, ray["history"], ray["patch"], tree.sides)
     ray["tests"] = tests.astype(np.int64)
 
 
-def lights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> None:
+def lights(
+    header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
+) -> None:  # fmt: skip
     """What each light gives at each hit, and who stands between."""
     m, count = tree.count, len(header["lights"])
     hit = ray["object"] >= 0
@@ -192,7 +235,8 @@ def lights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> 
     surfaces, below = len(header["tables"]["surface"]), tree.level > 0
     point = [ray["point"][:, c].copy() for c in range(3)]
     features = [*(ray["normal"][:, c].copy() for c in range(3)), *point]
-    step = np.array([*(mat["step"] for mat in header["materials"]), 0.0])[ray["material"]]
+    step = np.array([*(mat["step"] for mat in header["materials"]), 1.0])[ray["material"]]
+    stretch = header["steps"]["blocked"]
     for name in ("visibility", "blocker"):
         ray[name] = np.zeros((m, count), np.int64)
     for name in ("blockedAt", "passed", "diffuse", "specular"):
@@ -206,28 +250,33 @@ def lights(header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure) -> 
         passed = ray["passed"][:, l] = pass_share[np.where(hit, seen, -1)]
 
         blocked = hit & (visibility == Visibility.BLOCKED)
-        group = np.where(blocked, ray["history"] * len(table) + seen, ABSENT)
-        kind = np.where(blocked, 2 * seen + below, ABSENT)
-        stretch_left = coder.numbers(f"blocked{l}", ray, group, kind, tree.sides, point)
         to_light = rebuild.length([light["position"][c] - point[c] for c in range(3)])
-        part = 1 - (stretch_left * header["steps"]["blocked"]) / np.where(blocked, to_light, 1.0)
+        left = coder.numbers(
+            f"blocked{l}", (1 - true.blocked_at[:, l]) * to_light / stretch, blocked,
+            ray["history"] * len(table) + seen, 2 * seen + below, tree.sides, point,
+        )  # fmt: skip
+        part = 1 - (left * stretch) / np.where(blocked, to_light, 1.0)
         ray["blockedAt"][:, l] = np.where(blocked, part, 1.0)
 
         for name in ("diffuse", "specular"):
-            coloured = [any(mat[name]) and mat["local"] > 0 for mat in header["materials"]]
-            lit = hit & np.array([*coloured, False])[ray["material"]]
-            group = np.where(lit, ray["history"] * surfaces + ray["surface"], ABSENT)
-            kind = np.where(lit, 2 * ray["surface"] + below, ABSENT)
-            number = coder.numbers(f"{name}{l}", ray, group, kind, tree.sides, features)
+            lit = hit & rebuild.kept_factor(header, name, ray["material"])
+            number = coder.numbers(
+                f"{name}{l}", getattr(true, name)[:, l] / true.passed[:, l] / step, lit,
+                ray["history"] * surfaces + ray["surface"], 2 * ray["surface"] + below,
+                tree.sides, features,
+            )  # fmt: skip
             ray[name][:, l] = np.where(lit, number * step * passed, 0.0)
 
 
-def tiles(header: dict[str, Any], coder: Noting, ray: Ray, sides: np.ndarray) -> None:
+def tiles(
+    header: dict[str, Any], coder: Noting, ray: Ray, sides: np.ndarray, tile: np.ndarray
+) -> None:  # fmt: skip
     """8-bit colours, each channel predicted from those before it too. They stand on their own:
     tiles can be shown before any light is decoded."""
-    n = header["n"]
-    group, kind = ray["history"][: n * n], ray["patch"][: n * n]
+    cameras = header["n"] ** 2
+    group, kind, every = ray["history"][:cameras], ray["patch"][:cameras], np.ones(cameras, bool)
     channels: list[np.ndarray] = []
     for c in range(3):
-        channels.append(coder.numbers(f"tile{c}", ray, group, kind, sides, channels.copy()))
+        before = channels.copy()
+        channels.append(coder.numbers(f"tile{c}", tile[:, c], every, group, kind, sides, before))
     ray["tiles"] = np.stack(channels, axis=1).astype(np.int64).reshape(-1)
