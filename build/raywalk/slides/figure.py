@@ -87,7 +87,6 @@ class Text:
     align: str = "left"  # left, centre, right
     leading: float = 1.25  # of the size
     right_to_left: bool = False
-    bullets: tuple[int, ...] = ()  # lines that begin a list's item
     paragraphs: tuple[tuple[Run, ...], ...] = ()  # for writers that wrap; else the lines
     name: str = "text"
     is_title: bool = False
