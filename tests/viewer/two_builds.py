@@ -1,4 +1,4 @@
-"""Makes a newer build of a built site: every scene's title says so, in its pages and in its data."""
+"""Makes a newer build of a built site: all titles of scenes say so, in pages and in their data."""
 
 import base64
 import gzip
@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from raywalk.site.offline import write_worker
-from raywalk.trace_file.script import write_script
+from raywalk.trace_file.container import write_script
 
 NEWER = "Newer: "
 
