@@ -102,17 +102,11 @@ function firstValues(tree) {
   const note = (pattern, into) => walk(pattern, (each) => each.type === "Identifier" && into(each.name));
   const declare = (name) => declared.set(name, (declared.get(name) ?? 0) + 1);
   walk(tree, (node) => {
-    if (node.type === "AssignmentExpression") note(node.left, (name) => assigned.add(name));
-    else if (node.type === "UpdateExpression") note(node.argument, (name) => assigned.add(name));
-    else if (/^For(In|Of)Statement$/.test(node.type)) note(node.left, (name) => assigned.add(name));
-    else if (node.type === "VariableDeclarator") {
-      note(node.id, declare);
-      if (node.init && node.id.type === "Identifier") values.set(node.id.name, node.init);
-    } else if (node.type === "CatchClause" && node.param) note(node.param, declare);
-    else if (/Function|Class/.test(node.type)) {
-      if (node.id) declare(node.id.name);
-      for (const each of node.params ?? []) note(each, declare);
-    }
+    const { type, id, init } = node;
+    const declares = /Declarator|Function|Class|Catch/.test(type) ? [id, node.param, ...(node.params ?? [])] : [];
+    for (const pattern of declares.filter(Boolean)) note(pattern, declare);
+    if (/^(AssignmentExpression|UpdateExpression|For(In|Of)Statement)$/.test(type)) note(node.left ?? node.argument, (name) => assigned.add(name));
+    if (type === "VariableDeclarator" && init && id.type === "Identifier") values.set(id.name, init);
   });
   for (const name of values.keys()) if (declared.get(name) !== 1 || assigned.has(name)) values.delete(name);
   return values;

@@ -49,7 +49,8 @@ class Shaker {
   }
 
   visit(node) {
-    if (!this[node.type]?.(node)) for (const child of childrenOf(node)) this.visit(child);
+    if (this[node.type]?.(node)) return;
+    for (const child of childrenOf(node)) if (child !== node.key || node.computed) this.visit(child);
   }
 
   ClassBody({ body }) {
@@ -93,21 +94,6 @@ class Shaker {
 
   Property(node) {
     this.reads("member", nameOf(node));
-    return this.withoutKey(node);
-  }
-
-  MethodDefinition(node) {
-    return this.withoutKey(node);
-  }
-
-  PropertyDefinition(node) {
-    return this.withoutKey(node);
-  }
-
-  withoutKey(node) {
-    if (node.computed) this.visit(node.key);
-    if (node.value) this.visit(node.value);
-    return true;
   }
 
   Identifier({ name }) {

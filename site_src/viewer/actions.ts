@@ -1,4 +1,4 @@
-/** What a person can do, whatever the hand does it with: each act makes the next state out of this one. */
+/** All that a person can do, by whatever means: each act makes the next state out of this one. */
 import type { Session } from "./session";
 import { TILE_VIEWS, type TileView } from "./state/costs";
 import type { RayEvent } from "./state/event-types";
@@ -45,7 +45,7 @@ const viewActs = (doing: Doing) => ({
 const lessonActs = (session: Session, doing: Doing, turnScene: Outside["turnScene"]) => ({
   step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
   turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
-  /** As clickers turn pages: through the lesson that is given and on to the next one; else through the scenes. */
+  /** As a clicker turns pages: through the current lesson and on to the next one; without a lesson, through the scenes. */
   page(by: 1 | -1) {
     const { state, scene } = session;
     if (!state || !scene) return;

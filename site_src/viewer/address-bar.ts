@@ -10,10 +10,10 @@ export function createAddressBar(session: Session, page: { home: string; onDisk:
   const isKiosk = !!window.raywalkKiosk;
   let timer = 0;
 
-  /** What a kiosk's addresses carry on, first: it is what the next page asks for first. */
+  /** What all of a kiosk's addresses carry comes first: it is what the next page asks for first. */
   const withKiosk = (hash: string) => [window.raywalkKiosk?.part, hash].filter(Boolean).join("&");
 
-  /** Of what is shown; as it is before there is anything. */
+  /** The address of what is shown; as long as nothing is, the one that is there. */
   function address(): string {
     const { state, scene } = session;
     if (!state || !scene) return location.href;

@@ -4,7 +4,7 @@ import type { Shown } from "./state/shown";
 
 export interface Asked {
   ready: () => Promise<void>;
-  /** All parts have come, but for those that cannot be had. */
+  /** Done when all parts are there, except those that cannot be had. */
   whole: Promise<void>;
   stats: () => object;
   loading: () => readonly string[];
@@ -33,7 +33,7 @@ export function exposeSession(session: Session, asked: Asked) {
       return asked.ready();
     },
     state: () => structuredClone(session.state),
-    /** What is on its way. */
+    /** What is still loading. */
     loading: () => [...asked.loading(), ...[...document.images].filter(({ complete }) => !complete).map(({ src }) => src)],
     /** What the page waits for; nothing: it is at rest, and a picture of it is the picture. */
     pending: () => [...read.loading(), ...asked.moving()],

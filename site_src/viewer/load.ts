@@ -34,10 +34,11 @@ const KEPT_TRACES = 8; // a few megabytes each at most
 const KEPT_SCENES = 4;
 
 const coming = new Set<string>();
-/** What is on its way: scripts, and what is being read of them. */
+/** What is still loading: scripts, and data that is being read. */
 export const loading = () => [...coming];
 
-/** Runs a script. times: that it was asked for in vain, else a damaged copy would come back. Rejects with LoadError. */
+/** Runs a script. times: how often it was asked for in vain; its address says so, or the browser would give the damaged
+ *  copy again. Rejects with LoadError. */
 export function addScript(address: string, name: string, times = 0): Promise<void> {
   return new Promise((resolve, reject) => {
     const element = document.createElement("script");
@@ -55,7 +56,7 @@ type Read<T> = (json: unknown, name: string) => T | Promise<T>;
 /** root: relative path from the page to the site's root, "" or ending in "/". */
 function createScripts(root: string) {
   const arrived = new Map<string, string>();
-  const failed = new Map<string, number>(); // times that this was asked for in vain
+  const failed = new Map<string, number>(); // how often each was asked for in vain
   window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
 
   async function run(name: string): Promise<string> {
@@ -95,7 +96,7 @@ function remembering<T>(size: number, load: (name: string) => Promise<T>) {
   };
 }
 
-/** root: relative path from the page to the site's root, "" or ending in "/". reading: what reads boxes, which few want. */
+/** root: relative path from the page to the site's root, "" or ending in "/". reading: loads what reads boxes, which few need. */
 export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (json: unknown, scene: string) => Boxes }>) {
   const load = createScripts(root);
   const kept = <T>(size: number, read: Read<T>) => remembering(size, (name) => load(name, read));
@@ -124,7 +125,7 @@ function traceFrom(json: unknown, name: string): Promise<Trace> {
   return decodeWithRests(json, { scene, n: Number(n) }, nextTask);
 }
 
-/** Lets the browser answer keys and draw in between. */
+/** Lets the browser draw and answer keys in between. */
 const nextTask = () => new Promise<void>((resolve) => setTimeout(resolve));
 
 function sceneFrom(json: unknown): SceneData {

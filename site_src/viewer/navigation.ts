@@ -13,7 +13,7 @@ import { list, say } from "./words";
 const SHOWN_KEYS = 6; // of an address; more, and longer ones, would only be noise
 const SHOWN_LETTERS = 16;
 
-/** What an address says: of a scene that is known by then. */
+/** An address's fields; some depend on the scene, which is known by then. */
 type Fields = (scene: SceneData) => ReadonlyMap<string, string>;
 const lessonStart: Fields = ({ lesson }) => new Map(lesson.length ? [["step", "1"]] : []);
 
@@ -45,7 +45,8 @@ function createScenes(session: Session, home: string, loader: Loader, notice: No
     }
   }
 
-  /** To the last event where a later one was asked for: how many there are is known with the trace. Was it? */
+  /** Steps back to the last event where a later one was asked for, and says whether it was: how many there are is known
+   *  only with the trace. */
   function stepBack(): boolean {
     const { state } = session;
     const timeline = session.timeline();
@@ -57,7 +58,7 @@ function createScenes(session: Session, home: string, loader: Loader, notice: No
   return {
     show,
     heading: () => heading,
-    /** Back to where one still is: what is on its way may come, but is not wanted. */
+    /** Stays with the scene that is shown: what was on its way is no longer wanted. */
     stay(id: string) {
       asked++;
       heading = id;
@@ -65,14 +66,14 @@ function createScenes(session: Session, home: string, loader: Loader, notice: No
   };
 }
 
-export interface Place {
+export interface SitePage {
   home: string; // the scene the page is for
   onDisk: boolean; // then the page stays, whatever scene it shows
   links: readonly HTMLAnchorElement[]; // data-scene names each one's scene
   withGl: boolean;
 }
 
-export function createNavigation(session: Session, { home, onDisk, links, withGl }: Place, { loader, bar, notice, loadTrace }: { loader: Loader; bar: AddressBar; notice: Notice; loadTrace: () => Promise<void> }) {
+export function createNavigation(session: Session, { home, onDisk, links, withGl }: SitePage, { loader, bar, notice, loadTrace }: { loader: Loader; bar: AddressBar; notice: Notice; loadTrace: () => Promise<void> }) {
   const ids = links.map((link) => link.dataset.scene!);
   const scenes = createScenes(session, home, loader, notice, loadTrace);
 
@@ -142,7 +143,7 @@ function sceneOfPath(links: readonly HTMLAnchorElement[]): string | undefined {
   return links.find((link) => path(link.href) === path(location.href))?.dataset.scene;
 }
 
-/** What an address asks for may be anything: so much of it is said again. */
+/** An address may ask for anything: so much of it is repeated in the sentence. */
 const shortened = (keys: readonly string[]): string[] => {
   const short = keys.slice(0, SHOWN_KEYS).map((key) => (key.length > SHOWN_LETTERS ? `${key.slice(0, SHOWN_LETTERS)}\u2026` : key));
   return keys.length > SHOWN_KEYS ? [...short, "\u2026"] : short;

@@ -44,7 +44,7 @@ declare global {
 export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
   const files: Readonly<Record<string, string>> = JSON.parse(own.dataset.parts!);
   const offered = new Map<string, Make>();
-  const failed = new Map<string, number>(); // times that this was asked for in vain
+  const failed = new Map<string, number>(); // how often each was asked for in vain
   const coming = new Map<PartName, Promise<unknown>>();
   const here = new Map<PartName, unknown>();
 

@@ -25,7 +25,7 @@ const LIGHT = { lamp: "#E69F00", lampOff: "#5B6673", camera: "#5B6673", frustum:
 const DARK_PAGE = { ...STAGE };
 let isLight = false;
 
-/** Colours for a light or a dark page from now on. Returns whether they are others than before. */
+/** Colours for a light or a dark page from now on. Returns whether that changes them. */
 export function lightColours(light: boolean): boolean {
   if (light === isLight) return false;
   isLight = light;

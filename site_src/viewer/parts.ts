@@ -23,7 +23,7 @@ import { isAsking } from "./state/view-state";
 import { say } from "./words";
 
 export interface Surroundings {
-  home: HTMLElement; // what the parts go into
+  home: HTMLElement; // the element they go into
   page: PageParts;
   withGl: boolean;
   pictureFailed: (again: () => void) => void;
@@ -31,7 +31,7 @@ export interface Surroundings {
   simpler: (why: string) => void;
 }
 
-const ON_STAGE = ".view-pad, .view-switch, .view-note, .stage-tools > *"; // what a label must not lie under
+const ON_STAGE = ".view-pad, .view-switch, .view-note, .stage-tools > *"; // what must not hide a label
 
 function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
   return {
@@ -62,7 +62,7 @@ function layOut(home: HTMLElement, stage: Stage, { pad, viewSwitch, picture, car
   );
 }
 
-/** What a frame shows: the session's present, all of it there. */
+/** What a frame shows; null until all of it is there. */
 function presentOf(session: Session) {
   const { state, scene, lit, missing } = session;
   const now = session.switched();

@@ -1,4 +1,4 @@
-/** What the page is at: the state, the scene and the rays it belongs to, and what follows from them. */
+/** What the page shows: the state, the scene and the rays it belongs to, and what follows from them. */
 import type { Boxes } from "./state/box-lines";
 import type { RayEvent } from "./state/event-types";
 import { isSwitched, type Switches } from "./state/switches";

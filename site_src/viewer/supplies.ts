@@ -1,4 +1,4 @@
-/** What a state needs beside its scene: a trace, and what only some states need, which comes when one of them does. */
+/** What a state needs besides its scene: a trace, and what only some states need, which comes when one of them does. */
 import type { Loader } from "./load";
 import type { OnDemand } from "./on-demand";
 import type { Notice } from "./panels/notice";
@@ -48,13 +48,13 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });
       },
     }),
-    // What tests are made on, where the tiles show their number.
+    // The boxes that rays are tested against, where the tiles show how many tests there were.
     supply(session, draw, "boxes", {
       isWanted: ({ colours }, { meshes }) => colours === "tests" && Object.keys(meshes).length > 0,
       load: ({ id }) => loader.boxes(id),
       missing: (again) => notice.say(say("trouble.boxesMissing"), { again }),
     }),
-    // Where switches are set the picture follows in as many pixels as there are; without these, in the tiles that are here.
+    // Where switches are set the picture is recombined from the finest grid; without that, from the one that is here.
     supply(session, draw, "finest", {
       isWanted: ({ switches }) => isSwitched(switches),
       load: ({ id, levels }) => loader.trace(id, levels[levels.length - 1]),

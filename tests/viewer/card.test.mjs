@@ -20,12 +20,12 @@ for (const { id } of [...new Set([rich, glass, ...scenesOfSite().slice(0, 3)])])
   test(`${id}: what the lights give adds up to the surface's colour, own and sent rays to each ray's, all to the pixel's`, () => {
     for (const [pixel, rows] of all.entries()) {
       for (const row of rows) {
-        if (row.lights.length) close(row.lights.reduce((sum, { gives }) => plus(sum, gives, 1), row.ambient), row.own, 1e-12); // the same sum in another order
+        if (row.lights.length) close(row.lights.reduce((sum, { gives }) => plus(sum, gives, 1), row.ambient), row.local, 1e-12); // the same sum in another order
         const sent = rows.filter(({ of }) => of === row.number);
-        const own = row.object ? plus([0, 0, 0], row.own, row.keeps) : row.own;
+        const own = row.object ? plus([0, 0, 0], row.local, row.keeps) : row.local;
         close(sent.reduce((sum, { colour, weight }) => plus(sum, colour, weight), own), row.colour, 1e-12);
       }
-      const shares = rows.reduce((sum, row) => plus(sum, row.own, row.share * (row.object ? row.keeps : 1)), [0, 0, 0]);
+      const shares = rows.reduce((sum, row) => plus(sum, row.local, row.share * (row.object ? row.keeps : 1)), [0, 0, 0]);
       close(shares, rows[0].colour, 1e-9); // up to 44 products in another order
       // Terms are stored rounded, tiles exactly: they may round to neighbours.
       for (const c of [0, 1, 2]) assert.ok(Math.abs(Math.min(1, Math.max(0, rows[0].colour[c])) * 255 - trace.tiles[3 * pixel + c]) <= 1);

@@ -1,4 +1,4 @@
-/** The plain article of another scene than the page was written for: it is what gets printed. */
+/** The plain article of a scene that the page was not written for: it is what gets printed. */
 import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 import { grouped, list, percent, say } from "../words";

@@ -27,19 +27,19 @@ function lightTerm({ name, seen, by, diffuse, specular, colour }: LightRow, of: 
 
 /** The surface's own colour: ambient, and what each light gives. */
 function ownFormula(row: RayRow, of: MaterialData, isWhole: boolean) {
-  const show = coloursOf([row.own, row.ambient, ...row.lights.flatMap(({ colour, diffuse, specular }) => [colour, ...(diffuse ? [of.diffuse] : []), ...(specular ? [of.specular] : [])])]);
+  const show = coloursOf([row.local, row.ambient, ...row.lights.flatMap(({ colour, diffuse, specular }) => [colour, ...(diffuse ? [of.diffuse] : []), ...(specular ? [of.specular] : [])])]);
   const left = isWhole ? [indexed("C", row.number), operator("=")] : [];
   return [
     piece(...left, indexed("L", row.number), operator("="), under(show(row.ambient), say("sum.ambient"))),
     ...row.lights.map((light) => lightTerm(light, of, show)),
-    piece(operator("="), show(row.own)),
+    piece(operator("="), show(row.local)),
   ];
 }
 
 /** Shares of own colour and of the rays sent on. */
 function sumFormula(row: RayRow, sent: readonly RayRow[]) {
   const terms = [
-    ...(row.keeps > 0 && row.object ? [{ share: row.keeps, name: indexed("L", row.number), colour: row.own, words: say("sum.own") }] : []),
+    ...(row.keeps > 0 && row.object ? [{ share: row.keeps, name: indexed("L", row.number), colour: row.local, words: say("sum.own") }] : []),
     ...sent.map((ray) => ({ share: ray.weight, name: indexed("C", ray.number), colour: ray.colour, words: say(`tree.kind.${ray.kind as "camera"}`) })),
   ];
   const show = coloursOf([row.colour, ...terms.map(({ colour }) => colour)]);

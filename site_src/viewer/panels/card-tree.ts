@@ -6,7 +6,7 @@ import type { LineActs, RaysView } from "./card-rays";
 import { element } from "../element";
 import { svg } from "./svg";
 import { walkWithArrows } from "./tree-arrows";
-import { place, type Placed } from "./tree-layout";
+import { layOut, type Placed } from "./tree-layout";
 import { edgesOf, foldNode, rayNode, treeKey } from "./tree-nodes";
 import { createTreeWindow } from "./tree-window";
 
@@ -38,7 +38,7 @@ export function createTree(acts: LineActs): RaysView {
 
   function draw() {
     nodes = new Map();
-    const tree = place(rows, isOpen);
+    const tree = layOut(rows, isOpen);
     const made = tree.nodes.map(nodeOf);
     drawing.replaceChildren(...tree.nodes.flatMap(edgesOf), ...made);
     walkWithArrows(tree.nodes, made, showNode);

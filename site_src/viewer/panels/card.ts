@@ -55,7 +55,7 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
     copies.use(({ treeText, treeTable }) => void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), done));
   }
 
-  /** Only the panel that is seen is made. */
+  /** Only the visible panel is filled. */
   function draw() {
     const tab = tabs.chosen();
     body.hidden = isCovered && tab !== "code"; // the algorithm gives no answer away

@@ -10,12 +10,6 @@ export interface Remedy {
   go: () => void;
 }
 
-interface Message {
-  sentence: string;
-  again: (() => void) | null;
-  remedies: readonly Remedy[];
-}
-
 /** Of another scene they would no longer be true. */
 const OF_A_SCENE: readonly Subject[] = ["act", "address", "scene", "trace", "picture"];
 
@@ -27,7 +21,7 @@ export interface More {
 }
 
 export function createNotice(root: HTMLElement) {
-  const messages = new Map<Subject, Message>();
+  const messages = new Map<Subject, More & { sentence: string }>();
   const text = element("span", "notice-text");
   const remedies = element("span", "notice-ways");
   const close = button("\u00d7", say("trouble.close"), () => (messages.clear(), show()), { className: "sign quiet" });
@@ -45,7 +39,7 @@ export function createNotice(root: HTMLElement) {
     root.hidden = !all.length;
     text.textContent = sentences(); // one text: it is read out as a whole
     const isRepeatable = all.some(({ again }) => again);
-    const buttons = [...(isRepeatable ? [{ word: say("trouble.again"), go: tryAgain }] : []), ...all.flatMap((each) => each.remedies)];
+    const buttons = [...(isRepeatable ? [{ word: say("trouble.again"), go: tryAgain }] : []), ...all.flatMap(({ remedies = [] }) => remedies)];
     const once = new Map(buttons.map((each) => [each.word, each]));
     remedies.replaceChildren(...[...once.values()].map(({ word, go }) => button(word, word, go)));
   }
@@ -62,9 +56,10 @@ export function createNotice(root: HTMLElement) {
   }
 
   return {
-    say(sentence: string, { about = "act", again, remedies: more = [] }: More = {}) {
+    say(sentence: string, more: More = {}) {
+      const { about = "act" } = more;
       messages.delete(about);
-      messages.set(about, { sentence, again: again ?? null, remedies: more });
+      messages.set(about, { ...more, sentence });
       show();
     },
     hide,

@@ -10,7 +10,7 @@ export interface PageParts {
   links: readonly HTMLAnchorElement[]; // data-scene names each one's scene
 }
 
-/** Links and sizes of what can be taken away, for another scene than the one the pipeline wrote them for. */
+/** Links and sizes of the downloads, for a scene that the pipeline did not write them for. */
 function writeSlides(root: string, { id }: SceneData, slides: string | undefined) {
   const [folder, ...sizes] = slides?.split("|") ?? [];
   for (const [k, link] of document.querySelectorAll<HTMLAnchorElement>("#take [data-after]").entries()) {

@@ -10,7 +10,7 @@ export function recall(name: string): string | null {
 const KEYS = "single keys";
 let areKeysOn = recall(KEYS) !== "off";
 
-/** Keys of one character (letters, digits, signs): who speaks to the computer, or presses by mistake, turns them off. */
+/** Keys of one character (letters, digits, signs): people who speak to the computer, or press keys by mistake, turn them off. */
 export const singleKeys = {
   on: (): boolean => areKeysOn,
   turn(on: boolean) {

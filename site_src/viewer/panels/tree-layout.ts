@@ -20,7 +20,7 @@ export const top = (node: Placed) => node.depth * LEVEL + 8;
 
 /** The nodes, the root first, each before what is below it; size in pixels. Leaves stand side by side, each parent over
  *  the middle of what it led to. */
-export function place(rows: readonly RayRow[], isOpen: boolean) {
+export function layOut(rows: readonly RayRow[], isOpen: boolean) {
   let [across, down] = [0, 0];
   const childrenOf = (row: RayRow) => rows.filter(({ of }) => of === row.number);
   const under = (row: RayRow): RayRow[] => [row, ...childrenOf(row).flatMap(under)];

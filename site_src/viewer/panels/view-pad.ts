@@ -1,16 +1,8 @@
 /** Nine buttons in the stage's corner that do what dragging and the wheel do. */
+import type { Actions } from "../actions";
+import type { Moves } from "../state/observer";
 import { say } from "../words";
 import { button, element, named, pressed, setWord } from "../element";
-
-export interface ViewActs {
-  /** Degrees to the right and up. */
-  turn: (right: number, up: number) => void;
-  /** Shares of the stage. */
-  shift: (right: number, up: number) => void;
-  come: (factor: number) => void;
-  start: () => void;
-  camera: () => void;
-}
 
 const DEGREES = 10;
 const SHARE = 0.08;
@@ -18,7 +10,7 @@ const CLOSER = 0.85;
 
 const ARROWS = [["\u2191", "up", 0, 1], ["\u2190", "left", -1, 0], ["\u2192", "right", 1, 0], ["\u2193", "down", 0, -1]] as const;
 
-export function createViewPad(acts: ViewActs) {
+export function createViewPad(acts: Moves & Pick<Actions, "camera"> & { start: () => void }) {
   let shifting = false;
   const arrows = ARROWS.map(([sign, side, right, up]) => {
     const press = () => (shifting ? acts.shift(-right * SHARE, -up * SHARE) : acts.turn(right * DEGREES, up * DEGREES));

@@ -1,17 +1,5 @@
 /** The ray-tracing camera and the lines through its picture's corners. */
-import {
-  BoxGeometry,
-  BufferAttribute,
-  BufferGeometry,
-  CylinderGeometry,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Matrix4,
-  Mesh,
-  MeshMatcapMaterial,
-  Vector3,
-} from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshMatcapMaterial, Vector3 } from "three";
 import { STAGE } from "../palette";
 import { planeCorners, type PicturePlane } from "../state/frustum";
 import { length } from "../state/vectors";

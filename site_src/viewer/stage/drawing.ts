@@ -10,7 +10,7 @@ export interface DrawingActs {
   flatRenderer: (use: (make: () => StageRenderer) => void) => void;
   /** WebGL is refused or was lost, and the flat renderer takes over; null: WebGL is back. */
   flat: (why: "refused" | "lost" | null) => void;
-  /** Another renderer, that has no size yet. */
+  /** Another renderer is used, which has no size yet. */
   replaced: () => void;
 }
 

@@ -7,7 +7,7 @@ import { memo } from "../state/memo";
 import { seenPart, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
 import { shapesOf, type Piece } from "./flat-shapes";
-import { arrowHead, disc, stroke, type Brush, type Place } from "./pen";
+import { arrowHead, disc, stroke, type Brush, type Point } from "./pen";
 import type { StageRenderer, StageView } from "./renderer";
 
 const GRID_FROM = 5; // pixels a tile: below, grid lines would cover the tiles
@@ -17,7 +17,7 @@ const css = (colour: Vec3, alpha = 1, light = 1) =>
 
 /** Both ends of what is seen of a segment. */
 const endsOf = (projection: Projection, from: Vec3, to: Vec3, near: number) =>
-  seenPart(projection, from, to, near)?.map(({ x, y }) => [x, y] as const) as [Place, Place] | undefined;
+  seenPart(projection, from, to, near)?.map(({ x, y }) => [x, y] as const) as [Point, Point] | undefined;
 
 function path(brush: Brush, projection: Projection, points: readonly Vec3[]): boolean {
   const seen = points.map(projection.project);

@@ -1,14 +1,5 @@
 /** A set of rays drawn together: thick for the selected pixel, hair-thin for a row, a column or all. */
-import {
-  BufferAttribute,
-  GreaterDepth,
-  Group,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  LineSegments,
-  Mesh,
-  type ShaderMaterial,
-} from "three";
+import { BufferAttribute, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial } from "three";
 import { LINES, rgb } from "../palette";
 import type { Line } from "../state/lines";
 import type { LitLine } from "../state/types";

@@ -3,16 +3,7 @@
  * rasterises: what a mirror or a glass really shows is in the picture, brought by rays, so here
  * they get a painted look that says "mirror" and "glass" and claims no more.
  */
-import {
-  Color,
-  DataTexture,
-  FrontSide,
-  LinearFilter,
-  MeshMatcapMaterial,
-  MeshPhongMaterial,
-  type Material,
-  type Side,
-} from "three";
+import { Color, DataTexture, FrontSide, LinearFilter, MeshMatcapMaterial, MeshPhongMaterial, type Material, type Side } from "three";
 import type { Part } from "../state/switches";
 import type { MaterialData, Vec3 } from "../trace/types";
 

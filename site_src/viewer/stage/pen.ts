@@ -1,9 +1,9 @@
-/** Strokes and signs on a flat canvas. Places and lengths in CSS pixels. */
+/** Strokes and signs on a flat canvas. Points and lengths in CSS pixels. */
 export type Brush = CanvasRenderingContext2D;
-export type Place = readonly [number, number];
+export type Point = readonly [number, number];
 
 /** dash: [drawn, gap]; [1, 0] is a solid line. */
-export function stroke(brush: Brush, from: Place, to: Place, colour: string, width: number, [drawn, gap]: readonly [number, number] = [1, 0]) {
+export function stroke(brush: Brush, from: Point, to: Point, colour: string, width: number, [drawn, gap]: readonly [number, number] = [1, 0]) {
   brush.strokeStyle = colour;
   brush.lineWidth = width;
   brush.setLineDash(gap ? [drawn, gap] : []);
@@ -14,16 +14,16 @@ export function stroke(brush: Brush, from: Place, to: Place, colour: string, wid
   brush.setLineDash([]);
 }
 
-export function disc(brush: Brush, [x, y]: Place, radius: number, colour: string) {
+export function disc(brush: Brush, [x, y]: Point, radius: number, colour: string) {
   brush.beginPath();
   brush.arc(x, y, radius, 0, 2 * Math.PI);
   brush.fillStyle = colour;
   brush.fill();
 }
 
-/** An arrow's head on the way between two places. at: share of the way; back, aside: how far its corners are from
- *  there, as shares of `size`, which is how far its tip is. None on a way that is shorter than `least`. */
-export function arrowHead(brush: Brush, from: Place, to: Place, colour: string, size: number, { at, back, aside, least }: { at: number; back: number; aside: number; least: number }) {
+/** An arrow head on the line between two points. at: share of the line; back, aside: how far its corners are from
+ *  there, as shares of `size`, which is how far its tip is. None on a line that is shorter than `least`. */
+export function arrowHead(brush: Brush, from: Point, to: Point, colour: string, size: number, { at, back, aside, least }: { at: number; back: number; aside: number; least: number }) {
   const run = [to[0] - from[0], to[1] - from[1]];
   const long = Math.hypot(...run);
   if (long < least) return;

@@ -3,7 +3,7 @@ import type { Actions } from "../actions";
 import { element, named } from "../element";
 import { onPlane } from "../state/frustum";
 import type { Line } from "../state/lines";
-import { observerOf, orbit, pan, zoom, type ObserverChoice } from "../state/observer";
+import { observerOf, orbit, pan, zoom, type Moves, type ObserverChoice } from "../state/observer";
 import { createProjection, type Projection } from "../state/projection";
 import type { Observer } from "../state/types";
 import { along, length, sub } from "../state/vectors";
@@ -19,15 +19,6 @@ import { lineUnder, nearestTile, tileUnder } from "./under";
 
 export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer">, Pick<Actions, "pick" | "light" | "point"> {
   move: (observer: ObserverChoice) => void;
-}
-
-interface Moves {
-  /** Degrees. */
-  turn: (right: number, up: number) => void;
-  /** Shares of the stage. */
-  shift: (right: number, up: number) => void;
-  /** A factor on the distance. */
-  come: (factor: number) => void;
 }
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging

@@ -1,16 +1,5 @@
 /** An endless plane, drawn as far as the scene reaches and then fading out. */
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DataTexture,
-  FrontSide,
-  Mesh,
-  NearestFilter,
-  Plane,
-  RepeatWrapping,
-  Vector3,
-  type MeshPhongMaterial,
-} from "three";
+import { BufferAttribute, BufferGeometry, DataTexture, FrontSide, Mesh, NearestFilter, Plane, RepeatWrapping, Vector3, type MeshPhongMaterial } from "three";
 import { STAGE } from "../palette";
 import { dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";

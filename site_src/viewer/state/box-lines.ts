@@ -7,7 +7,7 @@ export interface BoxLines {
   missed: readonly (readonly [Vec3, Vec3])[];
 }
 
-/** A scene's. */
+/** Of a scene's meshes. */
 export interface Boxes {
   scene: string;
   of: (n: number, ray: number) => RayBoxes & { lines: BoxLines };

@@ -45,7 +45,7 @@ export function hitsOf(trace: Trace, scene: SceneData, ray: number): { name: str
 }
 
 const nameOf = (scene: SceneData, object: number) => scene.objects[object]?.name ?? "?";
-const placeOf = (trace: Trace, pixel: number) => [pixel % trace.n, Math.floor(pixel / trace.n)] as const;
+const tileOf = (trace: Trace, pixel: number) => [pixel % trace.n, Math.floor(pixel / trace.n)] as const;
 
 /** From a ray's start to its end. */
 const runOf = (trace: Trace, scene: SceneData, ray: number): Vec3 => sub(triple(trace.point, ray), originOf(trace, scene, ray));
@@ -60,7 +60,7 @@ function angleOf(trace: Trace, scene: SceneData, ray: number, normal: Vec3): Deg
 function departure(trace: Trace, scene: SceneData, ray: number, media: Media): Happening {
   const parent = trace.parent[ray];
   const what = RAY_KINDS[trace.kind[ray]];
-  if (what === "camera") return { what, pixel: placeOf(trace, trace.pixel[ray]), eye: scene.camera.eye };
+  if (what === "camera") return { what, pixel: tileOf(trace, trace.pixel[ray]), eye: scene.camera.eye };
   const material = scene.materials[trace.material[parent]];
   const normal = triple(trace.normal, parent);
   const enters = trace.inside[parent] === 0;
@@ -129,7 +129,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
     for (const child of sent) walk(child, RAY_KINDS[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
     const sum = { terms: termsOf(trace, scene, ray, sent), colour: triple(trace.colour, ray) };
     const bytes = triple(trace.tiles, pixel);
-    if (trace.parent[ray] < 0) events.push(event(ray, { what: "pixel", pixel: placeOf(trace, pixel), ...sum, bytes, why: whyOf(trace, tree, events, bytes) }));
+    if (trace.parent[ray] < 0) events.push(event(ray, { what: "pixel", pixel: tileOf(trace, pixel), ...sum, bytes, why: whyOf(trace, tree, events, bytes) }));
     else if (sent.length) events.push(event(ray, { what: "gather", name: nameOf(scene, object), ...sum }, { line }));
   }
 

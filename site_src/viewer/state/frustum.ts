@@ -7,7 +7,7 @@ export interface PicturePlane {
   eye: Vec3;
   forward: Vec3;
   up: Vec3;
-  /** Top left corner, and the whole way across and down from it, world units. */
+  /** Top left corner, and the vectors across and down from it, world units. */
   origin: Vec3;
   across: Vec3;
   down: Vec3;
@@ -45,7 +45,7 @@ function isClear(plane: PicturePlane, scene: SceneData): boolean {
   });
 }
 
-/** The plane stands before everything the camera sees, at the same place for every resolution. */
+/** The plane stands in front of everything the camera sees, at the same place for every resolution. */
 export function picturePlane(scene: SceneData): PicturePlane {
   const { eye, target } = scene.camera;
   const forward = unit(sub(target, eye));

@@ -65,6 +65,16 @@ function cameraObserver(scene: SceneData): Observer {
   return { eye, target: add(eye, scale(unit(sub(target, eye)), reach)), up, fov: (Math.atan(half) * 360) / Math.PI };
 }
 
+/** What moves the observer. */
+export interface Moves {
+  /** Degrees to the right and up. */
+  turn: (right: number, up: number) => void;
+  /** Shares of the stage. */
+  shift: (right: number, up: number) => void;
+  /** A factor on the distance. */
+  come: (factor: number) => void;
+}
+
 /** A choice ("start", "camera" or a place) as a place. */
 export function observerOf(choice: ObserverChoice, scene: SceneData, plane: PicturePlane, aspect: number): Observer {
   if (choice === "start") return startObserver(scene, plane, aspect);

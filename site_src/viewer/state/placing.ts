@@ -10,7 +10,7 @@ export function toWorld(m: readonly number[], p: Vec3): Vec3 {
 }
 
 /** A point of the world in the object's own space (an affine inverse). */
-export function toOwn(m: readonly number[], p: Vec3): Vec3 {
+export function toObject(m: readonly number[], p: Vec3): Vec3 {
   const x = m.slice(0, 3) as unknown as Vec3;
   const y = m.slice(4, 7) as unknown as Vec3;
   const z = m.slice(8, 11) as unknown as Vec3;
@@ -37,5 +37,5 @@ export function planeOf(object: ObjectData): { point: Vec3; normal: Vec3 } {
 
 /** Is the point inside of it, as in a room (a box round the eye, say)? */
 export function isWithin(object: ObjectData, point: Vec3): boolean {
-  return FORMS[object.type].holds?.(toOwn(object.transform, point), object) ?? false;
+  return FORMS[object.type].holds?.(toObject(object.transform, point), object) ?? false;
 }

@@ -30,7 +30,7 @@ export interface RayRow {
   share: number; // in the pixel's
   keeps: number; // share of the surface's own colour in this ray's
   ambient: Vec3;
-  own: Vec3; // the surface's own colour: ambient, and what each light gives
+  local: Vec3; // the surface's own colour: ambient, and what each light gives
   colour: Vec3; // what the ray brings back
   hits: readonly { name: string; t: number }[]; // all along a camera ray, the nearest first
   lights: readonly LightRow[]; // asked here; none at a surface without a colour of its own
@@ -71,7 +71,7 @@ export function rayRows(trace: Trace, scene: SceneData, pixel: number): RayRow[]
       share: above ? above.share * trace.weight[ray] : 1,
       keeps,
       ambient: material?.ambient ?? BLACK,
-      own: isHit ? localColour(material, lights) : scene.background,
+      local: isHit ? localColour(material, lights) : scene.background,
       colour: triple(trace.colour, ray),
       hits: hitsOf(trace, scene, ray),
       lights,

@@ -37,7 +37,14 @@ export function lampsOf(scene: SceneData): Lamp[] {
 
 export const brightness = (of: Switches, lamp: number): number => of.lamps[lamp] ?? 1;
 
-/** What stays of what was asked for: nothing that is as traced anyway. */
+/** On each light's brightness. */
+export function factorsOf(of: Switches, scene: SceneData): number[] {
+  const factors = scene.lights.map(() => 1);
+  for (const [lamp, { lights }] of lampsOf(scene).entries()) for (const light of lights) factors[light] = brightness(of, lamp);
+  return factors;
+}
+
+/** Without what is as traced anyway, and within the limits. */
 function tidy(of: Switches, scene: SceneData): Switches {
   const bounces = of.bounces !== null && of.bounces < scene.depth ? Math.max(0, of.bounces) : null;
   const lamps = of.lamps.every((factor) => factor === 1) ? [] : of.lamps;
@@ -46,7 +53,7 @@ function tidy(of: Switches, scene: SceneData): Switches {
 
 export const bouncesOf = (of: Switches, scene: SceneData): number => of.bounces ?? scene.depth;
 
-/** The same switches where the limit is at its end: what was not traced cannot be shown. */
+/** The same switches at either end: what was not traced cannot be shown. */
 export function stepBounces(of: Switches, scene: SceneData, by: 1 | -1): Switches {
   const bounces = bouncesOf(of, scene) + by;
   return bounces < 0 || bounces > scene.depth ? of : tidy({ ...of, bounces }, scene);

@@ -15,7 +15,7 @@ import { eightBit, recombine } from "../trace/rebuild";
 import { KIND, RAY_KINDS, RAYS } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace, type Vec3 } from "../trace/types";
 import { memo } from "./memo";
-import { brightness, HIDDEN, isSwitched, lampsOf, type Switches } from "./switches";
+import { factorsOf, HIDDEN, isSwitched, type Switches } from "./switches";
 
 export interface WhatIf {
   trace: Trace;
@@ -26,14 +26,13 @@ const BLACK: Vec3 = [0, 0, 0];
 
 /** The scene's colours, shares and limits with the switches set: what words and sums are made from. */
 export function switchedScene(scene: SceneData, switches: Switches): SceneData {
-  const lamps = lampsOf(scene);
-  const of = (light: number) => brightness(switches, lamps.findIndex(({ lights }) => lights.includes(light)));
+  const factors = factorsOf(switches, scene);
   const without = (part: Switches["without"][number]) => switches.without.includes(part);
   return {
     ...scene,
     shadows: scene.shadows && switches.shadows,
     depth: switches.bounces ?? scene.depth,
-    lights: scene.lights.map((light, k) => ({ ...light, intensity: light.intensity * of(k) })),
+    lights: scene.lights.map((light, k) => ({ ...light, intensity: light.intensity * factors[k] })),
     materials: scene.materials.map((material) => ({
       ...material,
       ambient: without("ambient") ? BLACK : material.ambient,
@@ -75,12 +74,6 @@ function follow(trace: Trace, scene: SceneData, switches: Switches): Followed {
   return { pixel, weight };
 }
 
-const factorsOf = (scene: SceneData, switches: Switches): number[] => {
-  const factors = scene.lights.map(() => 1);
-  for (const [lamp, { lights }] of lampsOf(scene).entries()) for (const light of lights) factors[light] = brightness(switches, lamp);
-  return factors;
-};
-
 /** Of each ray and light: off, seen because nothing counts as in the way, or as traced. */
 function see(trace: Trace, isOff: readonly boolean[], shadows: boolean): Uint8Array {
   if (shadows && !isOff.includes(true)) return trace.visibility;
@@ -106,7 +99,7 @@ export function createWhatIf() {
   const seen = memo<Uint8Array>();
 
   function make(trace: Trace, scene: SceneData, switches: Switches): WhatIf {
-    const bright = factorsOf(scene, switches);
+    const bright = factorsOf(switches, scene);
     const shadows = switches.shadows || !scene.shadows;
     const now = scenes([scene, switches], () => switchedScene(scene, switches));
     const { pixel, weight } = followed([trace, switches.bounces, switches.without.join()], () => follow(trace, scene, switches));

@@ -13,11 +13,11 @@ function howOf({ seen, diffuse }: LightShare, dark: boolean): Reason["how"] {
   return seen;
 }
 
-/** Lights of which the same is to be said, together. by: what blocks each. */
+/** Lights grouped by what is to be said of them. by: what blocks each. */
 function reasonsOf(lights: readonly LightShare[], by: ReadonlyMap<string, string>, dark: boolean): Reason[] {
-  const said = lights.map((light) => ({ how: howOf(light, dark), by: by.get(light.name) ?? "", light: light.name }));
+  const stated = lights.map((light) => ({ how: howOf(light, dark), by: by.get(light.name) ?? "", light: light.name }));
   const found = HOWS.flatMap((how) => {
-    const alike = said.filter((each) => each.how === how);
+    const alike = stated.filter((each) => each.how === how);
     return [...new Set(alike.map((each) => each.by))].map((by) => ({ how, by, lights: alike.filter((each) => each.by === by).map((each) => each.light) }));
   });
   return dark && found.every(({ how }) => how === "reached") ? [...found, { how: "paint", by: "", lights: [] }] : found;

@@ -1,10 +1,10 @@
 /** A stop of the lesson as a figure on paper: what is drawn, in points from the figure's top left, y down. Cutting at
- *  the figure's edge is left to who draws. */
+ *  the figure's edge is left to whoever draws it. */
 import type { PicturePlane } from "../state/frustum";
 import { planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
 import { seenPart, type Projection } from "../state/projection";
-import { brightness, lampsOf, type Switches } from "../state/switches";
+import { factorsOf, type Switches } from "../state/switches";
 import { add, along, scale, sub, triple, type Vec3 } from "../state/vectors";
 import type { LineKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
@@ -88,14 +88,13 @@ export class Sheet {
 
   figure(plane: PicturePlane, n: number, switches: Switches): Figure {
     const axes = [scale(plane.across, 1 / n), scale(plane.down, 1 / n), sub(plane.origin, this.eye)].map(this.view.homogeneous);
-    const lamps = lampsOf(this.scene);
-    const isOff = (light: number) => brightness(switches, lamps.findIndex(({ lights }) => lights.includes(light))) === 0;
+    const factors = factorsOf(switches, this.scene);
     return {
       grid: [0, 1, 2].map((k) => axes.map((axis) => axis[k])) as unknown as Figure["grid"],
       near: this.near,
       eye: this.at(plane.eye),
       edges: planeCorners(plane).map((corner) => this.ends(plane.eye, corner)),
-      lamps: this.scene.lights.map(({ name, position }, light) => ({ name, at: this.at(position), off: isOff(light) })),
+      lamps: this.scene.lights.map(({ name, position }, light) => ({ name, at: this.at(position), off: factors[light] === 0 })),
     };
   }
 }

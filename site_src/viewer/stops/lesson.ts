@@ -61,8 +61,8 @@ export interface Lesson {
 
 const base64 = (bytes: Uint8Array) => btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
 
-function rowOf({ number, kind, object, point, t, share, keeps, colour, own: surface }: RayRow): Row {
-  const own = object ? scale(surface, keeps) : surface;
+function rowOf({ number, kind, object, point, t, share, keeps, colour, local }: RayRow): Row {
+  const own = object ? scale(local, keeps) : local;
   const gives = scale(own, share);
   return { number, kind, object, point, t, share, keeps, colour, own, gives, shows: hexOf(colour), showsGiven: hexOf(gives) };
 }

@@ -31,7 +31,7 @@ interface Prediction {
 const AFFINE = 1, OWN_TAPS = 2, NO_TAPS = 4;
 
 /** Where in the bytes a column stands, and how far it is read. */
-interface Place {
+interface Span {
   at: number;
   end: number;
   isAsked: boolean;
@@ -39,7 +39,7 @@ interface Place {
 
 export class Columns {
   private readonly bytes: Uint8Array;
-  private readonly places = new Map<string, Place>();
+  private readonly spans = new Map<string, Span>();
 
   /** off: scratch, by row, for number - affine part. */
   constructor(private readonly header: Header, private readonly off: Float64Array) {
@@ -47,26 +47,26 @@ export class Columns {
     this.bytes = bytes;
     let at = 0;
     for (const [name, end] of ends) {
-      this.places.set(name, { at, end, isAsked: false });
+      this.spans.set(name, { at, end, isAsked: false });
       at = end;
     }
   }
 
-  private place(name: string): Place {
-    const place = this.places.get(name);
-    if (!place) throw damaged(`column ${name} is missing`);
-    place.isAsked = true;
-    return place;
+  private span(name: string): Span {
+    const span = this.spans.get(name);
+    if (!span) throw damaged(`column ${name} is missing`);
+    span.isAsked = true;
+    return span;
   }
 
   /** Every column asked for must be read to its end. */
   finish() {
-    for (const [name, { at, end, isAsked }] of this.places) if (isAsked && at !== end) throw damaged(`column ${name} is too long`);
+    for (const [name, { at, end, isAsked }] of this.spans) if (isAsked && at !== end) throw damaged(`column ${name} is too long`);
   }
 
-  private readTo(name: string, place: Place, at: number) {
-    if (at > place.end) throw damaged(`column ${name} ends too early`);
-    place.at = at;
+  private readTo(name: string, span: Span, at: number) {
+    if (at > span.end) throw damaged(`column ${name} ends too early`);
+    span.at = at;
   }
 
   /** Writes symbols below `most` of the rays from row `first` on to `end` whose kind is not ABSENT.
@@ -76,9 +76,9 @@ export class Columns {
   ) {
     const { left, up, upLeft } = sides;
     const { bytes } = this;
-    const place = this.place(name);
+    const span = this.span(name);
     const last = new Int32Array(kinds);
-    let at = place.at;
+    let at = span.at;
     for (let row = first; row < end; row++) {
       const of = kind[row];
       if (of === ABSENT) continue;
@@ -110,20 +110,20 @@ export class Columns {
       }
       out[row] = last[of] = value;
     }
-    this.readTo(name, place, at);
+    this.readTo(name, span, at);
   }
 
   /** Writes whole numbers at `rows`; what else stands in `out` stays. kind: by row, below `kinds`;
    *  near: by row, within the column's groups (see alike). */
   numbers(name: string, rows: Int32Array, kind: Int32Array, kinds: number, near: Sides, features: Features, out: Float64Array) {
-    const place = this.place(name);
+    const span = this.span(name);
     const { bytes, off } = this;
     const { left, up, upLeft, upRight } = near;
     const { affine, taps, has } = this.prediction(name, kinds, features.width);
     const { width, first, second } = features;
     const last = new Int32Array(kinds).fill(-1);
-    let at = place.at, all = 0; // all: bits of the digits, to notice foreign ones
-    if (at === place.end && rows.length > 0) throw damaged(`column ${name} is empty`);
+    let at = span.at, all = 0; // all: bits of the digits, to notice foreign ones
+    if (at === span.end && rows.length > 0) throw damaged(`column ${name} is empty`);
     for (let k = 0; k < rows.length; k++) {
       const row = rows[k], of = kind[row], flags = has[of];
 
@@ -183,7 +183,7 @@ export class Columns {
       last[of] = row;
     }
     if (all & FOREIGN) throw damaged(`column ${name} holds a foreign character`);
-    this.readTo(name, place, at);
+    this.readTo(name, span, at);
   }
 
   private prediction(name: string, kinds: number, features: number): Prediction {

@@ -1,6 +1,6 @@
 /**
  * A trace file's JSON as a Trace. Reads columns in the order of walk.py, which is the place to
- * learn what they are; the numbers come out bit by bit as there.
+ * learn what they are; the numbers come out the same, bit for bit.
  */
 import { Columns, NO_FEATURES } from "./columns";
 import { TraceError, damaged } from "./errors";

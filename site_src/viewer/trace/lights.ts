@@ -1,4 +1,4 @@
-/** What each light gives at each hit, and who stands between. */
+/** What each light gives at each hit, and what stands in between. */
 import type { Columns } from "./columns";
 import type { Header } from "./header";
 import { ABSENT, alike } from "./neighbours";
