@@ -1,4 +1,4 @@
-/* Before all else: what does not arrive is said. */
+/* Before all else: what does not arrive is reported. */
 (() => {
   // A script of the page's own is missing or damaged: the page stays as it was written.
   addEventListener(

@@ -1,5 +1,5 @@
 /* Kiosk: with #kiosk=1 in the address the page belongs to kiosk.ts, which is loaded only then. What goes wrong before
-   it is here is kept for it. `part` is what every address of a kiosk carries on. */
+   it is here is kept for it. `part` is what every address of a kiosk carries. */
 (() => {
   const KEYS = ["kiosk", "idle", "warn", "attract-pace", "home", "visitor", "strikes"]; // as state/kiosk-fields.ts has them
   const own = document.currentScript;

@@ -25,12 +25,12 @@ const PARTS = {
 type Parts = typeof PARTS;
 export type PartName = keyof Parts;
 type Part<K extends PartName> = Awaited<ReturnType<Parts[K]>>;
-type Make = (shared: object) => unknown;
+type Make = (shared: readonly unknown[]) => unknown;
 
 declare global {
   interface Window {
-    /** Of the viewer's modules, what the parts import of them, by module: bundle.mjs puts it there. */
-    raywalkShared: object;
+    /** What the parts import of the viewer's modules, in an order that parts.mjs knows and puts here. */
+    raywalkShared: readonly unknown[];
     raywalkParts: {
       /** What an import() is when it is bundled. */
       load: (name: string) => Promise<unknown>;

@@ -1,8 +1,8 @@
 /** What an unattended screen shows: every scene's lesson in turn, its tiles filling and its rays being walked. */
 import type { KioskViewer } from "./hook";
 
-const SHOWN_AT_LEAST = 250; // ms between two looks at what plays
-const PLAYS_UP_TO = 3; // stops' times: then the next stop comes, whatever still plays
+const CHECKED_EVERY = 250; // ms
+const PLAYS_UP_TO = 3; // times a stop's pace: then the next stop comes, whatever still plays
 const PATIENCE = 20; // seconds for a scene to come
 const RENEWED_AFTER = 6 * 3_600_000; // ms: then, between two rounds, the page is loaded anew; nothing can pile up for months
 
@@ -32,7 +32,7 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
 
   /** Until it no longer goes on, or for too long. */
   async function whileIt(goesOn: () => boolean) {
-    const every = Math.min(SHOWN_AT_LEAST / 1000, pace);
+    const every = Math.min(CHECKED_EVERY / 1000, pace);
     for (let gone = 0; running && goesOn() && gone < PLAYS_UP_TO * pace; gone += every) await wait(every);
   }
 

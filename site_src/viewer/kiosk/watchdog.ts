@@ -1,5 +1,5 @@
 /**
- * Recovers from an uncaught error, a drawing context that was lost, a viewer that does not come: by the page anew,
+ * Recovers from an uncaught error, a drawing context that was lost, a viewer that does not come: by loading the page anew,
  * three times with WebGL, then without it, and never more than once a minute when nothing helps.
  */
 import type { KioskHook } from "./hook";

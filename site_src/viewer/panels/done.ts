@@ -1,7 +1,7 @@
-/** Says that something was done: by a tick on its button, and in a sentence over the page that goes by itself. Nothing moves. */
+/** Says that something was done: by a tick on its button, and in a sentence over the page that disappears by itself. Nothing moves. */
 import { element } from "../element";
 
-const SAID_FOR = 3500; // ms
+const SHOWN_FOR = 3500; // ms
 const TICKED_FOR = 1500;
 
 const sentence = element("p", "done-sentence");
@@ -12,7 +12,7 @@ let timer = 0;
 export function sayDone(by: HTMLElement, says: string) {
   clearTimeout(timer);
   sentence.textContent = says;
-  timer = window.setTimeout(() => (sentence.textContent = ""), SAID_FOR);
+  timer = window.setTimeout(() => (sentence.textContent = ""), SHOWN_FOR);
   by.classList.add("done");
   setTimeout(() => by.classList.remove("done"), TICKED_FOR);
 }

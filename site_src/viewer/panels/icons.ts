@@ -1,4 +1,4 @@
-/** Signs of the player, drawn: as characters some systems make coloured pictures of them. */
+/** Signs of the player, drawn: some systems show characters as coloured pictures. */
 import { svg } from "./svg";
 
 const SHAPES = {

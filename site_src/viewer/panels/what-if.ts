@@ -20,7 +20,7 @@ export function createWhatIf(acts: WhatIfActs & Pick<Actions, "asTraced">, onDem
     return made;
   });
   let shown: readonly [ViewState, SceneData] | null = null; // the scene as it was traced
-  let opened = false; // by an address or a lesson that sets switches: once, the person may close it
+  let opened = false; // when switches are first set outside of a lesson: only once, the person may close it
 
   const open = () =>
     switches.use(({ show }) => {

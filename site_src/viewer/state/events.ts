@@ -12,7 +12,7 @@ import { whyOf } from "./why";
 
 const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
 
-const MEASURABLE = 1 / 30; // of the scene's radius: the file rounds points, shorter ways would be off by over 0.1 degrees
+const MEASURABLE = 1 / 30; // of the scene's radius: the file rounds points, shorter runs would be off by over 0.1 degrees
 const TURN = 180 / Math.PI;
 
 export function lightShares(trace: Trace, scene: SceneData, ray: number): LightShare[] {
