@@ -10,7 +10,7 @@ MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site slides kiosk test test-busy check serve bench stress mutants clean distclean help
+.PHONY: all site slides kiosk test test-busy check serve bench stress mutants clean distclean help versions
 .DEFAULT_GOAL := all
 
 all: site
@@ -74,22 +74,26 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1|/p' Makefile | while IFS='|' read -r verb words; do \
 		printf 'make %-10s %s\n' "$$verb" "$$words"; done
 
-# --no-deps: the lock file already names everything, with hashes.
-$(PYTHON_READY): requirements.lock pyproject.toml build/setup/venv.sh
+versions:
+	@sh build/setup/versions.sh
+
+# --no-deps: the lock file already names everything, with hashes. Wheels only, and no script of a package's: installing
+# runs nobody's code.
+$(PYTHON_READY): requirements.lock pyproject.toml build/setup/venv.sh | versions
 	@sh build/setup/venv.sh
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements.lock
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements.lock
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
 $(TEST_READY): $(PYTHON_READY) requirements-test.lock
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements-test.lock
+	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements-test.lock
 	@touch $@
 
 $(MUTANTS)/.ready: requirements-mutants.lock $(PYTHON_READY)
 	$(PYTHON) -m venv --clear $(MUTANTS)
-	$(MUTANTS)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r requirements-mutants.lock
+	$(MUTANTS)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements-mutants.lock
 	@touch $@
 
-$(NODE_READY): package-lock.json
-	npm ci --no-audit --no-fund --loglevel=error
+$(NODE_READY): package-lock.json | versions
+	npm ci --ignore-scripts --no-audit --no-fund --loglevel=error
 	@touch $@

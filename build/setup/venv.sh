@@ -3,12 +3,6 @@
 set -eu
 [ -x .venv/bin/python ] && .venv/bin/python -m pip --version >/dev/null 2>&1 && exit 0
 
-python3 - <<'PYTHON' || exit 1
-import sys
-if sys.version_info < (3, 11):
-    sys.exit(f"Raywalk needs Python 3.11 or newer; python3 here is {sys.version.split()[0]}")
-PYTHON
-
 rm -rf .venv
 if ! python3 -m venv .venv >/dev/null 2>&1; then
     rm -rf .venv

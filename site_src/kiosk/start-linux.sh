@@ -1,5 +1,6 @@
 #!/bin/sh
-# Raywalk as a kiosk on Linux: full screen, nothing else to get at. Ends with Alt+F4; comes back if the browser breaks down.
+# Raywalk as a kiosk on Linux: full screen, nothing else to get at. The browser comes back
+# whenever it ends, whatever its code: to end it all, press Alt+F4 and, within three seconds, Ctrl+C where this was started.
 #   ./start-linux.sh                       as it is
 #   ./start-linux.sh "idle=60&warn=20"     starts again after 60 seconds without a touch, warns 20 seconds before
 # RAYWALK_LANGUAGE=de: begins in German. RAYWALK_BROWSER: the browser to take. RAYWALK_FLAGS: more flags for it.
@@ -34,9 +35,11 @@ case $(basename -- "$browser") in
     --disable-sync --disable-background-networking --disable-component-update --password-store=basic ;;
 esac
 
-# shellcheck disable=SC2086 # several flags
-until "$browser" "$@" $RAYWALK_FLAGS "$address"; do
+trap '[ -n "$RAYWALK_PROFILE" ] || rm -rf "$profile"' EXIT
+trap 'exit 130' INT TERM HUP
+while :; do
+  # shellcheck disable=SC2086 # several flags
+  "$browser" "$@" $RAYWALK_FLAGS "$address"
   [ -z "$RAYWALK_ONCE" ] || break
   sleep 3
 done
-[ -n "$RAYWALK_PROFILE" ] || rm -rf "$profile"

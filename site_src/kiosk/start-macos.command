@@ -1,5 +1,6 @@
 #!/bin/sh
-# Raywalk as a kiosk on macOS: full screen, the display stays awake. Ends with Command+Q; comes back if the browser breaks down.
+# Raywalk as a kiosk on macOS: full screen, the display stays awake. The browser comes back whenever it ends, whatever its
+# code: to end it all, press Command+Q and, within three seconds, close the Terminal window that is left.
 # Settings as in start-linux.sh: ./start-macos.command "idle=60&warn=20"; RAYWALK_LANGUAGE=de begins in German.
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd) || exit 1
 course=course
@@ -33,7 +34,9 @@ case $(basename -- "$browser") in
     --disable-sync --disable-background-networking --disable-component-update --password-store=basic ;;
 esac
 
-until caffeinate -d "$browser" "$@" "$address"; do
+trap 'rm -rf "$profile"' EXIT
+trap 'exit 130' INT TERM HUP
+while :; do
+  caffeinate -d "$browser" "$@" "$address"
   sleep 3
 done
-rm -rf "$profile"

@@ -1,5 +1,6 @@
 @echo off
-rem Raywalk as a kiosk on Windows: full screen, nothing else to get at. Ends with Alt+F4; comes back if the browser breaks down.
+rem Raywalk as a kiosk on Windows: full screen, nothing else to get at. The browser comes back whenever it
+rem ends, whatever its code: to end it all, press Alt+F4 and, within three seconds, close the black window that is left.
 rem   start-windows.bat                       as it is
 rem   start-windows.bat "idle=60&warn=20"     starts again after 60 seconds without a touch, warns 20 seconds before
 rem   set RAYWALK_LANGUAGE=de                 begins in German
@@ -41,16 +42,13 @@ if not defined browser (
 )
 
 rem A profile of its own, empty at each start: no session to restore, no bubble to close.
-set "profile=!TEMP!\raywalk-kiosk-!RANDOM!!RANDOM!"
+set "profile=!TEMP!\raywalk-kiosk"
+if exist "!profile!" rmdir /s /q "!profile!"
 mkdir "!profile!"
 set flags=--kiosk --user-data-dir="!profile!" --edge-kiosk-type=fullscreen --kiosk-idle-timeout-minutes=0 --no-first-run --no-default-browser-check --noerrdialogs --hide-crash-restore-bubble --disable-pinch --overscroll-history-navigation=0 --disable-features=Translate --disable-sync --disable-background-networking --disable-component-update --password-store=basic
 if /i "!browser:~-11!"=="firefox.exe" set flags=--kiosk --no-remote --profile "!profile!"
 
 :again
 start "" /wait "!browser!" !flags! "!address!"
-rem A program that broke down ends with a number below 0, which "if errorlevel 1" takes for an orderly end.
-if not "!errorlevel!"=="0" (
-  ping -n 4 127.0.0.1 >nul
-  goto again
-)
-rmdir /s /q "!profile!"
+ping -n 4 127.0.0.1 >nul
+goto again

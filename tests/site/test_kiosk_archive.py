@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import mmap
+import os
 import re
 import shutil
 import subprocess
@@ -99,6 +100,37 @@ def test_every_script_opens_the_first_scene_as_a_kiosk_and_needs_no_relaxed_rule
         assert "kiosk=1" in said and "file://" in said
         assert re.search(r"scenes[\\/]01-shading[\\/]index\.html", said)
         assert not re.search("allow-file-access|disable-web-security|no-sandbox", said)
+
+
+@pytest.mark.parametrize("code", [0, 1, 137])
+def test_however_the_browser_ends_the_script_starts_it_again(archive, tmp_path, code):
+    """A stand-in for the browser ends at once, three times; the pause between takes no time."""
+    place = tmp_path / "unpacked"
+    with zipfile.ZipFile(archive) as packed:
+        packed.extractall(place)
+    starts = tmp_path / "starts"
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    for name, does in {
+        "browser": f'echo started >>"{starts}"; exit {code}',
+        "sleep": f'[ "$(wc -l <"{starts}")" -lt 3 ] || kill -TERM $PPID',
+    }.items():
+        (tools / name).write_text(f"#!/bin/sh\n{does}\n")
+        (tools / name).chmod(0o755)
+    own = {"RAYWALK_BROWSER": str(tools / "browser"), "PATH": f"{tools}:{os.environ['PATH']}"}
+    done = subprocess.run(
+        ["sh", str(place / "raywalk-kiosk" / "start-linux.sh")], env=os.environ | own, check=False,
+    )  # fmt: skip
+    assert done.returncode == 130 and len(starts.read_text().splitlines()) == 3
+
+
+def test_no_script_asks_how_the_browser_ended(archive):
+    """A browser that was closed in good order is gone as well."""
+    for script in ("start-linux.sh", "start-macos.command", "start-windows.bat"):
+        loop = text(archive, script).replace("\r\n", "\n")
+        loop = loop[max(loop.find("while :"), loop.find(":again")) :]
+        assert not re.search(r"until|errorlevel|\$\?|&&", loop)
+        assert "sleep 3" in loop or "ping -n 4" in loop
 
 
 def flags_for(said: str, browser: str) -> set[str]:

@@ -145,9 +145,18 @@ test("no menu, no selection, no zoom, no shortcut of the browser, no way out", a
       reload: fire(new KeyboardEvent("keydown", { ...options, key: "F5" })),
       back: fire(new KeyboardEvent("keydown", { ...options, key: "ArrowLeft", altKey: true })),
       wheel: fire(new WheelEvent("wheel", options)),
+      ...Object.fromEntries(["Backspace", "'", "/"].map((key) => [key, fire(new KeyboardEvent("keydown", { ...options, key }))])),
+      mouseBack: ["mousedown", "mouseup"].every((what) => fire(new MouseEvent(what, { ...options, button: 3 }))),
+      mouseForward: ["mousedown", "mouseup"].every((what) => fire(new MouseEvent(what, { ...options, button: 4 }))),
+      mouseLeft: fire(new MouseEvent("mousedown", options)),
     };
   });
-  assert.deepEqual(prevented, { contextmenu: true, selectstart: true, dragstart: true, zoom: true, print: true, reload: true, back: true, wheel: false });
+  assert.deepEqual(prevented, { contextmenu: true, selectstart: true, dragstart: true, zoom: true, print: true, reload: true, back: true, wheel: false, Backspace: true, "'": true, "/": true, mouseBack: true, mouseForward: true, mouseLeft: false });
+  const address = page.url();
+  const input = await page.context().newCDPSession(page);
+  for (const button of ["back", "forward"]) for (const type of ["mousePressed", "mouseReleased"]) await input.send("Input.dispatchMouseEvent", { type, button, x: 400, y: 300, clickCount: 1 });
+  await settled(page);
+  assert.equal(page.url(), address);
   assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector(".lesson-text")).userSelect), "none");
   const made = await page.evaluate(() => {
     document.querySelector(".lesson-text").insertAdjacentHTML("beforeend", '<p><a href="https://example.org/" target="_blank">a book</a> <a href="../../slides/index.html">slides</a> <a href="../02-shadows/index.html">next</a></p>');

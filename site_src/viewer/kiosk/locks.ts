@@ -2,7 +2,9 @@
 import type { Places } from "./places";
 
 const NEVER = ["contextmenu", "selectstart", "dragstart", "drop", "dragover", "auxclick", "gesturestart", "gesturechange"];
-const BROWSERS_KEYS = /^(F\d+|Browser\w*|ContextMenu|Print\w*)$/;
+const BROWSERS_KEYS = /^(F\d+|Browser\w*|ContextMenu|Print\w*|Backspace|['/])$/; // ' and / open Firefox's find bar
+const MOUSE = ["mousedown", "mouseup", "pointerdown", "pointerup"];
+const BACK = 3; // the mouse's button for going back; forward comes after it
 
 /** A link that leads out of the kiosk is words only. */
 function withoutWaysOut(part: ParentNode, { isOwn }: Places) {
@@ -32,6 +34,7 @@ export function lockPage(places: Places) {
   for (const what of NEVER) document.addEventListener(what, stop, { capture: true });
   document.addEventListener("wheel", (event) => (event.ctrlKey || event.metaKey) && event.preventDefault(), { capture: true, passive: false });
   document.addEventListener("keydown", (event) => (event.ctrlKey || event.metaKey || event.altKey || BROWSERS_KEYS.test(event.key)) && event.preventDefault(), { capture: true });
+  for (const what of MOUSE) document.addEventListener(what, (event) => (event as MouseEvent).button >= BACK && event.preventDefault(), { capture: true });
   document.addEventListener("click", (event) => follow(event, places), { capture: true });
   withoutWaysOut(document, places);
   new MutationObserver((changes) => {
