@@ -9,11 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.models.edges import edges_of, open_edges
 from raywalk.models.faults import ModelFault
 from raywalk.models.model import Model
 from raywalk.models.shells import Turned, turn_outwards
-from raywalk.models.weld import weld_cracks, weld_equal
+from raywalk.models.weld import sorted_rows, weld_cracks, weld_equal
 
 # A triangle thinner than this share of its longest edge has no direction left in float64:
 # its normal would be rounding. Slivers down to aspect 1e10 stay.
@@ -21,6 +20,7 @@ FLATTEST = 1e-14
 # A corner further out than this many times the usual distance (1e30 in a broken export) leaves
 # the rest of the mesh no digits.
 FARTHEST = 1e12
+MANY = 1 << 16  # triangles that are looked at together
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class Cleaned:
     @property
     def open_edges(self) -> np.ndarray:
         """(k, 2, 3) ends of edges at which a surface ends."""
-        return np.asarray(self.vertices[open_edges(edges_of(self.faces))])
+        return np.asarray(self.vertices[self.shape.open_ends])
 
 
 @np.errstate(over="ignore", invalid="ignore")  # places near the end of all numbers
@@ -60,8 +60,8 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
             "export a mesh of triangles that have an area",
         )  # fmt: skip
     if count or flat:  # a corner that nothing uses any more must not move the model's middle
-        kept, index = np.unique(faces, return_inverse=True)
-        vertices, faces = vertices[kept], index.reshape(-1, 3)
+        faces, kept = _used_only(faces, len(vertices))
+        vertices = vertices[kept]
     shape = turn_outwards(vertices, faces, model.part_of()[source])
     return Cleaned(model, vertices, shape.faces, source, shape.turned, shape, dropped, used, count)
 
@@ -71,27 +71,44 @@ def within_reach(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, int]]:
     """Only vertices that some face uses, without faces that reach to infinity or next to it:
     vertices, faces, which those were, and how many were dropped why."""
-    finite = np.isfinite(vertices[faces]).all(axis=(1, 2))
-    corners = vertices[faces[finite]]
-    near = np.ones(len(corners), bool)
-    if len(corners):
-        away = np.abs(corners / 2 - np.median(corners, axis=(0, 1)) / 2).max(axis=(1, 2))
+    finite = np.isfinite(vertices).all(axis=1)[faces].all(axis=1)
+    source = np.flatnonzero(finite)
+    near = np.ones(len(source), bool)
+    if len(source):
+        kept = faces[source]
+        middle = np.array([np.median(axis[kept]) for axis in vertices.T])
+        away = np.abs(vertices / 2 - middle / 2).max(axis=1)[kept].max(axis=1)
         near = away <= FARTHEST * np.median(away)
-    source = np.flatnonzero(finite)[near]
-    used, index = np.unique(faces[source], return_inverse=True)
+    source = source[near]
+    faces, used = _used_only(faces[source], len(vertices))
     dropped = {"not finite": int((~finite).sum()), "too far out": int((~near).sum())}
-    return vertices[used], index.reshape(-1, 3), source, _told(dropped)
+    return vertices[used], faces, source, _told(dropped)
+
+
+def _used_only(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Faces in numbers of the vertices that they use, and which (count,) bool those are."""
+    used = np.zeros(count, bool)
+    used[faces] = True
+    return (np.cumsum(used) - 1)[faces], used
 
 
 def worth_tracing(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:
     """Indices of faces that have an area and are there for the first time, and what was dropped."""
+    has_area = [
+        _have_area(vertices, some) for some in np.array_split(faces, 1 + len(faces) // MANY)
+    ]
+    keep = np.flatnonzero(np.concatenate(has_area))
+    order, is_first = sorted_rows(np.sort(faces[keep], axis=1))
+    first = order[is_first]
+    dropped = {"without area": len(faces) - len(keep), "duplicates": len(keep) - len(first)}
+    return keep[np.sort(first)], _told(dropped)
+
+
+def _have_area(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     a, b, c = vertices[faces].transpose(1, 0, 2)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     longest = np.max([np.linalg.norm(e, axis=1) for e in (b - a, c - b, a - c)], axis=0)
-    keep = np.flatnonzero(area > FLATTEST * longest**2)
-    _, first = np.unique(np.sort(faces[keep], axis=1), axis=0, return_index=True)
-    dropped = {"without area": len(faces) - len(keep), "duplicates": len(keep) - len(first)}
-    return keep[np.sort(first)], _told(dropped)
+    return np.asarray(area > FLATTEST * longest**2)
 
 
 def _told(dropped: dict[str, int]) -> dict[str, int]:

@@ -10,7 +10,7 @@ import numpy as np
 class Edges(NamedTuple):
     """Sides of f triangles, three each, sorted so that those of one edge follow one another."""
 
-    side: np.ndarray  # (3 f,) int64: 3 * triangle + which side
+    side: np.ndarray  # (3 f,) int32: 3 * triangle + which side
     along: np.ndarray  # (3 f,) int8: 1 from the lower vertex to the higher, -1 back
     start: np.ndarray  # (e,) int64: where each edge's sides begin
     uses: np.ndarray  # (e,) int64: how many there are
@@ -19,18 +19,23 @@ class Edges(NamedTuple):
 
 def edges_of(faces: np.ndarray) -> Edges:
     """faces: (f, 3) vertices."""
-    begin, end = faces.reshape(-1), np.roll(faces, -1, axis=1).reshape(-1)
-    low, high = np.minimum(begin, end), np.maximum(begin, end)
-    key = low * (int(high.max(initial=0)) + 1) + high
-    side = np.argsort(key, kind="stable")
-    ordered = key[side]
-    start = np.flatnonzero(np.concatenate([[True], ordered[1:] != ordered[:-1]]))
-    if not len(faces):
-        start = start[:0]
-    uses = np.diff(np.append(start, len(ordered)))
-    along = np.where(begin < end, 1, -1).astype(np.int8)[side]
-    first = side[start]
-    return Edges(side, along, start, uses, np.column_stack([low[first], high[first]]))
+    many = int(faces.max(initial=0)) + 1
+    small = faces.astype(np.int32)  # half the memory; a file of 2 GB has fewer vertices
+    begin, end = small.reshape(-1), np.roll(small, -1, axis=1).reshape(-1)
+    forth = begin < end
+    key = np.minimum(begin, end).astype(np.int64)
+    key *= many
+    key += np.maximum(begin, end, out=begin)
+    del small, begin, end
+    side = np.argsort(key, kind="stable").astype(np.int32)
+    key = key[side]
+    is_first = np.full(len(key), True)
+    is_first[1:] = key[1:] != key[:-1]
+    start = np.flatnonzero(is_first)
+    uses = np.diff(np.append(start, len(key)))
+    ends = np.column_stack(np.divmod(key[start], many))
+    along = np.where(forth[side], np.int8(1), np.int8(-1))
+    return Edges(side, along, start, uses, ends)
 
 
 def open_edges(edges: Edges) -> np.ndarray:

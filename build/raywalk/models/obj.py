@@ -124,18 +124,31 @@ class _Reader:
             self.skipped["faces with fewer than three corners"] += 1
             return
         if b"/" in line:
+            self._fill_up()
             for word in words:
                 self._corner(word)
         else:
-            self.vertex.extend(self._index(word, len(self.places) // 3) for word in words)
-            self.texture.extend([0] * len(words))
-            self.normal.extend([0] * len(words))
+            self._plain_corners(words)
         self.counts.append(len(words))
         self.line_of.append(self.line)
         part, material, smoothing = self.now
         self.part.append(self._part() if part < 0 else part)
         self.material.append(material)
         self.smoothing.append(smoothing)
+
+    def _fill_up(self) -> None:
+        """Corners without them have no texture coordinates and normals; most files have none."""
+        for rows in (self.texture, self.normal):
+            rows.frombytes(bytes((len(self.vertex) - len(rows)) * rows.itemsize))
+
+    def _plain_corners(self, words: list[bytes]) -> None:
+        try:
+            rows = [int(word) for word in words]
+        except ValueError:
+            rows = [0]
+        if not 0 < min(rows) <= max(rows) < FARTHEST:
+            rows = [self._index(word, len(self.places) // 3) for word in words]
+        self.vertex.extend(rows)
 
     def _corner(self, word: bytes) -> None:
         """v, v/t, v//n or v/t/n; rows from 1, 0 for none."""
@@ -217,6 +230,8 @@ class _Reader:
         if not len(counts):
             raise self._no_face(len(vertices))
         self._refuse_beyond(corners, counts, len(vertices))
+        if self.normal:
+            self._fill_up()
         triangles, polygon = triangulated(vertices, counts, corners)
         materials, found = self._materials()
         smoothing = _whole(self.smoothing, np.int32)[polygon]

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from raywalk.models.clean import Cleaned
-from raywalk.models.edges import edges_of, open_edges
 
 PLACES = 20  # of open edges that are told
 # What files of a format mostly are measured in, where they do not say it.
@@ -52,14 +51,15 @@ def report(cleaned: Cleaned) -> dict[str, Any]:
 
 
 def _box(cleaned: Cleaned) -> tuple[np.ndarray, np.ndarray]:
-    corners = cleaned.vertices[cleaned.faces]
-    return corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+    used = np.zeros(len(cleaned.vertices), bool)
+    used[cleaned.faces] = True
+    places = cleaned.vertices[used]
+    return places.min(axis=0), places.max(axis=0)
 
 
 def _open_places(cleaned: Cleaned) -> np.ndarray:
     """(k, 3) middles of open edges, by place."""
-    ends = open_edges(edges_of(cleaned.faces))
-    middle = np.round(cleaned.vertices[ends].mean(axis=1), 9) + 0.0
+    middle = np.round(cleaned.open_edges.mean(axis=1), 9) + 0.0
     return np.asarray(middle[np.lexsort(middle.T)])
 
 

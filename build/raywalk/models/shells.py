@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.models.edges import Edges, edges_of, joined, neighbours_of
+from raywalk.models.edges import Edges, edges_of, joined, neighbours_of, open_edges
 
 # Points of a shell that are asked whether another holds it.
 ASKED = 9
 # Triangles times points that are asked at most: a second.
 MOST_WORK = 2e7
 MOST_SHELLS = 3000
+MANY = 1 << 16  # triangles that are looked at together
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,7 @@ class Turned:
     shells: tuple[Shell, ...]
     overlapping: tuple[tuple[int, int], ...]  # shells of which a part lies in the other
     is_untold: bool  # too many shells to tell which lie in which
+    open_ends: np.ndarray  # (k, 2) vertices of edges at which the surface ends
 
     @property
     def closed(self) -> bool:
@@ -73,7 +75,7 @@ def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> 
         Shell(s.triangles, s.closed, s.volume, s.box, within[k], senses[k] < 0)
         for k, s in enumerate(shells)
     )
-    return Turned(faces, turned, made, tuple(overlapping), is_untold)
+    return Turned(faces, turned, made, tuple(overlapping), is_untold, open_edges(edges))
 
 
 def _wound_alike(edges: Edges, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -101,24 +103,30 @@ def _closed(
     faulty: np.ndarray,
 ) -> list[bool]:  # fmt: skip
     """Whether each group's triangles pass each of their edges as often to and fro."""
-    face = edges.side // 3
-    edge = np.repeat(np.arange(len(edges.uses)), edges.uses)
-    along = np.where(against[face], -edges.along, edges.along)
-    # Of several groups at an edge each is asked by itself.
-    key = edge * (int(label.max(initial=0)) + 1) + label[face]
-    order = np.argsort(key, kind="stable")
-    first = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
-    if not len(order):
-        return []
-    sums = np.add.reduceat(along[order].astype(np.int64), first)
-    bad = set(label[face[order[first[sums != 0]]]].tolist()) | set(faulty.tolist())
+    # Neighbours over an edge of their own agree, or their group is faulty.
+    bad = set(label[edges.side[edges.start[edges.uses == 1]] // 3].tolist())
+    bad |= set(faulty.tolist())
+    crowded = np.repeat(edges.uses > 2, edges.uses)
+    if crowded.any():
+        # Of several groups at an edge each is asked by itself.
+        face = edges.side[crowded] // 3
+        edge = np.repeat(np.flatnonzero(edges.uses > 2), edges.uses[edges.uses > 2])
+        along = np.where(against[face], -edges.along[crowded], edges.along[crowded])
+        pair = np.column_stack([edge, label[face]])
+        _, row = np.unique(pair, axis=0, return_inverse=True)
+        sums = np.bincount(row.reshape(-1), weights=along)
+        bad |= set(label[face[sums[row.reshape(-1)] != 0]].tolist())
     return [int(label[group[0]]) not in bad for group in groups]
 
 
 def _shell(vertices: np.ndarray, faces: np.ndarray, group: np.ndarray, closed: bool) -> Shell:
-    corners = vertices[faces[group]]
-    box = np.array([corners.min(axis=(0, 1)), corners.max(axis=(0, 1))])
-    return Shell(group, closed, six_volumes(corners - box.mean(axis=0)) if closed else 0.0, box)
+    rows = faces[group]
+    box = np.array([[pick(axis[rows]) for axis in vertices.T] for pick in (np.min, np.max)])
+    volume = 0.0
+    if closed:
+        some = np.array_split(rows, 1 + len(rows) // MANY)
+        volume = sum(six_volumes(vertices[each] - box.mean(axis=0)) for each in some)
+    return Shell(group, closed, volume, box)
 
 
 def six_volumes(corners: np.ndarray) -> float:
