@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -47,14 +48,16 @@ def _laid(colours: np.ndarray, presence: np.ndarray, palette: Palette) -> bytes:
 
 
 def jpeg(image: Image.Image, quality: int) -> bytes:
-    out = io.BytesIO()
-    image.convert("RGB").save(out, "JPEG", quality=quality, optimize=True)
-    return out.getvalue()
+    return _file(image.convert("RGB"), "JPEG", quality=quality, optimize=True)
 
 
 def webp(image: Image.Image) -> bytes:
+    return _file(image, "WEBP", quality=FOR_WEB, method=4)
+
+
+def _file(image: Image.Image, kind: str, **options: Any) -> bytes:
     out = io.BytesIO()
-    image.save(out, "WEBP", quality=FOR_WEB, method=4)
+    image.save(out, kind, **options)
     return out.getvalue()
 
 
@@ -92,12 +95,6 @@ def grid_picture(tiles: np.ndarray, n: int) -> tuple[bytes, bytes]:
     return jpeg(tiled, CLEAR), webp(tiled)
 
 
-def png(image: Image.Image) -> bytes:
-    out = io.BytesIO()
-    image.save(out, "PNG", optimize=True)
-    return out.getvalue()
-
-
 def tiles_picture(
     figure: Figure, colours: np.ndarray, hidden: frozenset[int], box: Box
 ) -> Picture | None:
@@ -128,6 +125,6 @@ def tiles_picture(
         back.reshape(-1)[:8].tolist(),
         Image.Resampling.NEAREST,
     )
-    data = png(image)
+    data = _file(image, "PNG", optimize=True)
     where = Box(box.left + low[0], box.top + low[1], high[0] - low[0], high[1] - low[1])
     return Picture(where, data, data, say("slides.tiles", n=n), "")

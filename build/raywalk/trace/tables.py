@@ -38,16 +38,11 @@ class Lights(NamedTuple):
 def compile_materials(scene: Scene) -> Materials:
     """Arrays of the scene's materials, and nothing as the last one."""
     rows = (*scene.materials, Material("nothing"))
-    return Materials(
-        ambient=_triples([m.ambient for m in rows]),
-        diffuse=_triples([m.diffuse for m in rows]),
-        specular=_triples([m.specular for m in rows]),
-        shininess=np.array([m.shininess for m in rows], float),
-        reflect=np.array([m.reflect for m in rows], float),
-        transmit=np.array([m.transmit for m in rows], float),
-        ior=np.array([m.ior for m in rows], float),
-        fresnel=np.array([m.fresnel for m in rows], bool),
-    )
+    kinds = {"fresnel": bool}
+    return Materials(*(
+        np.array([getattr(m, name) for m in rows], kinds.get(name, float))
+        for name in Materials._fields
+    ))  # fmt: skip
 
 
 def compile_lights(scene: Scene) -> Lights:
