@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.pipeline.slides import MadeDeck, publish_slides
+from raywalk.scene.lesson_pictures import pictures_of
+from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
 from raywalk.site import sizes
@@ -18,7 +20,7 @@ from raywalk.site.assets import write_assets, write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.licences import write_licences
 from raywalk.site.offline import write_icons, write_manifest, write_worker
-from raywalk.site.pages import face_of, write_pages, write_sizes
+from raywalk.site.pages import face_of, home_of, write_pages, write_sizes
 from raywalk.site.reports import publish_reports
 from raywalk.site.savings import savings_lines
 from raywalk.site.scene_data import scene_words
@@ -94,12 +96,21 @@ def write_edition(
         path = out / "scenes" / scene.id / f"words-{code}.js"
         text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
         write_script(path, f"{scene.id}/words-{code}", text.encode())
+    for scene in scenes:
+        publish_pictures(scene, out / home_of(code) / "scenes" / scene.id / PICTURES)
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     savings = {scene.id: savings_lines(facts[scene.id], words) for scene in scenes}
     written_by = assets | write_words(out, words)
     templates = site_source / "templates"
     write_pages(out, templates, scenes, figures, written_by, words, savings, downloads, base)
     write_manifest(out, words, assets)
+
+
+def publish_pictures(scene: Scene, folder: Path) -> None:
+    """Copies what a lesson shows beside its pages, in each language: so addresses are the same."""
+    for path in pictures_of(scene):
+        folder.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(path, folder / path.name)
 
 
 def publish_scene(folder: Path, made: list[Entry]) -> None:

@@ -17,6 +17,7 @@ from raywalk.scene.checks import (
     check_names,
 )
 from raywalk.scene.draft import Draft
+from raywalk.scene.lesson_pictures import check_pictures
 from raywalk.scene.lights import point_lights
 from raywalk.scene.materials import Materials
 from raywalk.scene.mesh_parts import dressed_parts, mesh_of
@@ -107,6 +108,8 @@ def _lesson(
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
                 check_view(view, render, names, ("lesson", i, key), problems)
+        check_pictures(step.text, ("lesson", i, "text"), problems)
+        check_pictures(step.answer or "", ("lesson", i, "answer"), problems)
     return [_step(step) for step in draft.lesson.values()]
 
 

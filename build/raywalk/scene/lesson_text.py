@@ -6,6 +6,7 @@ import re
 from copy import deepcopy
 from functools import lru_cache
 from html import unescape
+from urllib.parse import quote
 from xml.etree.ElementTree import Element
 
 from markdown import Markdown
@@ -23,10 +24,16 @@ SAFE_LINK = re.compile(
 )
 
 
+# A picture is a file beside scene.toml, and stands below the scene's folder in the site.
+PICTURE = re.compile(r"\w[\w .()+-]*\.(png|jpe?g|webp|svg)", re.IGNORECASE)
+PICTURES = "pictures"
+
+
 @lru_cache(maxsize=4096)  # pages and slides show the same texts, `serve` again after each save
-def lesson_html(text: str) -> str:
-    """HTML of one step's text. Raw HTML is shown as it was typed, pictures become their words,
-    $...$ and $$...$$ become formulas. Raises NoFormula."""
+def lesson_html(text: str, scene: str = "") -> str:
+    """HTML of one step's text. Raw HTML is shown as it was typed, $...$ and $$...$$ become
+    formulas. Pictures of the folder of the scene with this id are shown, on its page and on those
+    beside it; all others, and without an id all, become their words. Raises NoFormula."""
     markdown = Markdown(output_format="html")
     # Without these two, a tag in the text stays text and is escaped.
     markdown.preprocessors.deregister("html_block")
@@ -35,7 +42,7 @@ def lesson_html(text: str) -> str:
     markdown.inlinePatterns.register(_Formulas(FORMULA.pattern, markdown), "formula", 185)
     markdown.block_level_elements = [tag for tag in markdown.block_level_elements if tag != "math"]
     markdown.ESCAPED_CHARS = [*markdown.ESCAPED_CHARS, "$"]
-    markdown.treeprocessors.register(_Safe(markdown), "safe", 0)
+    markdown.treeprocessors.register(_Safe(markdown, scene), "safe", 0)
     return markdown.convert(text)
 
 
@@ -57,12 +64,21 @@ class _Formulas(InlineProcessor):  # type: ignore[misc]
 class _Safe(Treeprocessor):  # type: ignore[misc]
     """Takes out what could load or run something."""
 
+    def __init__(self, markdown: Markdown, scene: str):
+        super().__init__(markdown)
+        self.scene = scene
+
     def run(self, root: Element) -> None:
         for element in root.iter():
             if element.tag == "img":
-                element.tag, words = "span", element.get("alt", "")
+                source, words = unescape(element.get("src", "")), element.get("alt", "")
                 element.attrib.clear()
-                element.text = words
+                if self.scene and PICTURE.fullmatch(source):
+                    element.set("src", f"../{self.scene}/{PICTURES}/{quote(source)}")
+                    element.set("alt", words)
+                    element.set("loading", "lazy")
+                else:
+                    element.tag, element.text = "span", words
             elif element.tag == "a" and not is_safe(element.get("href", "")):
                 element.tag = "span"
                 element.attrib.clear()

@@ -186,7 +186,9 @@ class ViewTable(Table):
 class StepTable(Table):
     """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
-    text: LessonText = means("what is said or asked, in Markdown with $formulas$")
+    text: LessonText = means(
+        "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png)"
+    )
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
     answer: Maybe[LessonText] = maybe("what is said once everyone has predicted, in Markdown")
     answer_view: Maybe[ViewTable] = maybe(

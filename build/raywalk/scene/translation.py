@@ -11,6 +11,7 @@ from pydantic import Field, ValidationError
 
 from raywalk.errors import SourceErrors
 from raywalk.scene.fields import LessonText, Maybe, Name, Text, maybe, means
+from raywalk.scene.lesson_pictures import check_pictures
 from raywalk.scene.model import LessonStep, Scene
 from raywalk.scene.problems import Problems
 from raywalk.scene.table import Table
@@ -21,7 +22,9 @@ from raywalk.scene.wording import did_you_mean, joined, quoted
 class TranslatedStep(Table):
     """What a step of the lesson says; what it shows stands in scene.toml."""
 
-    text: LessonText = means("what is said or asked, in Markdown with $formulas$")
+    text: LessonText = means(
+        "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png)"
+    )
     answer: Maybe[LessonText] = maybe("of a question, in Markdown")
 
 
@@ -138,6 +141,8 @@ def _check(table: TranslationFile, scene: Scene, problems: Problems) -> None:
         problems.add(("lesson", i), f"too many: {scene.path.name} has {steps} steps, this {said}")
     for i, (step, each) in enumerate(zip(scene.lesson, table.lesson, strict=False)):
         _check_answer(i, step, each, problems)
+        check_pictures(each.text, ("lesson", i, "text"), problems)
+        check_pictures(each.answer or "", ("lesson", i, "answer"), problems)
 
 
 def _check_answer(i: int, step: LessonStep, said: TranslatedStep, problems: Problems) -> None:

@@ -208,7 +208,10 @@ def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
         "size": render.size, "levels": sorted(render.resolutions), "depth": render.depth,
         "shadows": render.shadows, "figures": figures,
         "lesson": [
-            {"html": lesson_html(step.text), "answer": lesson_html(step.answer)}
+            {
+                "html": lesson_html(step.text, scene.id),
+                "answer": lesson_html(step.answer, scene.id),
+            }
             for step in scene.lesson
         ],
     }  # fmt: skip

@@ -58,7 +58,7 @@ def scene_data(scene: Scene, display: Display, savings: Savings) -> SceneData:
         "objects": [_object(obj, display) for obj in scene.objects],
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
-        "lesson": [_step(step) for step in scene.lesson],
+        "lesson": [_step(step, scene.id) for step in scene.lesson],
         "savings": savings,
     }
 
@@ -71,12 +71,14 @@ def scene_words(scene: Scene) -> SceneWords:
         "objects": [obj.name for obj in scene.objects],
         "lights": [light.name for light in scene.lights],
         "materials": [material.name for material in scene.materials],
-        "lesson": [_step(step) for step in scene.lesson],
+        "lesson": [_step(step, scene.id) for step in scene.lesson],
     }
 
 
-def _step(step: LessonStep) -> LessonStepData:
-    said, *answers = [LessonStop(html=lesson_html(text), view=view) for text, view in step.stops()]
+def _step(step: LessonStep, id: str) -> LessonStepData:
+    said, *answers = [
+        LessonStop(html=lesson_html(text, id), view=view) for text, view in step.stops()
+    ]
     data: LessonStepData = {"html": said["html"], "view": said["view"]}
     if answers:
         data["answer"] = answers[0]
