@@ -3,9 +3,12 @@
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from raywalk.errors import SourceErrors
+from raywalk.models.clean import clean
+from raywalk.models.read import read_model
 from raywalk.scene.models import find_catalogue, read_catalogue
 
 CATALOGUE = Path(__file__).parents[2] / "models/models.toml"
@@ -34,6 +37,29 @@ def test_the_bunny_is_closed_and_faces_outward():
     assert mesh.is_watertight and mesh.is_winding_consistent
     assert mesh.volume > 0  # negative where the triangles face inward
     assert mesh.euler_number == 2  # one piece without a hole
+
+
+def test_stanfords_terms_are_told_as_they_stand():
+    """Research, free copies with credit, nothing for sale; the bunny's package says otherwise, and
+    that is said as its word."""
+    models, _ = read_catalogue(CATALOGUE)
+    for name in ("bunny", "dragon"):
+        licence = models.tables[name].licence
+        for term in ("research", "redistributed free of charge with credit", "not for commercial",
+                     "product for sale", "animated, morphed or damaged"):  # fmt: skip
+            assert term in licence
+    assert "public domain, which is that package's word" in models.tables["bunny"].licence
+
+
+def test_the_teapot_is_closed_free_and_one_body_of_glass():
+    """Pot, handle and spout overlap, and stand on the ground, 1 high."""
+    models, _ = read_catalogue(CATALOGUE)
+    assert models.tables["teapot"].licence.startswith("MIT")
+    fit = clean(read_model(CATALOGUE.parent / "teapot.ply"))
+    assert (fit.shape.closed, len(fit.shape.shells), fit.turned.any()) == (True, 3, False)
+    assert len(fit.shape.overlapping) == 2
+    ends = fit.vertices[fit.faces]
+    assert np.allclose([ends[..., 1].min(), ends[..., 1].max()], [0, 1], rtol=0, atol=1e-6)
 
 
 def test_the_catalogue_is_found_from_any_folder_below(tmp_path):
