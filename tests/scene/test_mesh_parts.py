@@ -10,7 +10,7 @@ import pytest
 from tests.models.solids import QUADS, cube, obj_text, written
 
 from raywalk.errors import SourceErrors
-from raywalk.geometry.compiled import CompiledScene
+from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.mesh_report import mesh_lines, mesh_warnings
 from raywalk.scene.model import Scene
 
@@ -160,3 +160,81 @@ def test_the_material_file_is_one_that_the_mesh_needs(
     """So that a build notes when it changes, and a cluster gets it."""
     (mesh,) = {obj.shape for obj in scene('material = "white"').objects}
     assert mesh.beside == (tmp_path / "two.mtl",)
+
+
+def coloured_ply(colours: list[str], of: str = "face") -> str:
+    """A cube with a colour on each of its faces, or vertices."""
+    channels = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
+    ends = ["", ""]
+    ends[of == "face"] = channels
+    head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+    head += f"property float z\n{ends[0]}element face 6\n"
+    head += f"property list uchar int vertex_indices\n{ends[1]}end_header\n"
+    rows = [" ".join(map(str, row)) for row in cube().tolist()]
+    faces = [f"4 {' '.join(map(str, quad))}" for quad in QUADS.tolist()]
+    told = rows if of == "vertex" else faces
+    told[:] = [f"{row} {colour}" for row, colour in zip(told, colours, strict=True)]
+    return head + "\n".join([*rows, *faces]) + "\n"
+
+
+FACES = ["255 0 0", "0 255 0", "0 0 255", "255 255 0", "0 255 255", "51 51 51"]
+
+
+def test_colours_of_faces_shade_what_a_ray_meets(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """From six sides six colours, each a material that is named by it; one object."""
+    written(tmp_path / "six.ply", coloured_ply(FACES))
+    made = scene_from('[[objects]]\nname = "die"\ntype = "mesh"\nfile = "six.ply"\n')
+    compiled = CompiledScene(made)
+    assert [obj.name for obj in made.objects] == ["die"]
+    sides = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]], float)
+    hits = compiled.hits(rays_from(4 * sides + [0.1, 0.1, 0.1], -sides))
+    seen = [made.materials[k] for k in hits.material]
+    assert [material.diffuse for material in seen] == [
+        tuple(int(word) / 255 for word in colour.split()) for colour in FACES
+    ]
+    assert [material.name for material in seen][:2] == ["die, #ff0000", "die, #00ff00"]
+    assert mesh_warnings(made) == []
+    assert mesh_lines(made)[0].endswith("shown in 6 colours of its faces")
+
+
+def test_colours_of_vertices_are_a_triangles_mean(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """Red on one side, black on the other: thirds between."""
+    written(tmp_path / "eight.ply", coloured_ply(["255 0 0"] * 4 + ["0 0 0"] * 4, "vertex"))
+    made = scene_from('[[objects]]\ntype = "mesh"\nfile = "eight.ply"\n')
+    reds = {round(3 * material.diffuse[0], 12) for material in made.materials}
+    assert reds == {0, 1, 2, 3}
+
+
+def test_colours_are_not_used_where_the_scene_gives_a_material(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """And that is said."""
+    written(tmp_path / "six.ply", coloured_ply(FACES))
+    made = scene_from('[[objects]]\ntype = "mesh"\nfile = "six.ply"\nmaterial = "white"\n')
+    assert mesh_warnings(made) == [
+        '"mesh 1": the colours of its faces are not used, as the scene gives a material: leave it '
+        "out to see them"
+    ]
+
+
+def test_many_colours_become_few(scene_from: Callable[[str], Scene], tmp_path: Path) -> None:
+    """Of 3,000 triangles in as many colours at most 256 are left, each within 32 of 255."""
+    rng = np.random.default_rng(13)
+    places, colours = rng.normal(size=(9000, 3)), rng.integers(0, 256, (3000, 3))
+    text = "OFF\n9000 3000 0\n" + "\n".join(" ".join(map(str, row)) for row in places.tolist())
+    text += "\n" + "\n".join(
+        f"3 {3 * k} {3 * k + 1} {3 * k + 2} " + " ".join(map(str, colour))
+        for k, colour in enumerate(colours.tolist())
+    )
+    written(tmp_path / "many.off", text)
+    made = scene_from('[[objects]]\ntype = "mesh"\nfile = "many.off"\n')
+    assert len(made.materials) <= 256
+    (mesh,) = CompiledScene(made).meshes
+    assert mesh.triangles.materials is not None
+    shown = np.array([material.diffuse for material in made.materials])[mesh.triangles.materials]
+    assert np.abs(255 * shown - colours).max() <= 64
+    assert mesh_warnings(made) == ['"mesh 1": its colours are rounded: 64 are told apart']

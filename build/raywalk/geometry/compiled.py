@@ -147,7 +147,10 @@ class CompiledScene:
             geometric = normal.copy()
         for mesh in self.meshes:
             mesh.surface(rays.direction, met, triangle, uv, point, normal, geometric, inside)
-            material[met == mesh.index] = self.appearance.material[mesh.index]
+            here = met == mesh.index
+            material[here] = self.appearance.material[mesh.index]
+            if mesh.triangles.materials is not None:
+                material[here] = mesh.triangles.materials[triangle[here]]
         return Hits(t, met, triangle, point, normal, geometric, inside, material)
 
     def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

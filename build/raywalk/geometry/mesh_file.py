@@ -13,6 +13,7 @@ from raywalk.models.clean import Cleaned, worth_tracing
 from raywalk.models.edges import balanced, edges_of, open_edges
 from raywalk.models.faults import ModelFault
 from raywalk.models.kept import read_cleaned
+from raywalk.models.palette import palette_of
 from raywalk.models.pieces import chosen
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
@@ -27,6 +28,7 @@ class Triangles:
     faces: np.ndarray  # (f, 3) int64
     normals: np.ndarray | None  # (n, 3) unit normals; None if flat
     normal_rows: np.ndarray  # (f, 3) int64: of each corner; `faces` where each vertex has one
+    materials: np.ndarray | None  # (f,) int32 into Scene.materials; None: all have the object's
     closed: bool
     layered: bool  # closed shells of it lie in one another, or overlap
     dropped: dict[str, int]  # reason -> triangles
@@ -53,11 +55,11 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     vertices, faces = cleaned.vertices, cleaned.faces
     if shape.subdivide:
         vertices, faces = _subdivided(cleaned, shape.subdivide)
-    source = np.repeat(cleaned.source, len(faces) // len(cleaned.faces))
+    row = np.repeat(np.arange(len(cleaned.faces)), len(faces) // len(cleaned.faces))
     closed, dropped = cleaned.shape.closed, cleaned.dropped
     if shape.piece:
-        mine = np.repeat(chosen(cleaned, shape.piece), len(faces) // len(cleaned.faces))
-        faces, source = faces[mine], source[mine]
+        mine = chosen(cleaned, shape.piece)[row]
+        faces, row = faces[mine], row[mine]
         closed = balanced(edges_of(faces))
         dropped = dropped if shape.piece.first else {}
         vertices, faces = _compact(vertices, faces)
@@ -70,17 +72,18 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
             shape.path, "", "holds no usable triangle once the object's transform is applied",
             "scale it less unevenly",
         )  # fmt: skip
-    faces, source = faces[kept], source[kept]
+    faces, row = faces[kept], row[kept]
     if np.linalg.det(linear) < 0:  # a mirrored copy: keep normals outward
         faces = faces[:, ::-1]
     centre, rest = _centre(linear, middle, offset)
-    normals, rows = _normals(shape, cleaned, placed, faces, source, linear)
+    normals, rows = _normals(shape, cleaned, placed, faces, row, linear)
     return Triangles(
         centre=centre,
         vertices=placed + rest,
         faces=np.ascontiguousarray(faces),
         normals=normals,
         normal_rows=np.ascontiguousarray(rows),
+        materials=_materials(shape, cleaned, row),
         closed=closed and not flattened,
         layered=cleaned.shape.layered,
         dropped={**dropped, **flattened},
@@ -121,11 +124,12 @@ def _compact(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _normals(
-    shape: Mesh, cleaned: Cleaned, placed: np.ndarray, faces: np.ndarray, source: np.ndarray,
+    shape: Mesh, cleaned: Cleaned, placed: np.ndarray, faces: np.ndarray, row: np.ndarray,
     linear: np.ndarray,
 ) -> tuple[np.ndarray | None, np.ndarray]:  # fmt: skip
-    """Unit normals and each corner's row; None of what is flat."""
-    model = cleaned.model
+    """Unit normals and each corner's row; None of what is flat. row: (f,) of each face in what was
+    cleaned."""
+    model, source = cleaned.model, cleaned.source[row]
     if not shape.smooth:
         return None, faces
     if shape.subdivide:
@@ -133,8 +137,7 @@ def _normals(
     if model.normals is not None:
         rows = model.normals.row[source]
         # The winding of these faces, not of the file's.
-        is_back = cleaned.turned[_row_of(cleaned.source, source)]
-        is_back = is_back ^ bool(np.linalg.det(linear) < 0)
+        is_back = cleaned.turned[row] ^ bool(np.linalg.det(linear) < 0)
         rows = np.where(is_back[:, None], rows[:, ::-1], rows)
         return own_normals(model.normals.table, rows, placed[faces], linear)
     if model.smoothing is not None:
@@ -142,9 +145,14 @@ def _normals(
     return averaged_normals(placed, faces), faces
 
 
-def _row_of(source: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    """Where each wanted number stands in the source, which is ascending."""
-    return np.searchsorted(source, wanted)
+def _materials(shape: Mesh, cleaned: Cleaned, row: np.ndarray) -> np.ndarray | None:
+    """Of each face, where the colours of the file are shown."""
+    if not shape.painted or shape.piece is None:
+        return None
+    mine = chosen(cleaned, shape.piece)
+    which = np.zeros(len(mine), np.int64)
+    which[mine] = palette_of(cleaned, mine).which
+    return np.array(shape.painted, np.int32)[which[row]]
 
 
 def _centre(

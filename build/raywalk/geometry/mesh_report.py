@@ -8,6 +8,8 @@ from typing import Any
 from raywalk.models.clean import Cleaned
 from raywalk.models.faults import shown
 from raywalk.models.kept import read_cleaned
+from raywalk.models.palette import palette_of
+from raywalk.models.pieces import chosen
 from raywalk.models.report import report
 from raywalk.models.telling import in_short, listed, warnings
 from raywalk.scene.model import Scene
@@ -19,6 +21,11 @@ def mesh_lines(scene: Scene) -> list[str]:
     lines = []
     for name, objects, cleaned in _meshes(scene):
         line = f'"{name}": {in_short(report(cleaned))}'
+        if any(mesh.painted for _, mesh in objects):
+            count = sum(len(mesh.painted) for _, mesh in objects)
+            line += f"; shown in {count} colours of its {cleaned.model.colours_of}"
+            lines.append(line)
+            continue
         dressed = {
             mesh.piece.label or "the rest": scene.materials[k].name
             for k, mesh in objects
@@ -61,8 +68,16 @@ def _not_used(objects: list[tuple[int, Mesh]], cleaned: Cleaned) -> Iterator[str
             f"the materials of {file}, {listed(names)}, are not used, as the scene gives one: "
             "leave `material` out to see them, or dress them by name in `materials`"
         )
-    if model.colours:
-        yield f"the colours of its {model.colours_of} are not used"
+    shown_colours = any(mesh.painted for _, mesh in objects) or (piece and piece.by_material)
+    if model.colours and not shown_colours:
+        yield (
+            f"the colours of its {model.colours_of} are not used, as the scene gives a material: "
+            "leave it out to see them"
+        )
+    counts = [len(mesh.painted) for _, mesh in objects if mesh.painted and mesh.piece]
+    if any(palette_of(cleaned, chosen(cleaned, mesh.piece)).bits < 8
+           for _, mesh in objects if mesh.painted and mesh.piece):  # fmt: skip
+        yield f"its colours are rounded: {sum(counts)} are told apart"
     if piece and piece.by_material:
         yield from _looks_not_used(report(cleaned), [mesh.piece.label for _, mesh in objects
                                                     if mesh.piece])  # fmt: skip

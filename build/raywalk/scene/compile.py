@@ -189,9 +189,9 @@ class _Parts:
         if not isinstance(shape, Mesh):
             return
         for part in dressed_parts(table, shape, name, given, rest, at, self.problems):
-            self.objects.append(
-                SceneObject(part.name, part.mesh, self._index(part.material), transform)
-            )
+            indices = tuple(self._index(material) for material in part.materials)
+            mesh = replace(part.mesh, painted=indices) if len(indices) > 1 else part.mesh
+            self.objects.append(SceneObject(part.name, mesh, indices[0], transform))
 
     def _dressed(
         self, dress: str | MaterialTable, name: str, known: Materials, at: Sequence[str | int]

@@ -11,8 +11,9 @@ from raywalk.models.beside import beside
 from raywalk.models.faults import ModelFault, shown
 from raywalk.models.kept import read_cleaned
 from raywalk.models.model import FileMaterial, Model
+from raywalk.models.palette import Palette, palette_of
 from raywalk.models.piece import Piece
-from raywalk.models.pieces import labels, material_named, names_in
+from raywalk.models.pieces import chosen, labels, material_named, names_in
 from raywalk.scene.model import Material
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MeshTable
@@ -30,7 +31,7 @@ class Part(NamedTuple):
 
     name: str
     mesh: Mesh
-    material: Material
+    materials: list[Material]  # one, or the colours of its triangles
 
 
 def mesh_of(table: MeshTable, model: str, path: Path) -> Mesh:
@@ -71,13 +72,34 @@ def dressed_parts(
     by_material = table.material is None
     found, _ = labels(cleaned, given, by_material)
     for label in found:
+        whole = len(found) == 1
+        called = name if whole else f"{name}, {label or 'rest'}"
+        piece = Piece(name, label, tuple(given), by_material, label == found[0])
         material = given[label] if label in given else rest or own_material(model, label)
         if material is None:
             continue  # told where it was read
-        piece = Piece(name, label, tuple(given), by_material, label == found[0])
-        whole = len(found) == 1
-        called = name if whole else f"{name}, {label or 'rest'}"
-        yield Part(called, replace(mesh, piece=piece), material)
+        materials = [material]
+        if label not in given and rest is None and model.colours:
+            materials = painted(material, called, palette_of(cleaned, chosen(cleaned, piece)))
+        yield Part(called, replace(mesh, piece=piece), materials)
+
+
+def painted(material: Material, name: str, palette: Palette) -> list[Material]:
+    """The material in each of a palette's colours."""
+    return [
+        replace(
+            material,
+            name=f"{name}, {as_hex(colour)}",
+            ambient=(AMBIENT * colour[0], AMBIENT * colour[1], AMBIENT * colour[2]),
+            diffuse=(colour[0], colour[1], colour[2]),
+        )
+        for colour in palette.colours.tolist()
+    ]
+
+
+def as_hex(colour: list[float]) -> str:
+    """ "#ff8000", as programs that paint have it."""
+    return "#" + "".join(f"{int(channel * 255 + 0.5):02x}" for channel in colour)
 
 
 def own_material(model: Model, label: str) -> Material:
