@@ -18,6 +18,7 @@ from raywalk.bench import (
     stress_place,
     stress_runs,
     stress_shadows,
+    stress_shells,
     stress_silhouette,
 )
 from raywalk.bench.cases import Case
@@ -34,6 +35,7 @@ SUBJECTS: dict[str, Subject] = {
     "mirrors": stress_mirrors.cases,
     "order": stress_order.cases,
     "media": stress_media.cases,
+    "shells": stress_shells.cases,
     "shadows": stress_shadows.cases,
     "acne": stress_acne.cases,
     "models": stress_models.cases,
