@@ -228,3 +228,68 @@ def test_check_finds_a_camera_inside_an_opaque_mesh(answer, tmp_path):
     assert code == 1
     assert "camera.eye" in err
     assert 'lies inside the opaque "mesh 1"' in err
+
+
+BALL = """
+version = 1
+title = "In a ball"
+teaches = "Nothing."
+[camera]
+eye = [0, 0, 0]
+target = [0, 0, -1]
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = 5
+material = "mirror"
+[[lights]]
+position = [0, 1, 0]
+"""
+
+
+def test_a_ray_that_starts_on_a_surface_does_not_hit_its_start(answer, tmp_path):
+    """Inwards it meets the far side, outwards nothing; named, also from a billionth beside it."""
+    path = tmp_path / "scene.toml"
+    path.write_text(BALL, encoding="utf-8")
+    inwards = {"origin": [3, 0, 4], "direction": [-3, 0, -4]}
+    rays = [
+        inwards,
+        {"origin": [3, 0, 4], "direction": [3, 0, 4]},
+        inwards | {"leaving": "ball"},
+        {"origin": [3, 0, 4.000000001], "direction": [-3, 0, -4], "leaving": "ball"},
+    ]
+    _, hits, _ = probe(answer, path, tmp_path, rays)
+    assert hits[0]["t"] == 2.0  # twice the radius, in lengths of 5
+    assert hits[1] is None
+    assert hits[2] == hits[0]
+    assert math.isclose(hits[3]["t"], 2.0, rel_tol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("leaving", "words"),
+    [
+        ("bal", 'no object is named "bal"\n  did you mean "ball"?'),
+        ("ball", 'is not on the surface of "ball"'),
+        (3, "3 is not the name of an object"),
+    ],
+)
+def test_what_a_ray_does_not_leave_is_named(answer, tmp_path, leaving, words):
+    """An unknown object, a place beside it, and what is no name."""
+    path = tmp_path / "scene.toml"
+    path.write_text(BALL, encoding="utf-8")
+    ray = {"origin": [3, 0, 4.1], "direction": [-3, 0, -4], "leaving": leaving}
+    code, hits, err = probe(answer, path, tmp_path, [ray])
+    assert (code, hits) == (1, None)
+    assert f"[0].leaving: {words}" in err or words in err
+
+
+def test_an_eye_may_be_in_a_mirrored_ball_but_in_no_matt_one(answer, tmp_path):
+    """From within a mirror there is something to see."""
+    path = tmp_path / "scene.toml"
+    path.write_text(BALL, encoding="utf-8")
+    assert answer("pixel", path, "--size", "5", "--at", "2,2")[0] == 0
+    path.write_text(BALL.replace('"mirror"', '"white"'), encoding="utf-8")
+    code, _, err = answer("check", path)
+    assert code == 1
+    assert 'is inside "ball", which is opaque' in err

@@ -81,7 +81,7 @@ def by_tree(mesh: MeshTarget, origin: np.ndarray, direction: np.ndarray) -> np.n
     count = len(origin)
     t, triangle, uv = np.empty(count), np.empty(count, np.int32), np.empty((count, 2))
     redo_in_float64(
-        mesh.bvh, mesh.corners, mesh.centre, mesh.glass, origin - mesh.centre, direction,
+        mesh.bvh, mesh.corners, mesh.centre, mesh.glass, origin, origin - mesh.centre, direction,
         np.full(count, np.inf), np.full(count, -1, np.int32), np.zeros(count, bool),
         np.arange(count), t, triangle, uv,
     )  # fmt: skip

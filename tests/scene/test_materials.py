@@ -3,6 +3,7 @@
 import pytest
 
 from raywalk.scene.materials import BUILT_IN
+from raywalk.scene.read import read_scene
 
 SPHERE = '[[objects]]\ntype = "sphere"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = {}\n'
 
@@ -86,3 +87,28 @@ def test_an_own_material_hides_a_built_in_of_its_name_and_may_build_on_it(scene_
     scene = scene_from('[materials.glass]\nlike = "glass"\nior = 1.7\n' + SPHERE.format('"glass"'))
     material = material_of(scene)
     assert (material.ior, material.transmit, material.fresnel) == (1.7, 1, True)
+
+
+@pytest.mark.parametrize(
+    ("ambient", "expected"),
+    [
+        ("", [(0.1, 0.1, 0.1), (0.1, 0.1, 0.1)]),  # that of "white"
+        (", ambient = 0.5", [(0.5, 0.5, 0.5), (0.1, 0.05, 0.0)]),
+        (", ambient = [[0, 0, 0], [0.3, 0.2, 0.1]]", [(0.0, 0.0, 0.0), (0.3, 0.2, 0.1)]),
+    ],
+)
+def test_squares_of_a_checker_have_an_ambient_of_their_own(tmp_path, ambient, expected):
+    """Of the material, a share of their colours, or two that are given."""
+    colours = "colours = [[1, 1, 1], [0.2, 0.1, 0]]"
+    path = tmp_path / "scene.toml"
+    path.write_text(
+        'version = 1\ntitle = "t"\nteaches = "t"\n'
+        "[camera]\neye = [0, 1, 5]\ntarget = [0, 0, 0]\n"
+        '[[objects]]\ntype = "plane"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n'
+        f'material = "white"\nchecker = {{ {colours}{ambient} }}\n',
+        encoding="utf-8",
+    )
+    scene = read_scene(path)
+    floor = scene.objects[0]
+    found = [scene.materials[k].ambient for k in (floor.material, floor.checker.material)]
+    assert found == expected

@@ -16,7 +16,12 @@ def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
     parser = commands.add_parser("probe", help="nearest hits of given rays")
     parser.add_argument("scene", help="a scene file, folder or id")
-    parser.add_argument("--rays", type=Path, required=True, help="JSON list of origin, direction")
+    parser.add_argument(
+        "--rays",
+        type=Path,
+        required=True,
+        help="JSON list of origin, direction and, if wished, leaving",
+    )
     parser.add_argument("--out", type=Path, help="where to write the hits; printed if left out")
     parser.set_defaults(run=run)
 
@@ -27,7 +32,8 @@ def run(chosen: Namespace) -> Iterator[str]:
     from raywalk.trace_file.container import write_beside
 
     scene = read_scene(scene_file(chosen.scene, chosen.scenes))
-    hits = probe(scene, *read_rays(chosen.rays))
+    listed = read_rays(chosen.rays)
+    hits = probe(scene, listed.origin, listed.direction, listed)
     text = json.dumps(hits, allow_nan=False)
     if chosen.out is None:
         yield text

@@ -10,12 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raywalk.geometry.exact_triangle import exact_hit
 from raywalk.geometry.triangle import (
     distance_sq_to,
     height_over,
     shear,
-    triangle_hit,
+    sided_hit,
     triangle_normal,
+    vector,
 )
 from raywalk.optics.compiled import kernel
 
@@ -39,6 +41,11 @@ class Bvh(NamedTuple):
     first: np.ndarray  # (nodes,) int32: a leaf's first place in `order`
     held: np.ndarray  # (nodes,) int32: its triangles, 0 for an inner node
     order: np.ndarray  # (triangles,) int32: triangle ids, leaf by leaf
+    # Where rounding would decide, the world's vertices do.
+    faces: np.ndarray  # (triangles, 3) int64
+    world: np.ndarray  # (vertices, 3)
+    world_rest: np.ndarray  # (vertices, 3) what float64 leaves over of them
+    off: float  # how far the corners that queries use may be off them
 
 
 @kernel
@@ -126,14 +133,32 @@ def box_entry(low, high, node, o, d, t_max):
 
 
 @kernel
-def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
+def start_error(bvh, o, bound):
+    """How far a ray's origin and the corners may be off their places in the world, together."""
+    return bvh.off + bound + 2.3e-16 * max(abs(o[0]), max(abs(o[1]), abs(o[2])))
+
+
+@kernel
+def settled_hit(bvh, k, start, d, known, error):
+    """`triangle_hit` of triangle k decided exactly; known, error: as `sided_hit` gave them."""
+    a, b, c = bvh.faces[k, 0], bvh.faces[k, 1], bvh.faces[k, 2]
+    return exact_hit(
+        start, d, vector(bvh.world, a), vector(bvh.world_rest, a), vector(bvh.world, b),
+        vector(bvh.world_rest, b), vector(bvh.world, c), vector(bvh.world_rest, c),
+        known, error,
+    )  # fmt: skip
+
+
+@kernel
+def bvh_nearest(bvh, corners, start, o, d, t_max, own, bound):
     """Nearest hit of one ray: (t, triangle, u, v, tests); triangle -1 if none before t_max.
 
-    own: triangle the ray starts on, else -1; bound: how far its origin may be off the
+    start: the ray's origin in the world, o: as the corners are; own: triangle the ray starts on,
+    else -1; bound: how far its origin may be off the
     surface it starts on (`is_left` says which triangles are left then, not hit).
     tests counts boxes and triangles. Ties go to the lowest triangle.
     """
-    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    sheared, off = shear(d[0], d[1], d[2]), start_error(bvh, o, bound)
     node, tests = 0, 0
     best, who, u, v = t_max, -1, 0.0, 0.0
     while node < len(bvh.skip):
@@ -144,8 +169,12 @@ def bvh_nearest(bvh, corners, o, d, t_max, own, bound):
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 tests += 1
-                t, a, b = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
-                if not 0.0 < t <= best or triangle == own:
+                if triangle == own:
+                    continue
+                t, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
+                if not sure:
+                    t, a, b = settled_hit(bvh, triangle, start, d, (t, a, b), error)
+                if not 0.0 < t <= best:
                     continue
                 if t == best and not (0 <= who and triangle < who):
                     continue
@@ -175,14 +204,14 @@ def is_left(corners, triangle, own, o, d, t, bound):
 
 
 @kernel
-def bvh_all(bvh, corners, o, d, found, entering):
+def bvh_all(bvh, corners, start, o, d, found, entering):
     """All hits of one ray with t > 0, nearest first; returns their number.
 
     Fills found (t) and entering (bool: against the triangle's normal), with room for one hit
     a triangle. A ray through an edge or vertex meets all triangles there; those it passes in
     the same sense are one hit.
     """
-    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    sheared, off = shear(d[0], d[1], d[2]), start_error(bvh, o, 0.0)
     node, filled = 0, 0
     while node < len(bvh.skip):
         if box_entry(bvh.low, bvh.high, node, o, d, np.inf) == np.inf:
@@ -190,7 +219,9 @@ def bvh_all(bvh, corners, o, d, found, entering):
         else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
-                t, _, _ = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
+                t, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
+                if not sure:
+                    t, _, _ = settled_hit(bvh, triangle, start, d, (t, a, b), error)
                 if 0.0 < t < np.inf:
                     nx, ny, nz = triangle_normal(corners, triangle)
                     insert(found, entering, filled, t, nx * d[0] + ny * d[1] + nz * d[2] < 0.0)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.nearest import NOWHERE, all_primitives, nearest_primitive
+from raywalk.geometry.nearest import NOWHERE, SOMEWHERE, all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives
 from raywalk.geometry.refine import refine_roots
@@ -31,7 +31,7 @@ class Rays(NamedTuple):
 
     origin: np.ndarray  # (n, 3) float64 world
     direction: np.ndarray  # (n, 3) float64 world
-    leaving: np.ndarray  # (n,) int32: object whose surface a ray starts on, or NOWHERE
+    leaving: np.ndarray  # (n,) int32: object whose surface a ray starts on, NOWHERE or SOMEWHERE
     inner: np.ndarray  # (n,) bool: it starts to that object's inner side
     triangle: np.ndarray  # (n,) int32: the mesh triangle it starts on, or -1
 
@@ -116,8 +116,9 @@ class CompiledScene:
             # A little beyond what was met before, as a tie may go to the mesh.
             reach = np.minimum(limit, t * (1.0 + TIE))
             found, which, where = mesh.nearest(
-                rays.origin, rays.direction, reach, own, rays.leaving != NOWHERE
-            )
+                rays.origin, rays.direction, reach, own, rays.leaving != NOWHERE,
+                on_any=bool((rays.leaving == SOMEWHERE).any()),
+            )  # fmt: skip
             comes_first = (met != NOWHERE) & (self.rank[mesh.index] < self.rank[met])
             at_least = np.where(comes_first, 1.0 + TIE, 1.0 - TIE) * t
             closer = (found < at_least) & (found < limit)

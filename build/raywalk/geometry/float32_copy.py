@@ -25,16 +25,28 @@ STEEPEST = 0.05
 # A triangle whose corners would move further than this when grown is covered by a rectangle.
 MITRE = 100.0 * GROWN
 
+# Sine of an edge's bend from which on a neighbour's grown edge stops a ray that float32 moves past
+# it: the ray is some 1e-7 over the edge and runs between both planes, so it meets one of their
+# grown edges within 2e-7 / sine.
+BENT = 0.03
+FLAT = 1e-9  # below it no ray passes over the edge in a mesh's size
+WALL = 3e-6  # half a wall's height: six errors
 
-def covers(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+
+def covers(corners: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Float32 triangles (m, 3, 3) that cover the unit-sized ones with GROWN to spare, and
-    whom (m,) each stands for. corners: (n, 3, 3)."""
+    whom (m,) each stands for. corners: (n, 3, 3); faces: (n, 3), their vertices."""
     grown, reach = _moved_edges(corners, GROWN)
     thin = np.flatnonzero(~(reach.max(axis=1) < MITRE))
     low, high = _rectangles(corners[thin])
+    bare, side = bare_edges(corners, faces)
+    fenced = ~np.isin(bare, thin)
+    walls, owner = _walls(corners, grown, bare[fenced], side[fenced])
+    around, thin_owner = _walls_round(corners[thin], low, high)
     grown[thin] = low
-    triangles = np.concatenate([grown, high]).astype(np.float32)
-    return triangles, np.concatenate([np.arange(len(corners)), thin]).astype(np.int32)
+    triangles = np.concatenate([grown, high, walls, around]).astype(np.float32)
+    whose = np.concatenate([np.arange(len(corners)), thin, owner, thin[thin_owner]])
+    return triangles, whose.astype(np.int32)
 
 
 def trusted_above(corners: np.ndarray, scale: float, bvh: Bvh) -> np.ndarray:
@@ -67,6 +79,75 @@ def _moved_edges(corners: np.ndarray, by: float) -> tuple[np.ndarray, np.ndarray
             moved[:, k] = corners[:, k] - shift
             reach[:, k] = np.linalg.norm(shift, axis=1)
     return moved, reach
+
+
+def bare_edges(corners: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Triangle (e,) and side (e,) of the edges past which a grazing ray may slip: whose other side
+    has no triangle, or several, or one that bends away by little or doubles back.
+
+    A ray that float32 moves past such an edge by its error meets nothing behind it, or a
+    neighbour's grown edge too far on. Where an edge bends more, that is met soon enough.
+    """
+    ends = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2), axis=2).reshape(-1, 2)
+    _, which, count = np.unique(ends, axis=0, return_inverse=True, return_counts=True)
+    which = which.reshape(-1)
+    bare = count[which] != 2
+    order = np.argsort(which, kind="stable")
+    pairs = order[~bare[order]].reshape(-1, 2)
+    inwards = _inwards(corners).reshape(-1, 3)
+    one, other = inwards[pairs[:, 0]], inwards[pairs[:, 1]]
+    bend = np.linalg.norm(np.cross(one, other), axis=1)  # its sine
+    away = (one * other).sum(axis=1) > 0.0
+    bare[pairs[(bend < BENT) & ((bend > FLAT) | away), 0]] = True
+    return np.divmod(np.flatnonzero(bare), 3)
+
+
+def _inwards(corners: np.ndarray) -> np.ndarray:
+    """(n, 3, 3) of each side the unit direction across it, into its triangle."""
+    out = np.empty_like(corners)
+    for k in range(3):
+        along = corners[:, (k + 1) % 3] - corners[:, k]
+        into = corners[:, (k + 2) % 3] - corners[:, k]
+        share = (into * along).sum(axis=1) / (along * along).sum(axis=1)
+        into = into - share[:, None] * along
+        out[:, k] = into / np.linalg.norm(into, axis=1, keepdims=True)
+    return out
+
+
+def _walls(
+    corners: np.ndarray, grown: np.ndarray, who: np.ndarray, side: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Upright strips along these grown edges, two triangles each, and whom each stands for.
+
+    With them a triangle and its edges make a flat box round it: a ray within float32's error of
+    one that meets the triangle crosses the triangle's cover or a wall.
+    """
+    a, b, c = corners[who].transpose(1, 0, 2)
+    up = np.cross(b - a, c - a)
+    up *= WALL / np.linalg.norm(up, axis=1, keepdims=True)
+    start, end = grown[who, side], grown[who, (side + 1) % 3]
+    return _strips(start, end, up), np.tile(who, 2)
+
+
+def _walls_round(
+    corners: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The same round the rectangles of thin triangles: their row here each."""
+    a, b, c = corners.transpose(1, 0, 2)
+    up = np.cross(b - a, c - a)
+    up *= WALL / np.linalg.norm(up, axis=1, keepdims=True)
+    ring = [low[:, 0], low[:, 1], low[:, 2], high[:, 2], low[:, 0]]
+    strips = [_strips(ring[k], ring[k + 1], up) for k in range(4)]
+    return np.concatenate(strips), np.tile(np.arange(len(corners)), 8)
+
+
+def _strips(start: np.ndarray, end: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """(2 n, 3, 3) both halves of rectangles that stand up and down from n lines."""
+    low, high = (
+        np.stack([start - up, end - up, end + up], 1),
+        np.stack([start - up, end + up, start + up], 1),
+    )
+    return np.concatenate([low, high])
 
 
 def _rectangles(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

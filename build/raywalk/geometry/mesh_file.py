@@ -9,6 +9,7 @@ import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.mesh_normals import averaged_normals, grouped_normals, own_normals
+from raywalk.geometry.mesh_world import in_world, off_world
 from raywalk.models.clean import Cleaned, worth_tracing
 from raywalk.models.edges import balanced, edges_of, open_edges
 from raywalk.models.faults import ModelFault
@@ -32,6 +33,9 @@ class Triangles:
     closed: bool
     layered: bool  # closed shells of it lie in one another, or overlap
     dropped: dict[str, int]  # reason -> triangles
+    world: np.ndarray  # (v, 3) the vertices in the world, where others share them
+    world_rest: np.ndarray  # (v, 3) what float64 leaves over of that
+    off: float  # how far the vertices round the centre are off them at most
 
     @property
     def corners(self) -> np.ndarray:
@@ -76,6 +80,7 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     if np.linalg.det(linear) < 0:  # a mirrored copy: keep normals outward
         faces = faces[:, ::-1]
     centre, rest = _centre(linear, middle, offset)
+    world, world_rest = in_world(linear, offset, vertices)
     normals, rows = _normals(shape, cleaned, placed, faces, row, linear)
     return Triangles(
         centre=centre,
@@ -87,6 +92,9 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         closed=closed and not flattened,
         layered=cleaned.shape.layered,
         dropped={**dropped, **flattened},
+        world=world,
+        world_rest=world_rest,
+        off=off_world(placed + rest, centre, world, world_rest),
     )
 
 

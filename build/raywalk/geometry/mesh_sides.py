@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.geometry.bvh import REPEATED, box_entry, is_left
+from raywalk.geometry.bvh import REPEATED, box_entry, is_left, settled_hit, start_error
 from raywalk.geometry.triangle import (
     distance_sq_to,
     shear,
+    sided_hit,
     solid_angle,
     triangle_hit,
     triangle_normal,
@@ -38,6 +39,17 @@ def is_near(bvh, corners, o, radius, own):
 
 
 @kernel
+def closest_triangle(corners, o):
+    """The triangle closest to a point, and its squared distance from it."""
+    best, square = -1, np.inf
+    for k in range(corners.shape[0]):
+        away = distance_sq_to(o, corners, k)
+        if away < square:
+            best, square = k, away
+    return best, square
+
+
+@kernel
 def is_around(corners, o):
     """Whether a closed mesh goes round a point."""
     return turns_round(corners, o) > 0.5
@@ -53,7 +65,7 @@ def turns_round(corners, o):
 
 
 @kernel
-def outline_hit(bvh, corners, glass, o, d, own, bound, t, who, u, v):
+def outline_hit(bvh, corners, glass, start, o, d, own, bound, t, who, u, v):
     """The hit itself, or the one that ties with it at an edge where a front face meets a back
     face, with the t of the nearer: (t, triangle, u, v).
 
@@ -62,7 +74,7 @@ def outline_hit(bvh, corners, glass, o, d, own, bound, t, who, u, v):
     """
     if min(u, min(v, 1.0 - u - v)) > AT_EDGE:
         return t, who, u, v
-    whose, a, b = tied_across(bvh, corners, o, d, own, bound, t, who)
+    whose, a, b = tied_across(bvh, corners, start, o, d, own, bound, t, who)
     if whose < 0:
         return t, who, u, v
     inside = False
@@ -73,10 +85,10 @@ def outline_hit(bvh, corners, glass, o, d, own, bound, t, who, u, v):
 
 
 @kernel
-def tied_across(bvh, corners, o, d, own, bound, t, who):
+def tied_across(bvh, corners, start, o, d, own, bound, t, who):
     """Of the triangles that a ray passes in the other sense than `who`, but for rounding in the
     same place, the nearest, then lowest: (triangle, u, v); triangle -1 if there is none."""
-    kx, ky, kz, sx, sy, sz = shear(d[0], d[1], d[2])
+    sheared, off = shear(d[0], d[1], d[2]), start_error(bvh, o, bound)
     node = 0
     sense = leaves(corners, who, d)
     best, found, u, v = t * (1.0 + REPEATED), -1, 0.0, 0.0
@@ -86,7 +98,10 @@ def tied_across(bvh, corners, o, d, own, bound, t, who):
         else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
-                distance, a, b = triangle_hit(o, corners, triangle, kx, ky, kz, sx, sy, sz)
+                distance, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
+                if not sure:
+                    known = (distance, a, b)
+                    distance, a, b = settled_hit(bvh, triangle, start, d, known, error)
                 if not 0.0 < distance <= best or leaves(corners, triangle, d) == sense:
                     continue
                 if distance == best and 0 <= found <= triangle:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.bvh import Bvh, box_entry, build_bvh, bvh_all, bvh_nearest
-from raywalk.geometry.float32_copy import GAP, STEEPEST, covers, trusted_above
+from raywalk.geometry.float32_copy import GAP, MITRE, STEEPEST, covers, trusted_above
 from raywalk.geometry.mesh_file import Triangles
 from raywalk.geometry.mesh_sides import holds_ahead, is_near, leaves, outline_hit
 from raywalk.geometry.sides import POINT_ERROR
@@ -20,7 +20,8 @@ from raywalk.optics.compiled import kernel
 
 # In the unit-sized copy, where float32 steps are 6e-8:
 LIFT = 1e-6  # how far a ray that leaves the mesh starts off it for Embree
-EARLIER = 2e-6  # how far before its origin, or the mesh's box, any other ray starts
+EARLIER = 2e-6  # how far before its origin any other ray starts
+ROOM = 2.0 * MITRE  # or round the mesh's box: covers and walls do not reach so far
 # Error bounds: a ray that starts closer to another face than this is asked where it goes.
 DOUBT = 16.0
 # Cosine below which rounding, far from the origin too, may take a ray through a face it runs along.
@@ -39,23 +40,31 @@ class MeshTarget:
         self.glass = glass  # rays may be in it
         self.centre = triangles.centre
         self.corners = triangles.corners
-        self.bvh = Bvh(*build_bvh(self.corners))
+        low, high, skip, first, held, order = build_bvh(self.corners)
+        self.bvh = Bvh(
+            low, high, skip, first, held, order,
+            triangles.faces, triangles.world, triangles.world_rest, triangles.off,
+        )  # fmt: skip
         self.scale = 1.0 / float(np.abs(triangles.vertices[triangles.faces]).max())
         self.size = 1.0 / self.scale
         self._embree = rtcore_scene.EmbreeScene(robust=True)
-        unit, self._stands_for = covers(self.corners * self.scale)
+        unit, self._stands_for = covers(self.corners * self.scale, triangles.faces)
         # Kept alive by the scene; everything is added before the first query, as Embree needs.
         self._mesh = TriangleMesh(self._embree, unit)
+        self._roomy = np.stack(
+            [self.bvh.low[:1] - ROOM * self.size, self.bvh.high[:1] + ROOM * self.size]
+        )
         self._trusted = trusted_above(self.corners, self.scale, self.bvh)
 
     def nearest(
         self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray,
-        on_other: np.ndarray,
+        on_other: np.ndarray, on_any: bool = False,
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:  # fmt: skip
         """t (n,), triangle (n,) and barycentric (u, v) (n, 2) before t_max; inf and -1 if none.
 
         origin, direction: (n, 3) float64 world; own: (n,) the triangle a ray starts on, or -1;
-        on_other: (n,) bool, it starts on another object, which may touch this one.
+        on_other: (n,) bool, it starts on another object, which may touch this one; on_any: or on
+        this one, on a triangle that nobody knows.
         """
         count = len(origin)
         t, triangle = np.full(count, np.inf), np.full(count, -1, np.int32)
@@ -63,23 +72,23 @@ class MeshTarget:
         inside = np.empty((count, 3), np.float64)
         starts = np.empty((count, 3), np.float32)
         crossing = enter_box(
-            self.bvh, self.corners, self.centre, self.scale, origin, direction, t_max, own,
-            inside, starts,
+            self.bvh, self._roomy, self.corners, self.centre, self.scale, origin, direction,
+            t_max, own, inside, starts,
         )  # fmt: skip
         if not len(crossing):
             return t, triangle, uv
         touching = np.zeros(count, np.bool_)
-        if self.glass:
+        if self.glass or on_any:
             touching = start_close(
                 self.bvh, self.corners, self.centre, origin, on_other & (own < 0), GAP * self.size
             )
         proposed = self._propose(starts[: len(crossing)], direction[crossing])
         redo = decide(
-            self.corners, self._trusted, inside, direction, t_max, own, touching,
-            crossing, proposed, t, triangle, uv,
+            self.corners, self._trusted, self.triangles.closed, inside, direction, t_max, own,
+            touching, crossing, proposed, t, triangle, uv,
         )  # fmt: skip
         redo_in_float64(
-            self.bvh, self.corners, self.centre, self.glass, inside, direction, t_max, own,
+            self.bvh, self.corners, self.centre, self.glass, origin, inside, direction, t_max, own,
             touching, redo, t, triangle, uv,
         )  # fmt: skip
         return t, triangle, uv
@@ -113,15 +122,16 @@ class MeshTarget:
 
     def all_hits(self, origin: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Every hit of rays from free space: ray (h,) and t (h,), by ray, nearest first."""
-        return every_hit(self.bvh, self.corners, origin - self.centre, direction)
+        return every_hit(self.bvh, self.corners, origin, origin - self.centre, direction)
 
     def count_tests(
         self, origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, own: np.ndarray
     ) -> np.ndarray:
         """(n,) boxes and triangles that the bounding-volume tree tests for each ray."""
         return tests_made(
-            self.bvh, self.corners, origin - self.centre, direction, t_max, own, self.bound(origin)
-        )
+            self.bvh, self.corners, origin, origin - self.centre, direction, t_max, own,
+            self.bound(origin),
+        )  # fmt: skip
 
     def surface(
         self, direction: np.ndarray, met: np.ndarray, triangle: np.ndarray, uv: np.ndarray,
@@ -152,13 +162,14 @@ class MeshTarget:
 
 
 @kernel
-def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local, starts):
+def enter_box(bvh, roomy, corners, centre, scale, origin, direction, t_max, own, local, starts):
     """Indices of the rays that cross the mesh's box before t_max.
 
     Fills local (n, 3), origins relative to the mesh's centre and, of rays that leave a triangle,
     on its plane; and starts (crossing, 3), where
     Embree's ray begins in the unit-sized copy: just off the triangle it leaves, else a little
-    before its origin or the box, so that rounding takes it behind no triangle.
+    before its origin or where it enters `roomy` (2, 1, 3), the box with ROOM around it, so that
+    rounding takes it behind no triangle and no wall.
     """
     crossing = np.empty(origin.shape[0], np.int64)
     filled = 0
@@ -180,6 +191,7 @@ def enter_box(bvh, corners, centre, scale, origin, direction, t_max, own, local,
             n = triangle_normal(corners, own[i])
             side = LIFT if n[0] * d[0] + n[1] * d[1] + n[2] * d[2] > 0.0 else -LIFT
         else:
+            entry = box_entry(roomy[0], roomy[1], 0, o, d, np.inf)
             entry -= EARLIER / (scale * np.sqrt(length_sq))
         for k in range(3):
             starts[filled, k] = (o[k] + entry * d[k]) * scale + side * n[k]
@@ -204,11 +216,13 @@ def onto_plane(corners, k, local, i):
 
 @kernel
 def decide(
-    corners, trusted, local, direction, t_max, own, touching, crossing, proposed, t, triangle, uv
-):
+    corners, trusted, closed, local, direction, t_max, own, touching, crossing, proposed,
+    t, triangle, uv,
+):  # fmt: skip
     """Takes the proposals that float32 cannot have got wrong; returns the rays left open.
 
-    trusted: (triangles, 3) barycentric coordinates above which a hit is certain; touching: (n,)
+    closed: of an open mesh a ray that runs flat along it may meet nothing else, where float32 loses
+    it. trusted: (triangles, 3) barycentric coordinates above which a hit is certain; touching: (n,)
     whether a ray starts so close to the mesh that float32 may place it behind it.
     """
     redo = np.empty(crossing.shape[0], np.int64)
@@ -216,7 +230,8 @@ def decide(
     for place in range(crossing.shape[0]):
         i, who = crossing[place], proposed[place]
         o, d = vector(local, i), vector(direction, i)
-        if touching[i] or (own[i] >= 0 and not starts_clear(corners, trusted, own[i], o)):
+        unseen = who < 0 and not closed
+        if unseen or touching[i] or (own[i] >= 0 and not starts_clear(corners, trusted, own[i], o)):
             redo[open_cases] = i
             open_cases += 1
             continue
@@ -272,17 +287,31 @@ def origin_bound(o, centre):
 
 @kernel
 def redo_in_float64(
-    bvh, corners, centre, glass, local, direction, t_max, own, touching, redo, t, triangle, uv
+    bvh,
+    corners,
+    centre,
+    glass,
+    origin,
+    local,
+    direction,
+    t_max,
+    own,
+    touching,
+    redo,
+    t,
+    triangle,
+    uv,
 ):
     """Traces rays again in the float64 tree and overwrites their results."""
     for i in redo:
         o, d, bound = vector(local, i), vector(direction, i), 0.0
         if own[i] >= 0 or touching[i]:
             bound = origin_bound(o, centre)
-        distance, who, u, v, _ = bvh_nearest(bvh, corners, o, d, t_max[i], own[i], bound)
+        start = vector(origin, i)
+        distance, who, u, v, _ = bvh_nearest(bvh, corners, start, o, d, t_max[i], own[i], bound)
         if who >= 0:
             distance, who, u, v = outline_hit(
-                bvh, corners, glass, o, d, own[i], bound, distance, who, u, v
+                bvh, corners, glass, start, o, d, own[i], bound, distance, who, u, v
             )
         t[i], triangle[i], uv[i, 0], uv[i, 1] = distance, who, u, v
 
@@ -340,30 +369,33 @@ def in_any_shell(bvh, corners, centre, origin, direction, own):
 
 
 @kernel
-def every_hit(bvh, corners, local, direction):
+def every_hit(bvh, corners, origin, local, direction):
     """All hits of each ray: index (h,) and t (h,), nearest first."""
     found, entering = np.empty(corners.shape[0]), np.empty(corners.shape[0], np.bool_)
     total = 0
     for i in range(local.shape[0]):
-        total += bvh_all(bvh, corners, vector(local, i), vector(direction, i), found, entering)
+        start, o, d = vector(origin, i), vector(local, i), vector(direction, i)
+        total += bvh_all(bvh, corners, start, o, d, found, entering)
     ray, t = np.empty(total, np.int32), np.empty(total)
     filled = 0
     for i in range(local.shape[0]):
-        n = bvh_all(bvh, corners, vector(local, i), vector(direction, i), found, entering)
+        start, o, d = vector(origin, i), vector(local, i), vector(direction, i)
+        n = bvh_all(bvh, corners, start, o, d, found, entering)
         ray[filled : filled + n], t[filled : filled + n] = i, found[:n]
         filled += n
     return ray, t
 
 
 @kernel
-def tests_made(bvh, corners, local, direction, t_max, own, bound):
+def tests_made(bvh, corners, origin, local, direction, t_max, own, bound):
     """Boxes and triangles tested per ray."""
     tests = np.empty(local.shape[0], np.int32)
     for i in range(local.shape[0]):
         at_surface = bound if own[i] >= 0 else 0.0
         _, _, _, _, tests[i] = bvh_nearest(
-            bvh, corners, vector(local, i), vector(direction, i), t_max[i], own[i], at_surface
-        )
+            bvh, corners, vector(origin, i), vector(local, i), vector(direction, i), t_max[i],
+            own[i], at_surface,
+        )  # fmt: skip
     return tests
 
 

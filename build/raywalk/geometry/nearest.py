@@ -15,12 +15,15 @@ import math
 import numpy as np
 
 from raywalk.geometry.along_ray import point_along
-from raywalk.geometry.faces import PLANE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.faces import BOX, PLANE, TRIANGLE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.primitives import Primitives
+from raywalk.geometry.seams import exact_roots, is_unsure
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.solids import chord_exit, flat_root, line_roots
 from raywalk.optics.compiled import inlined, kernel
 
 NOWHERE = -1  # "leaves no surface", and "met no object"
+SOMEWHERE = -2  # leaves whatever surface it starts on, to within the error of a hit point
 AT_ONCE = 1e-300  # a distance that changes no coordinate and still is one
 FAR_SQ = 64.0  # squared distance in reaches from which on a ray is met from closer up
 CLOSE = 1e-6  # hits further apart than this share of t are not even asked whether they tie
@@ -107,6 +110,59 @@ def primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surfac
     return shift + near, shift + far
 
 
+@inlined
+def rounding_decides(
+    centre, m, stretches, reach_sq, code, k, ox, oy, oz, dx, dy, dz, on_surface
+):  # fmt: skip
+    """Whether rounding may decide if a ray meets row k, a box or triangle that it does not leave.
+
+    The first four are columns of the table.
+    """
+    cx, cy, cz = centre[k, 0], centre[k, 1], centre[k, 2]
+    x, y, z = ox - cx, oy - cy, oz - cz
+    stretch = stretches[k]
+    bound = 0.0
+    if on_surface:
+        reach = abs(ox) + abs(oy) + abs(oz) + abs(cx) + abs(cy) + abs(cz)
+        bound = POINT_ERROR * stretch * reach
+    elif x * x + y * y + z * z > FAR_SQ * reach_sq[k]:
+        shift = max(0.0, -(x * dx + y * dy + z * dz) / (dx * dx + dy * dy + dz * dz))
+        x, y, z = point_along(ox, oy, oz, dx, dy, dz, shift, cx, cy, cz, 0.0, 0.0, 0.0)
+    # What a coordinate may be off by is a share of the terms that it is a sum of.
+    size = max(abs(x), max(abs(y), abs(z))) + max(abs(cx), max(abs(cy), abs(cz)))
+    drift = max(abs(dx), max(abs(dy), abs(dz)))
+    return is_unsure(
+        code,
+        m[k, 0, 0] * x + m[k, 0, 1] * y + m[k, 0, 2] * z,
+        m[k, 1, 0] * x + m[k, 1, 1] * y + m[k, 1, 2] * z,
+        m[k, 2, 0] * x + m[k, 2, 1] * y + m[k, 2, 2] * z,
+        m[k, 0, 0] * dx + m[k, 0, 1] * dy + m[k, 0, 2] * dz,
+        m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz,
+        m[k, 2, 0] * dx + m[k, 2, 1] * dy + m[k, 2, 2] * dz,
+        stretch * size, stretch * drift, bound,
+    )  # fmt: skip
+
+
+@kernel
+def settled_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface):
+    """The roots for certain: decided exactly where rounding could have decided them."""
+    near, far = primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface)
+    code = primitives.shape[k].code
+    if own or not (code == BOX or code == TRIANGLE):
+        return near, far
+    if not rounding_decides(
+        primitives.centre, primitives.to_local, primitives.stretch, primitives.reach_sq, code, k,
+        ox, oy, oz, dx, dy, dz, on_surface,
+    ):  # fmt: skip
+        return near, far
+    one, other = exact_roots(
+        primitives.corner, primitives.corner_rest, k, code, (ox, oy, oz), (dx, dy, dz)
+    )
+    first = one if one > 0.0 else math.inf
+    second = other if other > 0.0 else math.inf
+    return (first, second) if first <= second else (second, first)
+
+
 @kernel
 def lies_on(primitives, k, ox, oy, oz, dx, dy, dz, t):
     """Whether the point o + t d is, within the error bound of hit points, on row k's surface."""
@@ -143,8 +199,10 @@ def passes_by(primitives, k, ox, oy, oz, dx, dy, dz, dd):
     return along < 0.0 or beyond * dd - along * along > 1e-13 * square * dd
 
 
-@kernel
-def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
+def nearest_primitive(
+    primitives: Primitives, origin: np.ndarray, direction: np.ndarray, leaving: np.ndarray,
+    inner: np.ndarray, t_max: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:  # fmt: skip
     """Nearest primitive of n rays; ties go to the first row.
 
     Two surfaces tie where the nearer hit lies on the other surface too, but for rounding:
@@ -154,6 +212,53 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
     inner: (n,) whether it leaves to that object's inner side; t_max: (n,) where to stop.
     Returns t (n,) float64, inf where nothing is met before t_max, and object (n,) int32.
     """
+    t, met = nearest_roots(primitives, origin, direction, leaving, inner, t_max)
+    if len(primitives.edged):
+        unsure = unsure_rays(primitives, origin, direction, leaving)
+        if len(unsure):
+            settle_nearest(primitives, unsure, origin, direction, leaving, inner, t_max, t, met)
+    return t, met
+
+
+@kernel
+def unsure_rays(primitives, origin, direction, leaving):
+    """The rays (u,) of which rounding may decide whether they meet a box or triangle.
+
+    Asked after the loop over all primitives: in it the question costs those without edges as much.
+    """
+    # Columns taken out once: handed over in the loop the table costs more than the arithmetic.
+    centre, to_local, stretch = primitives.centre, primitives.to_local, primitives.stretch
+    reach_sq, rows, met = primitives.reach_sq, primitives.edged, primitives.object
+    codes = np.empty(len(rows), np.int64)
+    for e in range(len(rows)):
+        codes[e] = primitives.shape[rows[e]].code
+    unsure, filled = np.empty(origin.shape[0], np.int64), 0
+    for i in range(origin.shape[0]):
+        ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        dd = dx * dx + dy * dy + dz * dz
+        for e in range(len(rows)):
+            k = rows[e]
+            if met[k] == leaving[i]:
+                continue
+            x, y, z = centre[k, 0] - ox, centre[k, 1] - oy, centre[k, 2] - oz
+            along = x * dx + y * dy + z * dz
+            square = x * x + y * y + z * z
+            if (square - reach_sq[k]) * dd - along * along > 1e-13 * square * dd:
+                continue  # as `passes_by` has it
+            if rounding_decides(
+                centre, to_local, stretch, reach_sq, codes[e], k, ox, oy, oz, dx, dy, dz,
+                leaving[i] != NOWHERE,
+            ):  # fmt: skip
+                unsure[filled] = i
+                filled += 1
+                break
+    return unsure[:filled]
+
+
+@kernel
+def nearest_roots(primitives, origin, direction, leaving, inner, t_max):
+    """The same where rounding may decide at edges."""
     count = origin.shape[0]
     t = np.full(count, np.inf)
     met = np.full(count, NOWHERE, np.int32)
@@ -180,6 +285,31 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
 
 
 @kernel
+def settle_nearest(primitives, unsure, origin, direction, leaving, inner, t_max, t, met):
+    """The same loop for these rays (u,) with certain roots: on its own, as the mere possibility of
+    them would cost all others as much again."""
+    for i in unsure:
+        ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        dd = dx * dx + dy * dy + dz * dz
+        best, row, start = t_max[i], NOWHERE, leaving[i]
+        for k in range(primitives.shape.shape[0]):
+            if passes_by(primitives, k, ox, oy, oz, dx, dy, dz, dd):
+                continue
+            own = primitives.object[k] == start
+            near, _ = settled_roots(
+                primitives, k, ox, oy, oz, dx, dy, dz, own, inner[i], start != NOWHERE
+            )
+            if not near < best:
+                continue
+            is_close = row != NOWHERE and best - near <= CLOSE * best
+            if not is_close or not lies_on(primitives, row, ox, oy, oz, dx, dy, dz, near):
+                best, row = near, k
+        t[i] = best if row != NOWHERE else np.inf
+        met[i] = primitives.object[row] if row != NOWHERE else NOWHERE
+
+
+@kernel
 def all_primitives(primitives, origin, direction):
     """Every hit of n rays that start in free space: ray (h,), t (h,), object (h,), by ray."""
     count, rows = origin.shape[0], primitives.shape.shape[0]
@@ -191,7 +321,7 @@ def all_primitives(primitives, origin, direction):
         ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
         dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
         for k in range(rows):
-            pair = primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, False, False, False)
+            pair = settled_roots(primitives, k, ox, oy, oz, dx, dy, dz, False, False, False)
             for root in pair:
                 if root < np.inf:
                     ray[filled], t[filled], met[filled] = i, root, primitives.object[k]

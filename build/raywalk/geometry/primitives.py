@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decimal import localcontext
+from decimal import Decimal, localcontext
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +11,7 @@ from raywalk.geometry.faces import SHAPE, shape_record
 from raywalk.scene.exact import DIGITS, rest_of, rounded
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
-from raywalk.scene.shapes import Mesh, Shape, Triangle
+from raywalk.scene.shapes import Box, Canonical, Mesh, Shape, Triangle
 
 
 class Primitives(NamedTuple):
@@ -29,9 +29,17 @@ class Primitives(NamedTuple):
     to_local: np.ndarray  # (p, 3, 3) its inverse
     to_local_rest: np.ndarray  # (p, 3, 3) what float64 leaves over of that
     is_skewed: np.ndarray  # (p,) bool: the inverse cancels, so that its rounding shows
+    is_thin: np.ndarray  # (p,) bool: scaled onto its surface, a point would move along it
     stretch: np.ndarray  # (p,) largest row sum of |to_local|: local units per world unit
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
+    edged: np.ndarray  # (e,) int32: rows of boxes and triangles, which share edges with others
+    # Of triangles 3 and of boxes 8 corners, world; what float64 leaves over of them; else 0.
+    corner: np.ndarray  # (p, 8, 3)
+    corner_rest: np.ndarray  # (p, 8, 3)
+
+
+EDGED = (Box, Triangle)
 
 
 def compile_primitives(scene: Scene) -> Primitives:
@@ -42,6 +50,9 @@ def compile_primitives(scene: Scene) -> Primitives:
     inverse = _stack([_inverse(linear) for linear, _ in exact], (3, 3))
     middle = _stack([centre for _, centre in exact], (3,))
     to_world, to_local = rounded(_stack([linear for linear, _ in exact], (3, 3))), rounded(inverse)
+    corner = _stack(
+        [_corners(scene.objects[k].shape, *exact[row]) for row, k in enumerate(kept)], (8, 3)
+    )
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
@@ -53,12 +64,25 @@ def compile_primitives(scene: Scene) -> Primitives:
         to_local=to_local,
         to_local_rest=rest_of(inverse),
         is_skewed=_growth(to_world, to_local) > SKEWED,
+        is_thin=np.array(
+            [
+                _is_thin(scene.objects[k].shape.canonical, m)
+                for k, m in zip(kept, to_world, strict=True)
+            ],
+            bool,
+        ),
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
         reach_sq=np.array(
             [_reach(scene.objects[k].shape, m) for k, m in zip(kept, to_world, strict=True)]
         )
         ** 2,
         row_of=row_of,
+        edged=np.array(
+            [row for row, k in enumerate(kept) if isinstance(scene.objects[k].shape, EDGED)],
+            np.int32,
+        ),
+        corner=rounded(corner),
+        corner_rest=rest_of(corner),
     )
 
 
@@ -73,6 +97,22 @@ def _reach(shape: Shape, to_world: np.ndarray) -> float:
         return ROOMY * float(np.linalg.norm(to_world[:, :2], axis=0).max())
     stretch = float(np.linalg.norm(to_world, 2))  # the longest axis of the unit sphere's image
     return ROOMY * shape.canonical.reach * stretch
+
+
+# Canonical corners in the order of BOX_TRIANGLES, and of a triangle's a, b, c.
+BOX_CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+TRIANGLE_CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+
+
+def _corners(shape: Shape, linear: np.ndarray, centre: np.ndarray) -> np.ndarray:
+    """(8, 3) Decimals: where the corners stand, those of a box or triangle first, then zeros."""
+    given = BOX_CORNERS if isinstance(shape, Box) else []
+    given = TRIANGLE_CORNERS if isinstance(shape, Triangle) else given
+    out = np.full((8, 3), Decimal(0), object)
+    with localcontext(prec=DIGITS):
+        for row, local in enumerate(given):
+            out[row] = centre + linear @ np.array([Decimal(x) for x in local], object)
+    return out
 
 
 def _inverse(linear: np.ndarray) -> np.ndarray:
@@ -90,6 +130,30 @@ def _stack(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
 
 # Of a turned ellipsoid it is at most 3, of a sheared one about its condition number.
 SKEWED = 4.0
+
+
+# Largest axis over smallest from which on. Below it a point moves by as many of its own roundings
+# at most, halved.
+THIN = 4.0
+SQUARE = 1e-9  # cosine below which two axes are square to each other, but for rounding
+
+
+def _is_thin(canonical: Canonical, to_world: np.ndarray) -> bool:
+    """Whether the way from a point next to the surface to its canonical foot is far from the
+    shortest in the world."""
+    axes = to_world / np.linalg.norm(to_world, axis=0)
+    turned = np.abs(axes.T @ axes - np.eye(3))  # cosines
+    sizes = np.linalg.svd(to_world, compute_uv=False)
+    if canonical.name in ("plane", "disc", "triangle"):
+        across = 1 if canonical.name == "plane" else 2
+        return bool(turned[across].max() > SQUARE)
+    if not sizes[0] > THIN * sizes[-1]:
+        return False
+    if canonical.name == "sphere" or turned.max() > SQUARE:
+        return True
+    wide, other = np.linalg.norm(to_world[:, :2], axis=0)
+    is_round = abs(wide - other) <= SQUARE * wide and canonical.ends == (1.0, 1.0)
+    return canonical.name != "box" and not is_round
 
 
 def _growth(to_world: np.ndarray, to_local: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.faces import height, is_solid, on_surface
+from raywalk.geometry.faces import SPHERE, height, is_solid, on_surface
 from raywalk.geometry.nearest import NOWHERE
 from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.sides import POINT_ERROR
@@ -54,6 +54,30 @@ def square_material(appearance, who, x, z):
 
 
 @kernel
+def shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz):
+    """A canonical point moved onto the surface as straight as the world has it, not as canonical
+    coordinates do: one step of Newton's method along the world's gradient.
+
+    h, g: its foot as `on_surface` found it, and the gradient there. Rounding leaves so little to go
+    that the step's own error is nothing, but across a thin shape canonical lengths are large.
+    """
+    if shape.code == SPHERE:
+        gx, gy, gz = x, y, z
+        over = 0.5 * (x * x + y * y + z * z - 1.0)
+    else:  # h lies straight in canonical space; of a cone's side it has the same z
+        over = gx * (x - hx) + gy * (y - hy) + gz * (z - hz)
+    wx = to_local[k, 0, 0] * gx + to_local[k, 1, 0] * gy + to_local[k, 2, 0] * gz
+    wy = to_local[k, 0, 1] * gx + to_local[k, 1, 1] * gy + to_local[k, 2, 1] * gz
+    wz = to_local[k, 0, 2] * gx + to_local[k, 1, 2] * gy + to_local[k, 2, 2] * gz
+    by = over / (wx * wx + wy * wy + wz * wz)
+    return (
+        x - by * (to_local[k, 0, 0] * wx + to_local[k, 0, 1] * wy + to_local[k, 0, 2] * wz),
+        y - by * (to_local[k, 1, 0] * wx + to_local[k, 1, 1] * wy + to_local[k, 1, 2] * wz),
+        z - by * (to_local[k, 2, 0] * wx + to_local[k, 2, 1] * wy + to_local[k, 2, 2] * wz),
+    )
+
+
+@kernel
 def primitive_surface(
     primitives, appearance, origin, direction, leaving, t, met, point, normal, inside, material
 ):
@@ -67,7 +91,7 @@ def primitive_surface(
     table = primitives
     centre, centre_rest, to_local = table.centre, table.centre_rest, table.to_local
     local_rest, is_skewed, to_world = table.to_local_rest, table.is_skewed, table.to_world
-    shapes, row_of, stretch = table.shape, table.row_of, table.stretch
+    shapes, row_of, stretch, is_thin = table.shape, table.row_of, table.stretch, table.is_thin
     for i in range(origin.shape[0]):
         if met[i] == NOWHERE or row_of[met[i]] < 0:
             continue
@@ -90,7 +114,12 @@ def primitive_surface(
                 leaving[i] != NOWHERE,
             )
         )  # fmt: skip
-        x, y, z, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
+        hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
+        if is_thin[k]:
+            hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
+            if shape.code == SPHERE:
+                gx, gy, gz = hx, hy, hz
+        x, y, z = hx, hy, hz
         for c in range(3):
             away = to_world[k, c, 0] * x + to_world[k, c, 1] * y + to_world[k, c, 2] * z
             point[i, c] = centre[k, c] + (centre_rest[k, c] + away)

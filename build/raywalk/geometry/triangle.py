@@ -58,6 +58,42 @@ def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
     return t, wb / total, wc / total
 
 
+# Roundings behind a sheared coordinate, in shares of the largest.
+SHEARED = 3.0 * 2.220446049250313e-16
+
+
+@kernel
+def sided_hit(o, corners, k, sheared, off):
+    """`triangle_hit`, and whether rounding cannot have decided it; if it can, in place of (t, u, v)
+    its three edges' d . ((p - o) x (q - o)), and how far these may be off.
+
+    sheared: what `shear` gave; off: how far o and the corners may be off, together.
+    """
+    kx, ky, kz, sx, sy, sz = sheared
+    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
+    ax = corners[k, 0, kx] - o[kx] - sx * az
+    ay = corners[k, 0, ky] - o[ky] - sy * az
+    bx = corners[k, 1, kx] - o[kx] - sx * bz
+    by = corners[k, 1, ky] - o[ky] - sy * bz
+    cx = corners[k, 2, kx] - o[kx] - sx * cz
+    cy = corners[k, 2, ky] - o[ky] - sy * cz
+    wa = cx * by - cy * bx
+    wb = ax * cy - ay * cx
+    wc = bx * ay - by * ax
+    wide = max(max(abs(ax), abs(ay)), max(max(abs(bx), abs(by)), max(abs(cx), abs(cy))))
+    deep = max(abs(az), max(abs(bz), abs(cz)))
+    # Each coordinate is off by this at most, and each product of two by it times the other.
+    error = 8.0 * wide * (2.0 * off + SHEARED * (wide + deep))
+    low, high = min(wa, min(wb, wc)), max(wa, max(wb, wc))
+    if low < -error and high > error:
+        return math.inf, 0.0, 0.0, True, 0.0
+    if not (low > error or high < -error):
+        return -wa / sz, -wb / sz, -wc / sz, False, error / abs(sz)
+    total = wa + wb + wc
+    # A weighted mean, not a plane equation: a sliver's normal is noise, its corners are not.
+    return sz * (wa * az + wb * bz + wc * cz) / total, wb / total, wc / total, True, 0.0
+
+
 @kernel
 def triangle_normal(corners, k):
     """Unit normal of row k of corners (n, 3, 3) by the winding a, b, c (right hand rule)."""

@@ -78,9 +78,10 @@ def check_eye_outside(
 ) -> None:
     """A camera inside an opaque body would see its inner wall and nothing else.
 
-    A transparent body is fine: the camera may be under water.
+    A transparent body is fine: the camera may be under water. So is a mirror: from within a ball
+    it shows what its inside is like.
     """
-    if material.transmit == 0 and is_strictly_inside(camera.eye, obj):
+    if material.transmit == 0 and material.reflect == 0 and is_strictly_inside(camera.eye, obj):
         message = f"{plain(camera.eye)} is inside {quoted(obj.name)}, which is opaque"
         hint = "move the eye out, or give the object transmit above 0"
         problems.add(("camera", "eye"), message, hint=hint)

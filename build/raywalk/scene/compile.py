@@ -207,9 +207,14 @@ class _Parts:
         if not isinstance(table, PlaneTable) or table.checker is None:
             return self._index(material), None
         even, odd = (
-            self._index(replace(material, name=f"{name}, {which} squares", diffuse=colour))
-            for which, colour in zip(("even", "odd"), table.checker.colours, strict=True)
-        )
+            self._index(
+                replace(material, name=f"{name}, {which} squares", diffuse=colour, ambient=ambient)
+            )
+            for which, colour, ambient in zip(
+                ("even", "odd"), table.checker.colours, table.checker.ambients(material.ambient),
+                strict=True,
+            )
+        )  # fmt: skip
         return even, Checker(table.checker.size, odd)
 
     def _index(self, material: Material) -> int:

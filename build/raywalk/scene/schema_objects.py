@@ -23,7 +23,8 @@ from raywalk.scene.fields import (
     refusal,
 )
 from raywalk.scene.schema_transforms import TransformTable
-from raywalk.scene.table import SINGLE, TABLE, Table, by_form
+from raywalk.scene.shapes import Triple
+from raywalk.scene.table import LIST, SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import TAG, did_you_mean, joined, show
 
 
@@ -55,6 +56,25 @@ class CheckerTable(Table):
 
     colours: TwoColours = means("diffuse colours of the even and the odd squares")
     size: Positive = means("side of a square, in world units", 1.0)
+    ambient: Maybe[
+        Annotated[
+            Annotated[AtLeastZero, SINGLE] | Annotated[TwoColours, LIST],
+            Discriminator(by_form),
+            Allowed("two colours, [[r, g, b], [r, g, b]], or one number, a share of `colours`"),
+        ]
+    ] = maybe(
+        "light that even and odd squares give without any lamp: two colours, or a number that both "
+        "of `colours` are multiplied by; default: the material's ambient"
+    )
+
+    def ambients(self, usual: Triple) -> tuple[Triple, Triple]:
+        """Of the even and the odd squares; usual: the material's."""
+        if self.ambient is None:
+            return usual, usual
+        if isinstance(self.ambient, tuple):
+            return self.ambient
+        even, odd = (tuple(self.ambient * c for c in colour) for colour in self.colours)
+        return even, odd  # type: ignore[return-value]
 
 
 def _material_form(value: Any) -> str | None:

@@ -196,7 +196,8 @@ def eight_bit(colour: np.ndarray) -> np.ndarray:
 def refuse_buried_camera(scene: Scene, around: list[int]) -> None:
     """Raises SourceErrors if an opaque closed object contains the camera's eye.
 
-    A plane is a surface to an author, not a solid: being behind one is fine.
+    A plane is a surface to an author, not a solid: being behind one is fine. So is being in a
+    mirror, which shows what its inside is like.
     """
     problems = [
         SourceError(
@@ -207,6 +208,7 @@ def refuse_buried_camera(scene: Scene, around: list[int]) -> None:
         )
         for k in around
         if not scene.materials[scene.objects[k].material].transmit
+        and not scene.materials[scene.objects[k].material].reflect
         and not isinstance(scene.objects[k].shape, Plane)
     ]
     if problems:
