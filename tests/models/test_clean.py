@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -186,3 +187,24 @@ def test_one_stray_corner_far_out_does_not_weld_the_rest(tmp_path: Path) -> None
     text = obj_text(corners.reshape(-1, 3), np.arange(39).reshape(-1, 3))
     fit = cleaned(written(tmp_path / "made.obj", text))
     assert (len(fit.faces), fit.joined) == (13, 0)
+
+
+@pytest.mark.parametrize("joints", [1, 3])
+def test_slivers_that_fill_a_joint_do_not_open_the_surface(tmp_path: Path, joints: int) -> None:
+    """An edge of a cube with corners on it that only one of its faces has, and triangles without
+    an area between: closed, of volume 1."""
+    vertices, faces = cube(), triangles().tolist()
+    one = faces.pop(0)
+    at = vertices[one]
+    start = next(k for k in range(3) if (at[k] != at[(k + 1) % 3]).sum() == 1)
+    a, b, c = (one[(start + k) % 3] for k in range(3))
+    along = np.linspace(0, 1, joints + 2)[1:-1, None]
+    added = vertices[a] + along * (vertices[b] - vertices[a])
+    chain = [a, *range(8, 8 + joints), b]
+    faces += [[p, q, c] for p, q in pairwise(chain)]
+    # What is left between the chain and the other face's edge, as a fan from its first corner.
+    faces += [[a, q, p] for p, q in pairwise(chain[1:])]
+    fit = of_obj(tmp_path, (np.concatenate([vertices, added]), np.array(faces)))
+    assert fit.dropped == {"without area": joints}
+    assert (fit.shape.closed, len(fit.faces), fit.turned.any()) == (True, 12 + 2 * joints, False)
+    assert volume(fit.vertices, fit.faces) == pytest.approx(1, abs=1e-15)

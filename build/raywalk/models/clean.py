@@ -12,6 +12,7 @@ import numpy as np
 from raywalk.models.faults import ModelFault
 from raywalk.models.model import Model
 from raywalk.models.shells import Turned, turn_outwards
+from raywalk.models.slivers import without_slivers
 from raywalk.models.weld import sorted_rows, weld_cracks, weld_equal
 
 # A triangle thinner than this share of its longest edge has no direction left in float64:
@@ -51,7 +52,10 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
     vertices, faces, source, dropped = within_reach(vertices, faces)
     used = len(vertices)
     faces, count = weld_cracks(vertices, faces, weld, model.grain)
+    faces, source, filled = without_slivers(vertices, faces, source, have_area(vertices, faces))
     keep, flat = worth_tracing(vertices, faces)
+    if filled:
+        flat["without area"] = flat.get("without area", 0) + filled
     faces, source, dropped = faces[keep], source[keep], dropped | flat
     if not len(faces):
         why = ", ".join(f"{n} {reason}" for reason, n in dropped.items())
@@ -94,14 +98,17 @@ def _used_only(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 def worth_tracing(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:
     """Indices of faces that have an area and are there for the first time, and what was dropped."""
-    has_area = [
-        _have_area(vertices, some) for some in np.array_split(faces, 1 + len(faces) // MANY)
-    ]
-    keep = np.flatnonzero(np.concatenate(has_area))
+    keep = np.flatnonzero(have_area(vertices, faces))
     order, is_first = sorted_rows(np.sort(faces[keep], axis=1))
     first = order[is_first]
     dropped = {"without area": len(faces) - len(keep), "duplicates": len(keep) - len(first)}
     return keep[np.sort(first)], _told(dropped)
+
+
+def have_area(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(f,) bool: whether a face's normal is more than rounding."""
+    some = np.array_split(faces, 1 + len(faces) // MANY)
+    return np.concatenate([_have_area(vertices, each) for each in some])
 
 
 def _have_area(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:

@@ -154,6 +154,8 @@ def _for_a_scene(told: dict[str, Any]) -> Iterator[str]:
     names = [each["name"] for each in (*told["materials"], *told["parts"]) if each["name"]]
     if told["materials"]:
         yield "    # without `material` it is shown in the file's own materials, or dress some:"
+    elif told["colours"]:
+        yield f"    # without `material` it is shown in the colours of its {told['colours']}"
     else:
         yield '    material = "white"' + (
             '   # or "glass", as it is closed' if told["closed"] else ""
