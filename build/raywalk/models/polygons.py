@@ -11,6 +11,7 @@ import numpy as np
 
 # Corners of a polygon that is cut again so that it keeps them all; the time grows by the square.
 MOST_CORNERS = 1500
+TRIES = 8  # ears that are looked at for each corner: of one that crosses itself none may do
 CORNERS = 1 << 17  # looked at together
 # Below this share of its longest side squared a triangle counts as without area.
 FLAT = 1e-12
@@ -105,14 +106,15 @@ def roundest_ears(flat: np.ndarray) -> np.ndarray:
 
     Empty where it crosses itself, and no ear is left.
     """
-    left, made = list(range(len(flat))), []
+    left, made, tries = list(range(len(flat))), [], TRIES * len(flat)
     while len(left) > 3:
         ring = np.array(left)
         before, after = np.roll(ring, 1), np.roll(ring, -1)
         trio = np.column_stack([before, ring, after])
         quality = _quality(flat, trio)
         for place in np.argsort(-quality):
-            if not quality[place] > 0:
+            tries -= 1
+            if not quality[place] > 0 or tries < 0:
                 return np.empty((0, 3), np.int64)
             if not _holds_any(flat, trio[place], ring):
                 made.append(trio[place])
