@@ -48,15 +48,15 @@ def run(chosen: Namespace) -> Iterator[str]:
 
 def check_geometry(scene: Scene) -> list[str]:
     """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
-    and buried cameras; returns warnings of overlapping glass."""
-    clear = [obj for obj in scene.objects if scene.materials[obj.material].transmit > 0]
-    if len(clear) < 2 and not scene.has_mesh:
-        return []
+    and buried cameras; returns the warnings that a build gives too."""
+    from raywalk.trace.scene_warnings import MOST_OBJECTS, scene_warnings
+
+    if len(scene.objects) > MOST_OBJECTS and not scene.has_glass and not scene.has_mesh:
+        return []  # a thousand times the time that all else takes
     # numba and Embree: only where needed
-    from raywalk.geometry.overlap import overlap_warnings
     from raywalk.trace.wavefront import Tracer
 
-    found = overlap_warnings(scene, Tracer(scene).compiled)
+    found = scene_warnings(Tracer(scene))
     if scene.has_mesh:
         from raywalk.geometry.mesh_report import mesh_warnings
 

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image
 
-from raywalk.geometry.overlap import overlap_warnings
 from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.plan import LEAST_SHARE
+from raywalk.trace.scene_warnings import scene_warnings
 from raywalk.trace.sections import sections_of
 from raywalk.trace.tree import SHOT, RayTree
 from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
@@ -129,7 +129,7 @@ def dropped_triangles(tracer: Tracer) -> dict[str, dict[str, int]]:
 
 def warnings_of(tracer: Tracer) -> list[str]:
     """What an author should know though nothing is wrong."""
-    found = overlap_warnings(tracer.scene, tracer.compiled)
+    found = scene_warnings(tracer)
     if tracer.compiled.meshes:
         from raywalk.geometry.mesh_report import mesh_warnings
 
