@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 FULL = "make room on the disk, or put --out and --work on another; run it again to go on from here"
 LOCKED = "allow this user to write there, or choose another --out or --work"
 HINTS = {
@@ -32,6 +34,12 @@ def shown_path(path: Path) -> str:
         return absolute.as_posix()
 
 
+def visible(text: str) -> str:
+    """With control characters, and those that turn the direction of writing, as Python writes
+    them: a terminal would obey them."""
+    return CONTROL.sub(lambda match: repr(match[0])[1:-1], text)
+
+
 @dataclass(frozen=True)
 class SourceError:
     """One problem in one file."""
@@ -45,7 +53,7 @@ class SourceError:
     def __str__(self) -> str:
         where = ": ".join(part for part in (shown_path(self.file), self.key) if part)
         advice = "  ".join(part for part in (self.hint, self.allowed) if part)
-        return f"{where}: {self.message}" + (f"\n  {advice}" if advice else "")
+        return visible(f"{where}: {self.message}") + (f"\n  {visible(advice)}" if advice else "")
 
 
 class UserError(Exception):

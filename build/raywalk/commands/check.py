@@ -11,6 +11,7 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.translation import missing_translations, read_spoken
+from raywalk.scene.wording import counted
 from raywalk.words import languages, missing_sentences
 from raywalk.words.catalogue import DEFAULT
 
@@ -42,7 +43,8 @@ def run(chosen: Namespace) -> Iterator[str]:
         raise SourceErrors(problems)
     yield from warnings
     for scene in scenes:
-        yield f"{scene.id}: {len(scene.objects)} objects, {len(scene.lights)} lights: in order"
+        holds = f"{counted(len(scene.objects), 'object')}, {counted(len(scene.lights), 'light')}"
+        yield f"{scene.id}: {holds}: in order"
         yield from (f"  {line}" for line in _mesh_lines(scene))
 
 

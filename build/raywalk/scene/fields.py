@@ -6,9 +6,10 @@ the README all say the same, and none of them speaks in a library's terms.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import isfinite
+from math import inf, isfinite
 from typing import Annotated, Any, Literal, TypeVar, get_args
 
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError
@@ -17,6 +18,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from raywalk.scene.formula import NoFormula, formulas_in, mathml
 from raywalk.scene.wording import did_you_mean, quoted, show
 
+HEX = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})")
 REFUSED = "refused"  # the type of every error that is already in our words
 
 
@@ -77,11 +79,57 @@ class Allowed:
             raise refusal(f"{show(value)} is not {self.words}", hint=self._hint(value)) from None
 
     def _hint(self, value: Any) -> str:
+        if _has_too_many_numbers(value):
+            return "decimals have a point: 0.8, for 0,8 is two numbers"
         if self.choices and isinstance(value, int) and str(value) in self.choices:
             return f"write it in quotes: {quoted(str(value))}"
         if self.words.startswith("a number") and _reads_as_number(value):
             return f"write it without quotes: {value}"
         return did_you_mean(value, self.choices) or self.hint
+
+
+@dataclass(frozen=True)
+class AllowedColour(Allowed):
+    """Also says how a colour of a picture program or a web page is written here. bound: 1 where
+    no part may be above it."""
+
+    bound: float = inf
+
+    def _check(self, value: Any, handler: Callable[[Any], Any]) -> Any:
+        try:
+            return super()._check(value, handler)
+        except (ValidationError, PydanticCustomError):
+            if shares := _shares_of(value, self.bound):
+                message = f"{show(value)} is not {self.words}"
+                raise refusal(message, hint=f"divided by 255 it is {show(shares)}") from None
+            raise
+
+
+def _shares_of(value: Any, bound: float) -> list[float] | None:
+    """#rgb, #rrggbb or three numbers up to 255 as shares of 1; None for what is none of these."""
+    if isinstance(value, str) and (digits := HEX.fullmatch(value.strip())):
+        code = digits[1] if len(digits[1]) == 6 else "".join(2 * each for each in digits[1])
+        parts: list[float] = list(bytes.fromhex(code))
+    elif bound == 1 and _are_numbers(value) and len(value) == 3 and _are_bytes(value):
+        parts = value
+    else:
+        return None
+    return [round(part / 255, 3) for part in parts]
+
+
+def _are_bytes(parts: list[float]) -> bool:
+    """Whole numbers up to 255, and not all of them so small that they may be slips of shares."""
+    return all(part == int(part) and 0 <= part <= 255 for part in parts) and max(parts) > 10
+
+
+def _are_numbers(value: Any) -> bool:
+    return isinstance(value, list | tuple) and all(
+        isinstance(each, int | float) and not isinstance(each, bool) for each in value
+    )
+
+
+def _has_too_many_numbers(value: Any) -> bool:
+    return _are_numbers(value) and 3 < len(value) <= 6
 
 
 def _reads_as_number(value: Any) -> bool:
@@ -131,11 +179,12 @@ LessonText = Annotated[Text, AfterValidator(_check_formulas)]
 Point = Annotated[tuple[Number, Number, Number], Allowed("three numbers, [x, y, z]")]
 Sizes = Annotated[tuple[Positive, Positive, Positive], Allowed("three numbers above 0")]
 Colour = Annotated[
-    tuple[Share, Share, Share], Allowed("a colour, [red, green, blue], each from 0 to 1")
+    tuple[Share, Share, Share],
+    AllowedColour("a colour, [red, green, blue], each from 0 to 1", bound=1),
 ]
 Brightness = Annotated[
     tuple[AtLeastZero, AtLeastZero, AtLeastZero],
-    Allowed("a colour, [red, green, blue], each at least 0"),
+    AllowedColour("a colour, [red, green, blue], each at least 0"),
 ]
 Falloff = Annotated[
     tuple[AtLeastZero, AtLeastZero, AtLeastZero],

@@ -60,6 +60,11 @@ def joined(words: Iterable[str]) -> str:
     return ", ".join(words)
 
 
+def counted(number: int, word: str) -> str:
+    """1 light, 2 lights."""
+    return f"{number:,} {word}{'' if number == 1 else 's'}"
+
+
 def key_path(location: Sequence[str | int]) -> str:
     """("objects", 2, "material") as objects[2].material."""
     path = ""

@@ -1,0 +1,81 @@
+"""What word processors, web pages and other countries' keyboards put into a scene typed by hand.
+
+A TOML parser stops at the first of these and tells what it expected there. Here all of them are
+found, by the characters outside of texts and comments, and named by their cause.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+#: Texts in any of TOML's quotes, and comments: what is in them is nobody's business.
+SPOKEN = re.compile(
+    r'"""(?:\\.|[^\\])*?"""|' r"'''.*?'''|" r'"(?:\\.|[^"\\\n])*"|' r"'[^'\n]*'|#[^\n]*", re.DOTALL
+)
+QUOTES = "„“”‟‚‘’‛«»‹›″′＂＇`´"
+MINUS = "−‐‑‒–—－"
+INVISIBLE = re.compile(r"[\u00a0\u00ad\u2000-\u200f\u2028-\u202f\u205f\u2060\u3000\ufeff]+")
+QUOTED = re.compile(rf"[{QUOTES}]+([^{QUOTES}\n]*)[{QUOTES}]+")
+COMMA = re.compile(r"(=\s*)([-+]?\d+),(\d+)(?=\s*$)", re.MULTILINE)
+POINT_FIRST = re.compile(r"(?<![\w.])([-+]?)\.(\d+)")
+POINT_LAST = re.compile(r"(?<![\w.])([-+]?\d+)\.(?![\w.])")
+BARE = re.compile(r"^\s*[\w.-]+\s*=\s*(?!true\b|false\b|inf\b|nan\b)([A-Za-z_][\w -]*?)\s*$", re.M)
+SEMICOLON = re.compile(r";")
+
+
+@dataclass(frozen=True)
+class Slip:
+    """One character or number that cannot be read, and what to type instead."""
+
+    place: int  # in the text
+    what: str
+    instead: str
+
+
+def slips_in(text: str) -> list[Slip]:
+    """All slips of a file, in order, one a kind and line."""
+    code = SPOKEN.sub(lambda spoken: re.sub(r"[^\n]", " ", spoken[0]), text)
+    found = sorted(_all(code), key=lambda slip: slip.place)
+    first: dict[tuple[int, str], Slip] = {}
+    for slip in found:
+        first.setdefault((code.count("\n", 0, slip.place), slip.instead), slip)
+    return list(first.values())
+
+
+def _all(code: str) -> Iterator[Slip]:
+    for match in QUOTED.finditer(code):
+        sign = match[0][0]
+        message = f"{sign} ({_name(sign)}) is no quotation mark to a program"
+        yield Slip(match.start(), message, f'write straight quotes: "{match[1]}"')
+    for match in re.finditer(rf"([{MINUS}])(?=\s*[\d.])", code):
+        message = f"{match[0]} ({_name(match[0])}) looks like a minus sign and is none"
+        yield Slip(match.start(), message, "type the - of the keyboard: -1")
+    for match in INVISIBLE.finditer(code):
+        message = f"holds a character that cannot be seen ({_name(match[0][0])})"
+        yield Slip(match.start(), message, "delete it and type a space")
+    for match in COMMA.finditer(code):
+        number = f"{match[2]},{match[3]}"
+        yield Slip(
+            match.start(2), f"{number} has a decimal comma",
+            f"decimals have a point: {match[2]}.{match[3]}",
+        )  # fmt: skip
+    for match in POINT_FIRST.finditer(code):
+        instead = f"a digit stands before the point: {match[1]}0.{match[2]}"
+        yield Slip(match.start(), f"{match[0]} begins with its point", instead)
+    for match in POINT_LAST.finditer(code):
+        instead = f"a digit stands behind the point: {match[1]}.0"
+        yield Slip(match.start(), f"{match[0]} ends with its point", instead)
+    for match in BARE.finditer(code):
+        instead = f'a text stands in quotes: "{match[1]}"'
+        if match[1].lower() in ("yes", "no", "true", "false", "on", "off"):
+            instead = "yes and no are written true and false"
+        yield Slip(match.start(1), f"{match[1]} is no value", instead)
+    for match in SEMICOLON.finditer(code):
+        yield Slip(match.start(), "; separates nothing", "numbers are separated by commas")
+
+
+def _name(sign: str) -> str:
+    return f"U+{ord(sign):04X}, {unicodedata.name(sign, 'no name').lower()}"

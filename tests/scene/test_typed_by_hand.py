@@ -1,0 +1,121 @@
+"""What word processors, web pages and other keyboards put into a scene: each told by its cause."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from raywalk.errors import SourceError, SourceErrors
+from raywalk.scene.read import read_scene
+from raywalk.scene.typing_slips import slips_in
+
+SCENE = """version = 1
+title = "Typing"
+teaches = "A scene typed by hand."
+background = [0.5, 0.5, 0.5]
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+fov = 40
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, -1, 0]
+radius = 0.5
+material = { like = "coloured", diffuse = [0.9, 0.2, 0.1] }
+[[lights]]
+position = [-3, 5, 4]
+"""
+
+
+def said_of(tmp_path, before, after):
+    assert before in SCENE
+    (tmp_path / "scene.toml").write_text(SCENE.replace(before, after), encoding="utf-8")
+    with pytest.raises(SourceErrors) as told:
+        read_scene(tmp_path)
+    return str(told.value)
+
+
+def test_the_scene_without_slips_is_in_order(tmp_path):
+    (tmp_path / "scene.toml").write_text(SCENE)
+    assert read_scene(tmp_path).title == "Typing" and not slips_in(SCENE)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "cause", "instead"),
+    [
+        ('"ball"', "„ball“", "line 10, column 8: „ (U+201E", 'straight quotes: "ball"'),
+        ('"ball"', "“ball”", "“ (U+201C", 'straight quotes: "ball"'),
+        ('"ball"', "«ball»", "« (U+00AB", 'straight quotes: "ball"'),
+        ('"ball"', "‘ball’", "‘ (U+2018", 'straight quotes: "ball"'),
+        ("fov = 40", "fov = 40,5", "40,5 has a decimal comma", "point: 40.5"),
+        ("fov = 40", "fov = 40,5 # degrees", "40,5 has a decimal comma", "point: 40.5"),
+        ("fov = 40", "fov = -0,5", "-0,5 has a decimal comma", "point: -0.5"),
+        ("[0, -1, 0]", "[0, −1, 0]", "− (U+2212, minus sign)", "type the - of the keyboard"),
+        ("[0, -1, 0]", "[0, –1, 0]", "– (U+2013, en dash)", "type the - of the keyboard"),
+        ("radius = ", "radius =\u00a0", "(U+00A0, no-break space)", "type a space"),
+        ("radius = ", "radius\u202f= ", "(U+202F, narrow no-break space)", "type a space"),
+        ("radius = ", "\u200bradius = ", "(U+200B, zero width space)", "type a space"),
+        ("0.5\n", ".5\n", ".5 begins with its point", "before the point: 0.5"),
+        ("[0, -1, 0]", "[0, -.5, 0]", "-.5 begins with its point", "before the point: -0.5"),
+        ("0.5\n", "1.\n", "1. ends with its point", "behind the point: 1.0"),
+        ('"sphere"', "sphere", "sphere is no value", 'in quotes: "sphere"'),
+        ("0.5\n", "Yes\n", "Yes is no value", "true and false"),
+        ("[0, -1, 0]", "[0; -1; 0]", "; separates nothing", "by commas"),
+    ],
+)
+def test_a_slip_is_told_by_its_cause_and_with_what_to_type(tmp_path, before, after, cause, instead):
+    """Where it stands, by line and column, and nothing of what a parser expected there."""
+    said = said_of(tmp_path, before, after)
+    assert cause in said and instead in said
+    assert "line " in said and "this is not TOML" not in said and "expected" not in said
+
+
+def test_all_slips_of_a_file_are_told_at_once(tmp_path):
+    text = SCENE.replace('"ball"', "„ball“").replace("-1", "−1").replace("0.5\n", ".5\n")
+    (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(SourceErrors) as told:
+        read_scene(tmp_path)
+    assert [error.message.partition(":")[0] for error in told.value.errors] == [
+        "line 10, column 8", "line 12, column 14", "line 13, column 10",
+    ]  # fmt: skip
+
+
+def test_texts_and_comments_may_hold_any_of_them(tmp_path):
+    """„so“ is right in a title, and 40,5 in a comment."""
+    text = SCENE.replace('"Typing"', '"„so“ – 40,5 .5 −1; \u00a0"') + "# „so“ 40,5 .5 −1;\n"
+    text += '[[lesson]]\ntext = """\nA „line“,\n.5 = 40,5\n"""\n'
+    (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+    assert "„so“" in read_scene(tmp_path).title
+
+
+def test_a_mistake_of_another_kind_keeps_the_parsers_words(tmp_path):
+    assert "this is not TOML" in said_of(tmp_path, "[camera]", "[camera")
+
+
+@pytest.mark.parametrize(
+    ("colour", "hint"),
+    [
+        ("[230, 51, 25]", "divided by 255 it is [0.902, 0.2, 0.098]"),
+        ("[255, 255, 255]", "divided by 255 it is [1.0, 1.0, 1.0]"),
+        ('"#e63319"', "divided by 255 it is [0.902, 0.2, 0.098]"),
+        ('"#fff"', "divided by 255 it is [1.0, 1.0, 1.0]"),
+        ("[0, 0,8, 5]", "decimals have a point: 0.8, for 0,8 is two numbers"),
+    ],
+)
+def test_a_colour_of_a_picture_program_is_told_as_shares(tmp_path, colour, hint):
+    said = said_of(tmp_path, "[0.9, 0.2, 0.1]", colour)
+    assert "objects[0].material.diffuse: " in said and hint in said
+
+
+def test_a_point_with_decimal_commas_is_told_so(tmp_path):
+    said = said_of(tmp_path, "[0, 0, 5]", "[0, 0,8, 5]")
+    assert "camera.eye: [0, 0, 8, 5] is not three numbers" in said
+    assert "0,8 is two numbers" in said
+
+
+def test_control_characters_are_shown_and_not_sent_to_the_terminal():
+    """An escape sequence could clear the screen, or turn the direction of what follows."""
+    said = str(SourceError(Path("a\x1b[2J.toml"), "key\x07", "\x9b31m \u202e is bad", hint="\r"))
+    assert said == "a\\x1b[2J.toml: key\\x07: \\x9b31m \\u202e is bad\n  \\r"
