@@ -16,6 +16,7 @@ from raywalk.geometry.triangle import (
     height_over,
     shear,
     sided_hit,
+    triangle_hit,
     triangle_normal,
     vector,
 )
@@ -154,8 +155,9 @@ def bvh_nearest(bvh, corners, start, o, d, t_max, own, bound):
     """Nearest hit of one ray: (t, triangle, u, v, tests); triangle -1 if none before t_max.
 
     start: the ray's origin in the world, o: as the corners are; own: triangle the ray starts on,
-    else -1; bound: how far its origin may be off the
-    surface it starts on (`is_left` says which triangles are left then, not hit).
+    else -1: onto its plane `o` was moved, off which `start` may be, and decides alone; bound: how
+    far its origin may be off the surface it starts on (`is_left` says which triangles are left
+    then, not hit).
     tests counts boxes and triangles. Ties go to the lowest triangle.
     """
     sheared, off = shear(d[0], d[1], d[2]), start_error(bvh, o, bound)
@@ -172,7 +174,9 @@ def bvh_nearest(bvh, corners, start, o, d, t_max, own, bound):
                 if triangle == own:
                     continue
                 t, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
-                if not sure:
+                if not sure and own >= 0:
+                    t, a, b = triangle_hit(o, corners, triangle, *sheared)
+                elif not sure:
                     t, a, b = settled_hit(bvh, triangle, start, d, (t, a, b), error)
                 if not 0.0 < t <= best:
                     continue

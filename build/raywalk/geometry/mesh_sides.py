@@ -99,7 +99,9 @@ def tied_across(bvh, corners, start, o, d, own, bound, t, who):
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
                 distance, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
-                if not sure:
+                if not sure and own >= 0:
+                    distance, a, b = triangle_hit(o, corners, triangle, *sheared)
+                elif not sure:
                     known = (distance, a, b)
                     distance, a, b = settled_hit(bvh, triangle, start, d, known, error)
                 if not 0.0 < distance <= best or leaves(corners, triangle, d) == sense:
