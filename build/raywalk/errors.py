@@ -56,6 +56,9 @@ class SourceError:
         return visible(f"{where}: {self.message}") + (f"\n  {visible(advice)}" if advice else "")
 
 
+MOST = 500  # errors that are printed at once
+
+
 class UserError(Exception):
     """An end that a person can act on: str() is all the command line prints."""
 
@@ -77,4 +80,7 @@ class SourceErrors(UserError):
 
     def __str__(self) -> str:
         count = f"{len(self.errors)} error{'s' if len(self.errors) != 1 else ''}"
-        return "\n".join([*map(str, self.errors), f"{count}; nothing was traced"])
+        shown = [str(error) for error in self.errors[:MOST]]
+        if len(self.errors) > MOST:
+            shown.append(f"and {len(self.errors) - MOST:,} more")
+        return "\n".join([*shown, f"{count}; nothing was traced"])

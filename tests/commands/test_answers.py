@@ -211,7 +211,7 @@ def test_check_lists_what_is_in_order(answer, scene):
     """A line a scene."""
     code, out, _ = answer("check", scene)
     assert code == 0
-    assert out.endswith("1 objects, 1 lights: in order\n")
+    assert out.endswith("1 object, 1 light: in order\n")
 
 
 def test_check_finds_a_camera_inside_an_opaque_mesh(answer, tmp_path):

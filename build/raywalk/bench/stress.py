@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from raywalk.bench import (
     stress_acne,
+    stress_fuzz,
     stress_hits,
     stress_kills,
     stress_media,
@@ -41,6 +42,7 @@ SUBJECTS: dict[str, Subject] = {
     "shadows": stress_shadows.cases,
     "acne": stress_acne.cases,
     "models": stress_models.cases,
+    "fuzz": stress_fuzz.cases,
     "runs": stress_runs.cases,
     "kills": stress_kills.cases,
     "monkey": stress_page.monkey_cases,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
+from raywalk.errors import visible
 from raywalk.work.progress import Begin, End, Message, Progress
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Terminal:
         self._bars = None
 
     def _line(self, text: str) -> None:
+        text = visible(text)
         if self._bars:
             self._bars.console.print(text, markup=False, highlight=False, soft_wrap=True)
         else:

@@ -54,6 +54,10 @@ def refusal(
     return PydanticCustomError(REFUSED, "{message}", words)
 
 
+# Squares of larger numbers, and products of three, would leave float64's range.
+LARGEST = 1e100
+
+
 @dataclass(frozen=True)
 class Allowed:
     """Says what is allowed: "-1 is not {words}"."""
@@ -68,6 +72,9 @@ class Allowed:
         return core_schema.no_info_wrap_validator_function(self._check, handler(source))
 
     def _check(self, value: Any, handler: Callable[[Any], Any]) -> Any:
+        if isinstance(value, float) and isfinite(value) and abs(value) > LARGEST:
+            said = f"{show(value)} is too large: its square is no number, so no direction is left"
+            raise refusal(said, allowed=f"allowed: at most {LARGEST:g} in size")
         try:
             return handler(value)
         except ValidationError as error:

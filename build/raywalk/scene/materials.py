@@ -31,6 +31,11 @@ BUILT_IN: dict[str, MaterialTable] = {
 }
 
 
+# Likenesses are sought for so many unknown names: each is compared with all that are known.
+MOST_HINTS = 10
+CIRCLE = 12  # names that are told of a circle
+
+
 class Materials:
     """Looks up materials by name and notes once what is wrong with each.
 
@@ -43,6 +48,8 @@ class Materials:
         self._own = own
         self._problems = problems
         self._finished: dict[str, Material | None] = {}
+        self._inherited: dict[str, dict[str, Any]] = {}  # all keys of own materials, once followed
+        self._unknown = 0
         for name in own:
             self._finished[name] = self._read_own(name)
 
@@ -70,26 +77,33 @@ class Materials:
         self, table: MaterialTable, at: Location, own_name: str = ""
     ) -> dict[str, Any] | None:
         """The table's keys over those it inherits; None where the chain is broken."""
-        keys, chain, current = _given(table), [own_name], table
+        chain, passed, current = [own_name], {own_name: table}, table
+        base: dict[str, Any] = {}
         while current.like is not None:
             name = current.like
             if name == chain[-1] and name in BUILT_IN:  # an own "glass" may build on the built-in
-                return _given(BUILT_IN[name]) | keys
-            if name in chain:
+                base = _given(BUILT_IN[name])
+                break
+            if name in passed:
                 if name == own_name:  # else it is reported at a material of the circle
-                    self._problems.add(
-                        (*at, "like"), f"inherits from itself: {' -> '.join([*chain, name])}"
-                    )
+                    circle = " -> ".join([*chain[:CIRCLE], *["..."][: len(chain) > CIRCLE], name])
+                    self._problems.add((*at, "like"), f"inherits from itself: {circle}")
                 return None
+            if name in self._inherited:  # followed before, to its end
+                base = self._inherited[name]
+                break
             parent = self._own.get(name, BUILT_IN.get(name))
             if parent is None:
                 if current is table and name not in self._own:
                     self._note_unknown(name, (*at, "like"))
                 return None
-            keys = _given(parent) | keys
             chain.append(name)
-            current = parent
-        return keys
+            passed[name] = current = parent
+        for name in reversed(chain):
+            base = base | _given(passed[name])
+            if self._own.get(name) is passed[name]:
+                self._inherited[name] = base
+        return base
 
     def _checked(self, name: str, keys: dict[str, Any], at: Location) -> Material | None:
         """The material, if light that meets it is neither lost nor won."""
@@ -109,8 +123,9 @@ class Materials:
             at,
             f"no material is named {quoted(name)}",
             allowed=known,
-            hint=did_you_mean(name, [*BUILT_IN, *self._own]),
+            hint=did_you_mean(name, [*BUILT_IN, *self._own]) if self._unknown < MOST_HINTS else "",
         )
+        self._unknown += 1
 
 
 def _physics_problem(material: Material, has_ior: bool) -> tuple[str, str, str] | None:

@@ -26,10 +26,12 @@ def resolutions_of(table: RenderTable, problems: Problems) -> tuple[int, ...]:
             message = f"missing: none of the default ones fits size = {table.size}"
             problems.add(at, message, allowed=allowed)
         return default
+    seen: set[int] = set()
     for i, n in enumerate(table.resolutions):
         if n not in possible:
             message = f"{n} does not divide size = {table.size} by an odd number"
             problems.add((*at, i), message, allowed=allowed)
-        elif n in table.resolutions[:i]:
+        elif n in seen:
             problems.add((*at, i), f"{show(n)} stands here a second time")
+        seen.add(n)
     return tuple(sorted(table.resolutions))

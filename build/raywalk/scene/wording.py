@@ -9,6 +9,8 @@ from typing import Any
 
 LONGEST_VALUE = 60  # characters; beyond it a value hides the message
 
+MOST_WORDS = 60  # that a list in an error names
+
 # In a location, marks which member of a union was tried; no key of a person's file.
 TAG = "as:"
 
@@ -57,7 +59,10 @@ def closest(word: Any, known: Iterable[str]) -> str:
 
 
 def joined(words: Iterable[str]) -> str:
-    return ", ".join(words)
+    """With commas; of very many the first ones and their number."""
+    listed = list(words)
+    more = len(listed) - MOST_WORDS
+    return ", ".join(listed) if more <= 1 else f"{', '.join(listed[:MOST_WORDS])} and {more} more"
 
 
 def counted(number: int, word: str) -> str:
