@@ -172,7 +172,8 @@ def test_at_an_outline_a_mesh_shows_its_front(
     target = one.marks()[rng.integers(0, len(one.marks()), 4000)]
     origin = 5 * unit(rng.normal(size=(4000, 3)))
     hits = compiled.hits(rays_from(origin, unit(target - origin)))
-    assert (hits.object == 0).mean() > 0.8  # rounding takes the others past the outline
+    # Rounding takes the others past the outline: decided exactly, about half of those aimed at it.
+    assert (hits.object == 0).mean() > 0.7
     assert not hits.inside.any()
     if clear:
         origin = rng.uniform(-0.9, 0.9, size=(4000, 3))
