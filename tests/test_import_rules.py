@@ -1,4 +1,4 @@
-"""Who may import whom (DESIGN.md), asked of the source itself."""
+"""Who may import whom (ARCHITECTURE.md), asked of the source itself."""
 
 from __future__ import annotations
 

@@ -128,7 +128,7 @@ def test_nothing_shades_itself(seed: int) -> None:
 )
 def test_a_ray_stays_in_a_mirrored_sphere(bounces: int, bound: float) -> None:
     """A ray from the surface at angle a to the normal turns by pi - 2 a each bounce, in one
-    plane: after n bounces it stands where that says, within ACCURACY.md's bounds. Errors grow
+    plane: after n bounces it stands where that says, within the stress matrix's bounds. Errors grow
     as n^2 with the angle's own, so single angles may be 3 times worse than the median."""
     compiled = CompiledScene(scene_of([Sphere((0.0, 0.0, 0.0), 1.0)]))
     errors = []
@@ -154,7 +154,7 @@ def test_a_ray_stays_in_a_mirrored_sphere(bounces: int, bound: float) -> None:
 @pytest.mark.parametrize(("bounces", "bound"), [(100, 3e-15), (1000, 1e-13)])
 def test_a_ray_climbs_between_parallel_mirrors(bounces: int, bound: float) -> None:
     """Mirrors at x = 0 and x = 1, slope 1 / 4: after n bounces y = n / 4, a binary fraction.
-    Within ACCURACY.md's bounds, relative to the height."""
+    Within the stress matrix's bounds, relative to the height."""
     compiled = CompiledScene(scene_of([Plane((0, 0, 0), (1, 0, 0)), Plane((1, 0, 0), (-1, 0, 0))]))
     rays = Rays(
         np.zeros((1, 3)), unit(np.array([[1.0, 0.25, 0.0]])),

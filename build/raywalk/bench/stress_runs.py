@@ -105,7 +105,7 @@ def time_of_odd_directions(count: int, seed: int) -> Case:
     micro = max(0.0, took[1] - took[0]) / (len(origin) / 5) * 1e6
     return Case(
         "odd directions", "zero and NaN in a batch", "time added by each, microseconds",
-        1.0, micro, len(origin), seed, 600.0, "Embree, as ACCURACY.md measured it",
+        1.0, micro, len(origin), seed, 600.0, "Embree, measured once",
     )  # fmt: skip
 
 

@@ -40,7 +40,7 @@ Result = TypeVar("Result")
 Threads = int | Callable[[], int]
 
 # Rays in a strip: with all their columns they stay within a core's cache. 262,144 were up
-# to 54 % slower (ACCURACY.md, measured).
+# to 54 % slower (measured).
 STRIP = 16_384
 
 
