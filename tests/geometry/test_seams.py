@@ -13,8 +13,8 @@ from raywalk.bench.made_scenes import mesh_object, scene_of
 from raywalk.bench.stress_seams import KINDS, lost_at_seams, lost_at_thin, lost_grazing
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.exact_edges import edge_side, summed
-from raywalk.scene.model import Camera
-from raywalk.scene.shapes import Triangle
+from raywalk.scene.model import Camera, Material, SceneObject
+from raywalk.scene.shapes import Box, Triangle
 from raywalk.trace.camera import camera_directions
 
 
@@ -93,3 +93,23 @@ def test_a_moved_mesh_and_a_triangle_share_their_edge_in_the_world(
     origin = inside + 4 * unit(np.cross(b - a, c - a) + np.cross(c - a, e - a)) + 0.01 * middle
     rays = rays_from(origin, unit(inside - origin))
     assert np.isfinite(compiled.nearest(rays)[0]).mean() > 0.4  # most meet one or the other
+
+
+def edged_of(*shapes):
+    """Which of these objects have their edges decided exactly."""
+    named = [SceneObject(str(k), shape, 0) for k, shape in enumerate(shapes)]
+    table = CompiledScene(scene_of(named, [Material("chalk")])).primitives
+    return sorted(int(table.object[row]) for row in table.edged)
+
+
+def test_boxes_that_share_no_corner_pay_for_no_exact_edges():
+    """A box for itself is tight; one that touches another anywhere but at a corner is as well."""
+    low, apart, on_top = (
+        Box((0, 0, 0), (1, 1, 1)),
+        Box((2, 0, 0), (3, 1, 1)),
+        Box((0, 1, 0), (1, 2, 1)),
+    )
+    assert edged_of(low) == edged_of(low, apart) == []
+    assert edged_of(low, apart, on_top) == [0, 2]
+    assert edged_of(low, Triangle((1, 1, 1), (5, 5, 5), (5, 6, 5))) == [0, 1]
+    assert edged_of(apart, Triangle((-0.0, 4, 0), (5, 5, 5), (5, 6, 5))) == [1]

@@ -10,7 +10,7 @@ import numpy as np
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.nearest import NOWHERE, SOMEWHERE, all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
-from raywalk.geometry.primitives import Primitives, compile_primitives
+from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
 from raywalk.geometry.refine import refine_roots
 from raywalk.geometry.sides import primitives_beyond
 from raywalk.geometry.surface import Appearance, primitive_surface
@@ -82,6 +82,8 @@ class CompiledScene:
         self.appearance = _appearance_of(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
+        vertices = [mesh.triangles.world for mesh in self.meshes]
+        self.primitives = exact_at_edges(self.primitives, vertices)
         clear = np.array(
             [scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool
         )

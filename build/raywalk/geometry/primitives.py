@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.faces import SHAPE, shape_record
+from raywalk.geometry.faces import SHAPE, TRIANGLE, shape_record
 from raywalk.scene.exact import DIGITS, rest_of, rounded
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
@@ -33,7 +33,7 @@ class Primitives(NamedTuple):
     stretch: np.ndarray  # (p,) largest row sum of |to_local|: local units per world unit
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
-    edged: np.ndarray  # (e,) int32: rows of boxes and triangles, which share edges with others
+    edged: np.ndarray  # (e,) int32: rows whose edges are decided exactly; see `exact_at_edges`
     # Of triangles 3 and of boxes 8 corners, world; what float64 leaves over of them; else 0.
     corner: np.ndarray  # (p, 8, 3)
     corner_rest: np.ndarray  # (p, 8, 3)
@@ -86,6 +86,29 @@ def compile_primitives(scene: Scene) -> Primitives:
     )
 
 
+def exact_at_edges(table: Primitives, vertices: list[np.ndarray]) -> Primitives:
+    """The table with `edged` for only those that need it, which costs all rays: triangles, open and
+    met flatly, and the boxes that share a corner with another object. A box for itself is tight.
+
+    vertices: (v, 3) of each mesh, world.
+    """
+    is_triangle = table.shape[table.edged]["code"] == TRIANGLE
+    corners = zip(table.corner[table.edged], is_triangle, strict=True)
+    held = [_unique(each[:3] if three else each) for each, three in corners]
+    others = [_unique(mesh) for mesh in vertices]
+    names, counts = np.unique(np.concatenate([_NOTHING, *held, *others]), return_counts=True)
+    shared = names[counts > 1]
+    shares = np.array([np.isin(own, shared).any() for own in held], bool)
+    return table._replace(edged=table.edged[is_triangle | shares])
+
+
+def _unique(points: np.ndarray) -> np.ndarray:
+    """(u,) each of the points (n, 3) once, as one comparable value."""
+    plain = np.ascontiguousarray(points + 0.0)  # without -0.0
+    return np.unique(plain.view([("x", float), ("y", float), ("z", float)]).ravel())
+
+
+_NOTHING = _unique(np.empty((0, 3)))
 # The sphere round a shape is this much larger than it need be, so that no hit that rounding
 # moves is ever outside of it.
 ROOMY = 1.0 + 1e-6
