@@ -71,12 +71,14 @@ def _asked_by_all(mesh: Any) -> Callable[..., Any]:
 
     nearest = mesh.nearest
 
-    def asked(origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, *rest: Any) -> Any:
+    def asked(
+        origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, *rest: Any, **named: Any
+    ) -> Any:
         local = origin - mesh.centre
         past = np.flatnonzero(goes_past_box(mesh.bvh, local, direction, t_max))
         if len(past):
             mesh._propose((local[past] * mesh.scale).astype(np.float32), direction[past])
-        return nearest(origin, direction, t_max, *rest)
+        return nearest(origin, direction, t_max, *rest, **named)
 
     return asked
 
