@@ -60,6 +60,7 @@ export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, 
   function move(next: (from: Observer, radius: number) => ObserverChoice) {
     if (!drawn) return;
     const choice = next(drawn.observer, drawn.view.scene.bounds.radius);
+    if (typeof choice !== "string" && !Number.isFinite(length(choice.eye) + length(choice.target))) return; // nowhere
     drawn = { ...drawn, observer: observerFor(choice, drawn.view) };
     acts.move(choice);
   }
@@ -105,7 +106,7 @@ function listenToHand(stage: HTMLElement, now: () => Drawn | null, acts: StageAc
     const drawn = now();
     return drawn && find(drawn, x, y);
   };
-  const shorter = () => Math.min(stage.clientWidth, stage.clientHeight);
+  const shorter = () => Math.max(1, Math.min(stage.clientWidth, stage.clientHeight)); // a hidden stage has no size
   listenToGestures(stage, {
     isOnTiles: (x, y) => under(tileUnder, x, y) !== null,
     pick(x, y) {
