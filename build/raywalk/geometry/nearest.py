@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from raywalk.geometry.along_ray import point_along
-from raywalk.geometry.faces import BOX, PLANE, TRIANGLE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.faces import PLANE, TUBE, goes_in, is_flat, is_near
 from raywalk.geometry.primitives import Primitives
 from raywalk.geometry.seams import exact_roots, is_unsure
 from raywalk.geometry.sides import POINT_ERROR
@@ -147,9 +147,9 @@ def rounding_decides(
 def settled_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface):
     """The roots for certain: decided exactly where rounding could have decided them."""
     near, far = primitive_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface)
-    code = primitives.shape[k].code
-    if own or not (code == BOX or code == TRIANGLE):
+    if own or not primitives.is_edged[k]:
         return near, far
+    code = primitives.shape[k].code
     if not rounding_decides(
         primitives.centre, primitives.to_local, primitives.stretch, primitives.reach_sq, code, k,
         ox, oy, oz, dx, dy, dz, on_surface,

@@ -34,6 +34,7 @@ class Primitives(NamedTuple):
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
     edged: np.ndarray  # (e,) int32: rows whose edges are decided exactly; see `exact_at_edges`
+    is_edged: np.ndarray  # (p,) bool: whether a row is one of these
     # Of triangles 3 and of boxes 8 corners, world; what float64 leaves over of them; else 0.
     corner: np.ndarray  # (p, 8, 3)
     corner_rest: np.ndarray  # (p, 8, 3)
@@ -81,6 +82,7 @@ def compile_primitives(scene: Scene) -> Primitives:
             [row for row, k in enumerate(kept) if isinstance(scene.objects[k].shape, EDGED)],
             np.int32,
         ),
+        is_edged=np.array([isinstance(scene.objects[k].shape, EDGED) for k in kept], bool),
         corner=rounded(corner),
         corner_rest=rest_of(corner),
     )
@@ -99,7 +101,10 @@ def exact_at_edges(table: Primitives, vertices: list[np.ndarray]) -> Primitives:
     names, counts = np.unique(np.concatenate([_NOTHING, *held, *others]), return_counts=True)
     shared = names[counts > 1]
     shares = np.array([np.isin(own, shared).any() for own in held], bool)
-    return table._replace(edged=table.edged[is_triangle | shares])
+    edged = table.edged[is_triangle | shares]
+    is_edged = np.zeros(len(table.shape), bool)
+    is_edged[edged] = True
+    return table._replace(edged=edged, is_edged=is_edged)
 
 
 def _unique(points: np.ndarray) -> np.ndarray:
