@@ -9,7 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 from raywalk.commands.terminal import Terminal
-from raywalk.errors import UserError, disk_trouble
+from raywalk.errors import UserError, disk_trouble, visible
 
 # Every core has a scene or a strip of its own: numpy's linear algebra with threads besides took a
 # third longer to write the trace files, and sums in another order give other last bits.
@@ -42,13 +42,13 @@ def main(arguments: list[str] | None = None) -> int:
             terminal.show(message)
     except UserError as problems:
         terminal.close()
-        print(problems, file=sys.stderr)
+        print(visible(str(problems)), file=sys.stderr)
         return 1
     except BrokenPipeError:
         return 1
     except OSError as trouble:
         terminal.close()
-        print(disk_trouble(trouble), file=sys.stderr)
+        print(visible(disk_trouble(trouble)), file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         terminal.close()

@@ -12,7 +12,8 @@ import trimesh
 from tests.geometry.by_hand import affine, mesh_of, scene_of, unit, write_ply
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
-from raywalk.geometry.mesh_target import MeshTarget, redo_in_float64
+from raywalk.geometry.mesh_rays import redo_in_float64
+from raywalk.geometry.mesh_target import MeshTarget
 from raywalk.scene.model import SceneObject
 
 BUNNY = Path(__file__).parents[2] / "models" / "bunny.ply"

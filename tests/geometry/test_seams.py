@@ -99,7 +99,7 @@ def edged_of(*shapes):
     """Which of these objects have their edges decided exactly."""
     named = [SceneObject(str(k), shape, 0) for k, shape in enumerate(shapes)]
     table = CompiledScene(scene_of(named, [Material("chalk")])).primitives
-    return sorted(int(table.object[row]) for row in table.edged)
+    return sorted(table.object[table.is_edged].tolist())
 
 
 def test_boxes_that_share_no_corner_pay_for_no_exact_edges():

@@ -64,7 +64,15 @@ FILES = {
     **{
         f"geometry/{name}.py": MESHES
         for name in (
-            *("bvh", "float32_copy", "mesh_file", "mesh_sides", "mesh_target"),
+            *(
+                "bvh",
+                "float32_copy",
+                "mesh_file",
+                "mesh_rays",
+                "mesh_sides",
+                "mesh_surface",
+                "mesh_target",
+            ),
             *("shallow_boxes", "triangle"),
         )
     },

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from raywalk.bench.made_scenes import placed, scene_of
+from raywalk.commands.check import check_geometry
 from raywalk.scene.model import Camera, Light, Material, Scene, SceneObject
 from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Box, Cylinder, Disc, Plane, Shape, Sphere, Triangle
-from raywalk.trace.scene_warnings import scene_warnings
+from raywalk.trace.scene_warnings import MOST_OBJECTS, no_lamp, scene_warnings
 from raywalk.trace.wavefront import Tracer
 
 CHALK = Material("chalk", (0.1, 0.1, 0.1), (0.8, 0.7, 0.6))
@@ -102,6 +103,13 @@ def test_a_lamp_in_a_body_and_one_that_lights_nothing_are_named() -> None:
             'the lamp "x" lights nothing that the picture shows'
         ]
     assert "there is no lamp" in warnings([FLOOR, BALL], ())[0]
+
+
+def test_check_says_of_many_objects_what_a_build_says() -> None:
+    """Most is not asked of them by either; a missing lamp is."""
+    crowd = [thing(str(k), Sphere((3.0 * k, 0.0, 0.0), 1.0)) for k in range(MOST_OBJECTS + 1)]
+    scene = scene_of(crowd, (), (CHALK, GLASS))
+    assert check_geometry(scene) == scene_warnings(Tracer(scene)) == no_lamp(scene) != []
 
 
 def test_a_camera_where_it_sees_nothing_is_named() -> None:

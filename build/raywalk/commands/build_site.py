@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.work.last_build import LastBuild, inputs_of
-from raywalk.work.ownership import refuse_foreign
 from raywalk.work.progress import Message
-from raywalk.work.publish import restore
+from raywalk.work.publish import ready
 from raywalk.work.snapshot import one_build
 
 SITE_SOURCE = Path("site_src")
@@ -52,8 +51,7 @@ def run(chosen: Namespace) -> Iterator[str | Message]:
 
 def _run(chosen: Namespace) -> Iterator[str | Message]:
     started = time.monotonic()
-    restore(chosen.out.resolve())
-    refuse_foreign(chosen.out)
+    ready(chosen.out)  # before anything is traced
     last = LastBuild(chosen.work, chosen.out)
     inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
     said = None if chosen.stats else last.said(inputs)

@@ -51,19 +51,14 @@ def run(chosen: Namespace) -> Iterator[str]:
 def check_geometry(scene: Scene) -> list[str]:
     """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
     and buried cameras; returns the warnings that a build gives too."""
-    from raywalk.trace.scene_warnings import MOST_OBJECTS, scene_warnings
+    from raywalk.trace.scene_warnings import MOST_OBJECTS, no_lamp, scene_warnings
 
     if len(scene.objects) > MOST_OBJECTS and not scene.has_glass and not scene.has_mesh:
-        return []  # a thousand times the time that all else takes
+        return no_lamp(scene)  # the rest takes a thousand times the time that all else takes
     # numba and Embree: only where needed
     from raywalk.trace.wavefront import Tracer
 
-    found = scene_warnings(Tracer(scene))
-    if scene.has_mesh:
-        from raywalk.geometry.mesh_report import mesh_warnings
-
-        found = mesh_warnings(scene) + found
-    return found
+    return scene_warnings(Tracer(scene))
 
 
 def _mesh_lines(scene: Scene) -> list[str]:

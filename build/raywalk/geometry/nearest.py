@@ -213,22 +213,23 @@ def nearest_primitive(
     Returns t (n,) float64, inf where nothing is met before t_max, and object (n,) int32.
     """
     t, met = nearest_roots(primitives, origin, direction, leaving, inner, t_max)
-    if len(primitives.edged):
-        unsure = unsure_rays(primitives, origin, direction, leaving)
+    edged = np.flatnonzero(primitives.is_edged)
+    if len(edged):
+        unsure = unsure_rays(primitives, edged, origin, direction, leaving)
         if len(unsure):
             settle_nearest(primitives, unsure, origin, direction, leaving, inner, t_max, t, met)
     return t, met
 
 
 @kernel
-def unsure_rays(primitives, origin, direction, leaving):
-    """The rays (u,) of which rounding may decide whether they meet a box or triangle.
+def unsure_rays(primitives, rows, origin, direction, leaving):
+    """The rays (u,) of which rounding may decide whether they meet one of these rows (e,).
 
     Asked after the loop over all primitives: in it the question costs those without edges as much.
     """
     # Columns taken out once: handed over in the loop the table costs more than the arithmetic.
     centre, to_local, stretch = primitives.centre, primitives.to_local, primitives.stretch
-    reach_sq, rows, met = primitives.reach_sq, primitives.edged, primitives.object
+    reach_sq, met = primitives.reach_sq, primitives.object
     codes = np.empty(len(rows), np.int64)
     for e in range(len(rows)):
         codes[e] = primitives.shape[rows[e]].code

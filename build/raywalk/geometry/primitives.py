@@ -33,8 +33,7 @@ class Primitives(NamedTuple):
     stretch: np.ndarray  # (p,) largest row sum of |to_local|: local units per world unit
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
-    edged: np.ndarray  # (e,) int32: rows whose edges are decided exactly; see `exact_at_edges`
-    is_edged: np.ndarray  # (p,) bool: whether a row is one of these
+    is_edged: np.ndarray  # (p,) bool: its edges are decided exactly; see `exact_at_edges`
     # Of triangles 3 and of boxes 8 corners, world; what float64 leaves over of them; else 0.
     corner: np.ndarray  # (p, 8, 3)
     corner_rest: np.ndarray  # (p, 8, 3)
@@ -78,10 +77,6 @@ def compile_primitives(scene: Scene) -> Primitives:
         )
         ** 2,
         row_of=row_of,
-        edged=np.array(
-            [row for row, k in enumerate(kept) if isinstance(scene.objects[k].shape, EDGED)],
-            np.int32,
-        ),
         is_edged=np.array([isinstance(scene.objects[k].shape, EDGED) for k in kept], bool),
         corner=rounded(corner),
         corner_rest=rest_of(corner),
@@ -89,22 +84,22 @@ def compile_primitives(scene: Scene) -> Primitives:
 
 
 def exact_at_edges(table: Primitives, vertices: list[np.ndarray]) -> Primitives:
-    """The table with `edged` for only those that need it, which costs all rays: triangles, open and
-    met flatly, and the boxes that share a corner with another object. A box for itself is tight.
+    """The table with `is_edged` for only those that need it, which costs all rays: triangles, open
+    and met flatly, and boxes that share a corner with another object. A box for itself is tight.
 
     vertices: (v, 3) of each mesh, world.
     """
-    is_triangle = table.shape[table.edged]["code"] == TRIANGLE
-    corners = zip(table.corner[table.edged], is_triangle, strict=True)
+    rows = np.flatnonzero(table.is_edged)
+    is_triangle = table.shape[rows]["code"] == TRIANGLE
+    corners = zip(table.corner[rows], is_triangle, strict=True)
     held = [_unique(each[:3] if three else each) for each, three in corners]
     others = [_unique(mesh) for mesh in vertices]
     names, counts = np.unique(np.concatenate([_NOTHING, *held, *others]), return_counts=True)
     shared = names[counts > 1]
     shares = np.array([np.isin(own, shared).any() for own in held], bool)
-    edged = table.edged[is_triangle | shares]
     is_edged = np.zeros(len(table.shape), bool)
-    is_edged[edged] = True
-    return table._replace(edged=edged, is_edged=is_edged)
+    is_edged[rows[is_triangle | shares]] = True
+    return table._replace(is_edged=is_edged)
 
 
 def _unique(points: np.ndarray) -> np.ndarray:

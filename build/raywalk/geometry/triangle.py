@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import inlined, kernel
 
 
 @kernel
@@ -30,6 +30,21 @@ def shear(dx, dy, dz):
     return kx, ky, kz, u / along, v / along, 1.0 / along
 
 
+@inlined
+def edge_weights(o, corners, k, kx, ky, kz, sx, sy):
+    """Corners a, b, c of row k sheared so that the ray is the z axis, and the ray's edge functions
+    (Woop et al. 2013): on which side of the edges opposite to a, b and c it passes."""
+    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
+    ax = corners[k, 0, kx] - o[kx] - sx * az
+    ay = corners[k, 0, ky] - o[ky] - sy * az
+    bx = corners[k, 1, kx] - o[kx] - sx * bz
+    by = corners[k, 1, ky] - o[ky] - sy * bz
+    cx = corners[k, 2, kx] - o[kx] - sx * cz
+    cy = corners[k, 2, ky] - o[ky] - sy * cz
+    weights = cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax
+    return (ax, ay, az), (bx, by, bz), (cx, cy, cz), weights
+
+
 @kernel
 def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
     """(t, u, v) with point = (1-u-v) a + u b + v c; t is inf where the ray's line misses.
@@ -38,16 +53,9 @@ def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
     c in the same frame. Either side hits. Edges count as inside. A degenerate triangle is
     never hit.
     """
-    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
-    ax = corners[k, 0, kx] - o[kx] - sx * az
-    ay = corners[k, 0, ky] - o[ky] - sy * az
-    bx = corners[k, 1, kx] - o[kx] - sx * bz
-    by = corners[k, 1, ky] - o[ky] - sy * bz
-    cx = corners[k, 2, kx] - o[kx] - sx * cz
-    cy = corners[k, 2, ky] - o[ky] - sy * cz
-    wa = cx * by - cy * bx
-    wb = ax * cy - ay * cx
-    wc = bx * ay - by * ax
+    (_, _, az), (_, _, bz), (_, _, cz), (wa, wb, wc) = edge_weights(
+        o, corners, k, kx, ky, kz, sx, sy
+    )
     if (wa < 0.0 or wb < 0.0 or wc < 0.0) and (wa > 0.0 or wb > 0.0 or wc > 0.0):
         return math.inf, 0.0, 0.0
     total = wa + wb + wc
@@ -70,16 +78,9 @@ def sided_hit(o, corners, k, sheared, off):
     sheared: what `shear` gave; off: how far o and the corners may be off, together.
     """
     kx, ky, kz, sx, sy, sz = sheared
-    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
-    ax = corners[k, 0, kx] - o[kx] - sx * az
-    ay = corners[k, 0, ky] - o[ky] - sy * az
-    bx = corners[k, 1, kx] - o[kx] - sx * bz
-    by = corners[k, 1, ky] - o[ky] - sy * bz
-    cx = corners[k, 2, kx] - o[kx] - sx * cz
-    cy = corners[k, 2, ky] - o[ky] - sy * cz
-    wa = cx * by - cy * bx
-    wb = ax * cy - ay * cx
-    wc = bx * ay - by * ax
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz), (wa, wb, wc) = edge_weights(
+        o, corners, k, kx, ky, kz, sx, sy
+    )
     wide = max(max(abs(ax), abs(ay)), max(max(abs(bx), abs(by)), max(abs(cx), abs(cy))))
     deep = max(abs(az), max(abs(bz), abs(cz)))
     # Each coordinate is off by this at most, and each product of two by it times the other.

@@ -61,7 +61,7 @@ def write_products(
         "finest": {"n": grids[0], "rays": made[stages.index(f"grid {grids[0]}")]},
         "triangles": sum(len(mesh.triangles.faces) for mesh in tracer.compiled.meshes),
         "dropped": dropped_triangles(tracer),
-        "warnings": warnings_of(tracer),
+        "warnings": scene_warnings(tracer),
     }
     (folder / "facts.json").write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
 
@@ -125,16 +125,6 @@ def dropped_triangles(tracer: Tracer) -> dict[str, dict[str, int]]:
         for mesh in tracer.compiled.meshes
         if mesh.triangles.dropped
     }
-
-
-def warnings_of(tracer: Tracer) -> list[str]:
-    """What an author should know though nothing is wrong."""
-    found = scene_warnings(tracer)
-    if tracer.compiled.meshes:
-        from raywalk.geometry.mesh_report import mesh_warnings
-
-        found = mesh_warnings(tracer.scene) + found
-    return found
 
 
 def write_display(path: Path, scene: Scene, tracer: Tracer) -> None:

@@ -15,7 +15,8 @@ from typing import Annotated, Any, Literal, TypeVar, get_args
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from raywalk.scene.formula import NoFormula, formulas_in, mathml
+from raywalk.scene.formula import NoFormula
+from raywalk.scene.lesson_text import lesson_html
 from raywalk.scene.wording import did_you_mean, quoted, show
 
 HEX = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})")
@@ -171,12 +172,11 @@ Name = Annotated[
 
 
 def _check_formulas(text: str) -> str:
-    for formula in formulas_in(text):
-        try:
-            mathml(formula)
-        except NoFormula as problem:
-            message = f"the formula ${formula}$ cannot be read: {problem}"
-            raise refusal(message, hint="a dollar sign without a formula: \\$") from None
+    try:
+        lesson_html(text)
+    except NoFormula as problem:
+        hint = "a dollar sign without a formula: \\$"
+        raise refusal(f"the formula {problem}", hint=hint) from None
     return text
 
 

@@ -13,7 +13,6 @@ from xml.etree.ElementTree import Element, ParseError, fromstring
 #: Between dollar signs as in Pandoc: $5 and $6 are prices, \$ is a dollar sign.
 INLINE = r"(?<![\\$])\$(?P<one>[^\s$](?:[^$\n]*?[^\s\\$])?)\$(?![\d$])"
 DISPLAY = r"(?<!\\)\$\$(?P<whole>[^$]+?)\$\$"
-CODE = re.compile(r"(`+).*?\1", re.DOTALL)
 FORMULA = re.compile(f"{DISPLAY}|{INLINE}")
 
 #: MathML Core's elements that a formula may use -> how many parts each must have, 0 for any.
@@ -31,11 +30,6 @@ SUBSCRIPTS = str.maketrans("0123456789+−-=()", "₀₁₂₃₄₅₆₇₈₉
 
 class NoFormula(ValueError):
     """What is wrong with a formula, in words."""
-
-
-def formulas_in(text: str) -> list[str]:
-    """The formulas of a text, without their dollar signs; code in backticks holds none."""
-    return [match["whole"] or match["one"] for match in FORMULA.finditer(CODE.sub("", text))]
 
 
 @lru_cache(maxsize=1024)  # a text is checked once and shown on pages and slides

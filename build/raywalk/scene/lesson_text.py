@@ -14,7 +14,7 @@ from markdown.inlinepatterns import InlineProcessor
 from markdown.treeprocessors import Treeprocessor
 from markdown.util import AtomicString
 
-from raywalk.scene.formula import FORMULA, mathml
+from raywalk.scene.formula import FORMULA, NoFormula, mathml
 
 # A link may lead to another part of the course or to a secure address. Browsers drop spaces and
 # control characters from an address and read a backslash as a slash, so //host, /\\host and the
@@ -54,7 +54,11 @@ def is_safe(address: str) -> bool:
 class _Formulas(InlineProcessor):  # type: ignore[misc]
     def handleMatch(self, match: re.Match[str], text: str) -> tuple[Element, int, int]:
         """What Markdown calls for each match."""
-        formula = deepcopy(mathml(match["whole"] or match["one"], bool(match["whole"])))
+        latex = match["whole"] or match["one"]
+        try:
+            formula = deepcopy(mathml(latex, is_display=bool(match["whole"])))
+        except NoFormula as problem:
+            raise NoFormula(f"${latex}$ cannot be read: {problem}") from None
         for element in formula.iter():
             if element.text:
                 element.text = AtomicString(element.text)

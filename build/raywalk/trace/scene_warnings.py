@@ -33,9 +33,13 @@ DARK = 0.5 / 255.0
 def scene_warnings(tracer: Tracer) -> list[str]:
     """A sentence for everything that is likely not meant."""
     scene = tracer.scene
-    found = overlap_warnings(scene, tracer.compiled)
-    if not scene.lights:
-        found.append("there is no lamp: only ambient light, mirrors and glass are seen")
+    found: list[str] = []
+    if tracer.compiled.meshes:
+        # Only here: a scene without a mesh runs none of it.
+        from raywalk.geometry.mesh_report import mesh_warnings
+
+        found += mesh_warnings(scene)
+    found += [*overlap_warnings(scene, tracer.compiled), *no_lamp(scene)]
     if len(scene.objects) > MOST_OBJECTS:
         return found
     waves = tracer.waves(np.arange(SAMPLE * SAMPLE), SAMPLE, SAMPLE)
@@ -44,6 +48,12 @@ def scene_warnings(tracer: Tracer) -> list[str]:
     found += _eye(tracer)
     found += _outside(tracer, waves)
     return found
+
+
+def no_lamp(scene: Scene) -> list[str]:
+    """What needs no tracer to be known."""
+    told = "there is no lamp: only ambient light, mirrors and glass are seen"
+    return [] if scene.lights else [told]
 
 
 def _is_clear(scene: Scene, obj: SceneObject) -> bool:

@@ -23,10 +23,8 @@ def staged(out: Path) -> Iterator[Path]:
     Each build has its own, so that two of them do not write into one another's; the one that
     ends last stays. Raises SourceErrors where `out` is not ours to replace.
     """
-    out = out.resolve()  # where a link leads, the site goes, and the link stays
+    out = ready(out)
     out.parent.mkdir(parents=True, exist_ok=True)
-    restore(out)
-    refuse_foreign(out)
     beside = _folder_beside(out)
     fresh = beside / REPLACED
     fresh.mkdir()
@@ -38,6 +36,15 @@ def staged(out: Path) -> Iterator[Path]:
     finally:
         _put_back(beside, out)
         shutil.rmtree(beside, ignore_errors=True)
+
+
+def ready(out: Path) -> Path:
+    """Where the site goes: where a link leads, the link stays. What a killed build left is mended.
+    Raises SourceErrors where something else is there."""
+    out = out.resolve()
+    restore(out)
+    refuse_foreign(out)
+    return out
 
 
 def restore(out: Path) -> None:
