@@ -1,6 +1,6 @@
 /** All that a person can do, by whatever means: each act makes the next state out of this one. */
 import type { Session } from "./session";
-import { TILE_VIEWS, type TileView } from "./state/costs";
+import { TILE_VIEWS, type TileView } from "./state/tile-views";
 import type { RayEvent } from "./state/event-types";
 import { nextLook, withLook, withObserver, type Look } from "./state/look";
 import * as player from "./state/play";

@@ -70,7 +70,7 @@ export function captionOf(event: RayEvent): Caption {
     case "local": {
       const sum = [say("event.local.ambient", { colour: tone(event.ambient) }), ...event.lights.map((light) => lightNumbers(light, event))].join(" + ");
       const keeps = event.share < 1 ? say("event.local.keeps", { share: percent(event.share) }) : "";
-      return { says: phrases("event.local.says"), numbers: beside(`${sum} = ${tone(event.colour)}`, keeps) };
+      return { says: phrases("event.local.says"), numbers: beside(event.base ? say("card.base", { colour: tone(event.base) }) : "", `${sum} = ${tone(event.colour)}`, keeps) };
     }
     case "reflected": {
       const how = event.clear ? "clear" : event.keeps > 0 ? "coloured" : "mirror";

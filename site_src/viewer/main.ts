@@ -34,7 +34,9 @@ function start(own: HTMLScriptElement) {
   listenToErrors(own.src, notice);
   const onDemand = createOnDemand(own, notice);
   const recombining = onDemand.one("what-if", ({ createWhatIf }) => ({ shown: createWhatIf().of, finest: createWhatIf().of }));
-  const session = createSession(() => recombining.nowOr(() => session.changed()));
+  const costing = onDemand.one("tile-legend", ({ costsOf }) => costsOf);
+  const changed = () => session.changed();
+  const session = createSession(() => recombining.nowOr(changed), () => costing.nowOr(changed));
   whenRefused(() => notice.say(say("trouble.storage")));
   const loader = createLoader(root, () => onDemand.come("box-lines"));
   const supplies = createSupplies(session, loader, onDemand, notice, () => beat.draw());

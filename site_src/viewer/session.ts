@@ -3,6 +3,7 @@ import type { Boxes } from "./state/box-lines";
 import type { RayEvent } from "./state/event-types";
 import { isSwitched, type Switches } from "./state/switches";
 import { createShown, type Shown } from "./state/shown";
+import type { CostsOf } from "./state/tile-views";
 import type { Timeline } from "./state/timeline";
 import type { LitLine, ViewState } from "./state/types";
 import type { WhatIf } from "./state/what-if";
@@ -18,9 +19,9 @@ export interface Listeners {
 
 type Recombine = (trace: Trace, scene: SceneData, switches: Switches) => WhatIf;
 
-/** recombining: what switches make of the shown trace and of the finest; null until its script is there. */
-export function createSession(recombining: () => { shown: Recombine; finest: Recombine } | null) {
-  const shown = createShown();
+/** recombining: what switches make of the shown trace and of the finest; null until its script is there, as `costing` is. */
+export function createSession(recombining: () => { shown: Recombine; finest: Recombine } | null, costing: () => CostsOf | null) {
+  const shown = createShown(costing);
   let listeners: Listeners | null = null;
   let loaded: Trace | null = null;
 

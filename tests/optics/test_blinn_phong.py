@@ -11,6 +11,7 @@ from tests.geometry.by_hand import scene_of
 from raywalk.optics.blinn_phong import diffuse_cosine, highlight, strength
 from raywalk.optics.shade import light_factors, local_colours, towards_light
 from raywalk.scene.model import Light, Material
+from raywalk.trace.lighting import NO_BASE
 from raywalk.trace.tables import Lights, Materials, compile_lights, compile_materials
 
 UP = (0.0, 1.0, 0.0)
@@ -108,7 +109,7 @@ def shaded(
         lights.intensity[0], lights.attenuation[0], 0, diffuse, specular,
     )  # fmt: skip
     lit = facing[:, None]
-    local_colours(materials, lights, rows, material, lit, diffuse, specular, colour)
+    local_colours(materials, lights, rows, material, NO_BASE, lit, diffuse, specular, colour)
     return colour[0]
 
 
@@ -144,9 +145,10 @@ def test_one_channel_is_enough_to_be_lit(channel: int, part: str) -> None:
     assert found.tolist() == pytest.approx(colour, abs=1e-15)
 
 
-def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator) -> None:
+@pytest.mark.parametrize("based", [False, True], ids=["", "base colours"])
+def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator, based: bool) -> None:
     """Points, normals, rays, materials and lights at random, in rows out of order: each colour is
-    ambient + sum of V I / (a0 + a1 D + a2 D^2) (kd n.l + ks (n.h)^s) light."""
+    B ambient + sum of V I / (a0 + a1 D + a2 D^2) (B kd n.l + ks (n.h)^s) light."""
     looks = [Material(f"m{m}", *rng.random((3, 3)), 1.0 + 9.0 * rng.random()) for m in range(4)]
     lamps = [
         Light(f"l{k}", *rng.random((2, 3)), 1.0 + rng.random(), rng.random(3)) for k in range(3)
@@ -170,16 +172,17 @@ def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator) -> None:
             materials, rows, material, normal, incoming, to_light, distance,
             lights.intensity[k], lights.attenuation[k], k, diffuse, specular,
         )  # fmt: skip
-    colour = np.zeros((count, 3))
-    local_colours(materials, lights, rows, material, visible, diffuse, specular, colour)
+    colour, base = np.zeros((count, 3)), rng.random((count if based else 0, 3))
+    local_colours(materials, lights, rows, material, base, visible, diffuse, specular, colour)
     for i in rows:
-        look, expected = looks[material[i]], np.array(looks[material[i]].ambient)
+        look, own = looks[material[i]], base[i] if based else np.ones(3)
+        expected = own * look.ambient
         for k, lamp in enumerate(lamps):
             away = np.linalg.norm(lamp.position - point[i])
             l = (lamp.position - point[i]) / away
             half = (l - incoming[i]) / np.linalg.norm(l - incoming[i])
             reach = lamp.intensity / (lamp.attenuation @ np.array([1.0, away, away * away]))
-            shine = np.multiply(look.diffuse, max(0.0, normal[i] @ l))
+            shine = own * look.diffuse * max(0.0, normal[i] @ l)
             shine += np.multiply(look.specular, max(0.0, normal[i] @ half) ** look.shininess)
             expected += visible[i, k] * reach * shine * lamp.colour
         # some 30 roundings, in highlights times an exponent of up to 10

@@ -12,7 +12,7 @@ from tests.models.solids import QUADS, cube, obj_text, written
 from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.mesh_report import mesh_lines, mesh_warnings
-from raywalk.scene.model import Scene
+from raywalk.scene.model import BASE_STEPS, Scene
 
 MTL = "newmtl red\nKd 0.9 0.1 0.1\nKs 0.5 0.5 0.5\nNs 30\nnewmtl green\nKd 0.1 0.8 0.1\nd 0.4\n"
 TWO = (
@@ -180,33 +180,70 @@ def coloured_ply(colours: list[str], of: str = "face") -> str:
 FACES = ["255 0 0", "0 255 0", "0 0 255", "255 255 0", "0 255 255", "51 51 51"]
 
 
+def base_at(made: Scene, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """The base colours of what rays meet first."""
+    compiled = CompiledScene(made)
+    found = compiled.base_colours(compiled.hits(rays_from(origin, direction)))
+    assert found is not None
+    return found
+
+
 def test_colours_of_faces_shade_what_a_ray_meets(
     scene_from: Callable[[str], Scene], tmp_path: Path
 ) -> None:
-    """From six sides six colours, each a material that is named by it; one object."""
+    """From six sides six colours, each exactly as its 8 bits; one object, in a white material."""
     written(tmp_path / "six.ply", coloured_ply(FACES))
     made = scene_from('[[objects]]\nname = "die"\ntype = "mesh"\nfile = "six.ply"\n')
-    compiled = CompiledScene(made)
     assert [obj.name for obj in made.objects] == ["die"]
     sides = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]], float)
-    hits = compiled.hits(rays_from(4 * sides + [0.1, 0.1, 0.1], -sides))
-    seen = [made.materials[k] for k in hits.material]
-    assert [material.diffuse for material in seen] == [
-        tuple(int(word) / 255 for word in colour.split()) for colour in FACES
-    ]
-    assert [material.name for material in seen][:2] == ["die, #ff0000", "die, #00ff00"]
+    seen = base_at(made, 4 * sides + [0.1, 0.1, 0.1], -sides)
+    assert seen.tolist() == [[int(word) / 255 for word in colour.split()] for colour in FACES]
+    (material,) = made.materials
+    assert (material.diffuse, material.ambient) == ((1, 1, 1), (0.1, 0.1, 0.1))
     assert mesh_warnings(made) == []
-    assert mesh_lines(made)[0].endswith("shown in 6 colours of its faces")
+    assert mesh_lines(made)[0].endswith("; shown in the colours of its faces")
 
 
-def test_colours_of_vertices_are_a_triangles_mean(
-    scene_from: Callable[[str], Scene], tmp_path: Path
+@pytest.mark.parametrize("scale", ["1", "[1, 1, -1]"])
+def test_colours_of_vertices_are_linear_between_them(
+    scene_from: Callable[[str], Scene], tmp_path: Path, scale: str
 ) -> None:
-    """Red on one side, black on the other: thirds between."""
-    written(tmp_path / "eight.ply", coloured_ply(["255 0 0"] * 4 + ["0 0 0"] * 4, "vertex"))
-    made = scene_from('[[objects]]\ntype = "mesh"\nfile = "eight.ply"\n')
-    reds = {round(3 * material.diffuse[0], 12) for material in made.materials}
-    assert reds == {0, 1, 2, 3}
+    """Red grows from one side of a cube to the other: between them it is the share of the way,
+    wherever a diagonal runs, mirrored or not."""
+    reds = [f"{255 * (z > 0)} 0 0" for _, _, z in cube().tolist()]
+    written(tmp_path / "eight.ply", coloured_ply(reds, "vertex"))
+    keys = f"transform = [{{ scale = {scale} }}]"
+    made = scene_from(f'[[objects]]\ntype = "mesh"\nfile = "eight.ply"\n{keys}\n')
+    high = np.linspace(-0.49, 0.49, 9)
+    eyes = np.column_stack([np.full(len(high), 4.0), np.full(len(high), 0.123), high])
+    red = base_at(made, eyes, np.tile([-1.0, 0, 0], (len(high), 1)))[:, 0]
+    expected = 0.5 + high * (1 if scale == "1" else -1)
+    assert np.abs(red - expected).max() <= 0.5001 / BASE_STEPS  # half a step of a base colour
+
+
+@pytest.mark.parametrize("rounds", [1, 2, 3])
+def test_subdivided_triangles_keep_their_places_colours(
+    scene_from: Callable[[str], Scene], tmp_path: Path, rounds: int
+) -> None:
+    """Loop's scheme leaves a regular flat net flat, and in its middle where it is: so a colour that
+    grows with x still does."""
+    side = 9
+    x, y = np.meshgrid(np.arange(side), np.arange(side), indexing="ij")
+    corner = (x[:-1, :-1] * side + y[:-1, :-1]).reshape(-1)
+    rows = [f"{i} {j} 0 {25 * i} 0 0" for i, j in zip(x.flat, y.flat, strict=True)]
+    faces = [
+        f"3 {a} {b} {c}"
+        for k in corner.tolist()
+        for a, b, c in ((k, k + side, k + side + 1), (k, k + side + 1, k + 1))
+    ]
+    text = "\n".join(["COFF", f"{side**2} {len(faces)} 0", *rows, *faces])
+    written(tmp_path / "net.off", text)
+    keys = f'type = "mesh"\nfile = "net.off"\nsubdivide = {rounds}\n'
+    made = scene_from(f"[[objects]]\n{keys}")
+    along = np.linspace(3.03, 4.97, 20)
+    eyes = np.column_stack([along, np.full(20, 4.321), np.full(20, 5.0)])
+    red = base_at(made, eyes, np.tile([0, 0, -1.0], (20, 1)))[:, 0]
+    assert np.abs(red - 25 * along / 255).max() <= 0.5001 / BASE_STEPS
 
 
 def test_colours_are_not_used_where_the_scene_gives_a_material(
@@ -221,8 +258,10 @@ def test_colours_are_not_used_where_the_scene_gives_a_material(
     ]
 
 
-def test_many_colours_become_few(scene_from: Callable[[str], Scene], tmp_path: Path) -> None:
-    """Of 3,000 triangles in as many colours at most 256 are left, each within 32 of 255."""
+def test_all_colours_are_kept_however_many(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """Of 3,000 triangles in as many colours each has its own, in one material."""
     rng = np.random.default_rng(13)
     places, colours = rng.normal(size=(9000, 3)), rng.integers(0, 256, (3000, 3))
     text = "OFF\n9000 3000 0\n" + "\n".join(" ".join(map(str, row)) for row in places.tolist())
@@ -232,9 +271,14 @@ def test_many_colours_become_few(scene_from: Callable[[str], Scene], tmp_path: P
     )
     written(tmp_path / "many.off", text)
     made = scene_from('[[objects]]\ntype = "mesh"\nfile = "many.off"\n')
-    assert len(made.materials) <= 256
-    (mesh,) = CompiledScene(made).meshes
-    assert mesh.triangles.materials is not None
-    shown = np.array([material.diffuse for material in made.materials])[mesh.triangles.materials]
-    assert np.abs(255 * shown - colours).max() <= 64
-    assert mesh_warnings(made) == ['"mesh 1": its colours are rounded: 64 are told apart']
+    assert len(made.materials) == 1
+    compiled = CompiledScene(made)
+    (mesh,) = compiled.meshes
+    middle = mesh.corners.mean(axis=1) + mesh.centre
+    away = rng.normal(size=middle.shape)
+    hits = compiled.hits(rays_from(middle + 1e-3 * away, -away))
+    found = compiled.base_colours(hits)
+    assert found is not None
+    assert (hits.triangle >= 0).all()
+    assert (255 * found == colours[hits.triangle]).all()
+    assert mesh_warnings(made) == []

@@ -11,7 +11,7 @@ def test_the_viewer_decodes_the_bits_that_the_encoder_measured(encoded: Encoded)
     """Course scenes, glass, and random scenes: every column as 64-bit patterns."""
     _, known = written(encoded.tree, encoded.scene, encoded.picture)
     columns = {k: v for k, v in vars(encoded.trace).items() if k not in ("header", "n", "count")}
-    assert len(columns) == 24
+    assert len(columns) == 25
     for name, column in columns.items():
         own = known[name].astype(column.dtype).reshape(column.shape)
         assert own.tobytes() == column.tobytes(), f"column {name} differs"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.geometry.base_colour import base_colours, based_objects
 from raywalk.geometry.nearest import NOWHERE, SOMEWHERE, all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
@@ -82,6 +83,7 @@ class CompiledScene:
         self.appearance = _appearance_of(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
+        self._based = scene if based_objects(scene) else None
         vertices = [mesh.triangles.world for mesh in self.meshes]
         self.primitives = exact_at_edges(self.primitives, vertices)
         clear = np.array(
@@ -150,11 +152,12 @@ class CompiledScene:
             geometric = normal.copy()
         for mesh in self.meshes:
             mesh.surface(rays.direction, met, triangle, uv, point, normal, geometric, inside)
-            here = met == mesh.index
-            material[here] = self.appearance.material[mesh.index]
-            if mesh.triangles.materials is not None:
-                material[here] = mesh.triangles.materials[triangle[here]]
+            material[met == mesh.index] = self.appearance.material[mesh.index]
         return Hits(t, met, triangle, point, normal, geometric, inside, material)
+
+    def base_colours(self, hits: Hits) -> np.ndarray | None:
+        """(n, 3) what ambient and diffuse are multiplied by at hits; None: nothing, anywhere."""
+        return base_colours(self._based, self.meshes, hits) if self._based else None
 
     def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Every hit of rays from free space, nearest first: start (n + 1,), t (h,), object (h,).

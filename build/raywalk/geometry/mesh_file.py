@@ -8,13 +8,13 @@ from fractions import Fraction
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.geometry.mesh_corners import at_corners
 from raywalk.geometry.mesh_normals import averaged_normals, grouped_normals, own_normals
 from raywalk.geometry.mesh_world import in_world, off_world
 from raywalk.models.clean import Cleaned, worth_tracing
 from raywalk.models.edges import balanced, edges_of, open_edges
 from raywalk.models.faults import ModelFault
 from raywalk.models.kept import read_cleaned
-from raywalk.models.palette import palette_of
 from raywalk.models.pieces import chosen
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
@@ -29,7 +29,7 @@ class Triangles:
     faces: np.ndarray  # (f, 3) int64
     normals: np.ndarray | None  # (n, 3) unit normals; None if flat
     normal_rows: np.ndarray  # (f, 3) int64: of each corner; `faces` where each vertex has one
-    materials: np.ndarray | None  # (f,) int32 into Scene.materials; None: all have the object's
+    colours: np.ndarray | None  # (f, 3, 3) of each corner, where the file's are shown
     closed: bool
     layered: bool  # closed shells of it lie in one another, or overlap
     dropped: dict[str, int]  # reason -> triangles
@@ -60,10 +60,11 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     if shape.subdivide:
         vertices, faces = _subdivided(cleaned, shape.subdivide)
     row = np.repeat(np.arange(len(cleaned.faces)), len(faces) // len(cleaned.faces))
+    child = np.arange(len(faces))
     closed, dropped = cleaned.shape.closed, cleaned.dropped
     if shape.piece:
         mine = chosen(cleaned, shape.piece)[row]
-        faces, row = faces[mine], row[mine]
+        faces, row, child = faces[mine], row[mine], child[mine]
         closed = balanced(edges_of(faces))
         dropped = dropped if shape.piece.first else {}
         vertices, faces = _compact(vertices, faces)
@@ -76,11 +77,13 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
             shape.path, "", "holds no usable triangle once the object's transform is applied",
             "scale it less unevenly",
         )  # fmt: skip
-    faces, row = faces[kept], row[kept]
-    if np.linalg.det(linear) < 0:  # a mirrored copy: keep normals outward
+    faces, row, child = faces[kept], row[kept], child[kept]
+    mirrored = bool(np.linalg.det(linear) < 0)
+    if mirrored:  # keep normals outward
         faces = faces[:, ::-1]
     centre, rest = _centre(linear, middle, offset)
     world, world_rest = in_world(linear, offset, vertices)
+    shown = obj.base.colours if obj.base else False
     normals, rows = _normals(shape, cleaned, placed, faces, row, linear)
     return Triangles(
         centre=centre,
@@ -88,7 +91,9 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         faces=np.ascontiguousarray(faces),
         normals=normals,
         normal_rows=np.ascontiguousarray(rows),
-        materials=_materials(shape, cleaned, row),
+        colours=at_corners(cleaned.model.colours, cleaned, shape.subdivide, child, mirrored)
+        if shown
+        else None,
         closed=closed and not flattened,
         layered=cleaned.shape.layered,
         dropped={**dropped, **flattened},
@@ -151,16 +156,6 @@ def _normals(
     if model.smoothing is not None:
         return grouped_normals(placed, faces, model.smoothing[source])
     return averaged_normals(placed, faces), faces
-
-
-def _materials(shape: Mesh, cleaned: Cleaned, row: np.ndarray) -> np.ndarray | None:
-    """Of each face, where the colours of the file are shown."""
-    if not shape.painted or shape.piece is None:
-        return None
-    mine = chosen(cleaned, shape.piece)
-    which = np.zeros(len(mine), np.int64)
-    which[mine] = palette_of(cleaned, mine).which
-    return np.array(shape.painted, np.int32)[which[row]]
 
 
 def _centre(

@@ -8,11 +8,9 @@ from typing import Any
 from raywalk.models.clean import Cleaned
 from raywalk.models.faults import shown
 from raywalk.models.kept import read_cleaned
-from raywalk.models.palette import palette_of
-from raywalk.models.pieces import chosen
 from raywalk.models.report import report
 from raywalk.models.telling import in_short, listed, warnings
-from raywalk.scene.model import Scene
+from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
 
 
@@ -21,22 +19,25 @@ def mesh_lines(scene: Scene) -> list[str]:
     lines = []
     for name, objects, cleaned in _meshes(scene):
         line = f'"{name}": {in_short(report(cleaned))}'
-        if any(mesh.painted for _, mesh in objects):
-            count = sum(len(mesh.painted) for _, mesh in objects)
-            line += f"; shown in {count} colours of its {cleaned.model.colours_of}"
-            lines.append(line)
-            continue
-        dressed = {
-            mesh.piece.label or "the rest": scene.materials[k].name
-            for k, mesh in objects
-            if mesh.piece
-        }
-        if dressed:
-            own = all(part == material for part, material in dressed.items())
-            parts = dressed if own else (f"{part} in {what}" for part, what in dressed.items())
-            line += f"; shown {'in its own materials ' if own else ''}{listed(parts)}"
-        lines.append(line)
+        shown_in = list(_shown_in(scene, objects, cleaned))
+        lines.append(f"{line}; shown {', '.join(shown_in)}" if shown_in else line)
     return lines
+
+
+def _shown_in(scene: Scene, objects: list[SceneObject], cleaned: Cleaned) -> Iterator[str]:
+    """Materials by the names of parts, and that the file's colours are shown."""
+    dressed = {
+        _mesh(obj).piece.label or "the rest": scene.materials[obj.material].name  # type: ignore[union-attr]
+        for obj in objects
+        if _mesh(obj).piece
+    }
+    coloured = any(obj.base and obj.base.colours for obj in objects)
+    if dressed and not (coloured and len(objects) == 1):
+        own = all(part == material for part, material in dressed.items())
+        parts = dressed if own else (f"{part} in {what}" for part, what in dressed.items())
+        yield f"{'in its own materials ' if own else ''}{listed(parts)}"
+    if coloured:
+        yield f"in the colours of its {cleaned.model.colours_of}"
 
 
 def mesh_warnings(scene: Scene) -> list[str]:
@@ -48,39 +49,39 @@ def mesh_warnings(scene: Scene) -> list[str]:
     ]
 
 
-def _meshes(scene: Scene) -> Iterator[tuple[str, list[tuple[int, Mesh]], Cleaned]]:
-    """Name, objects with the index of their material, and triangles of each mesh of the file."""
-    found: dict[str, list[tuple[int, Mesh]]] = {}
+def _meshes(scene: Scene) -> Iterator[tuple[str, list[SceneObject], Cleaned]]:
+    """Name, objects and triangles of each mesh of the file."""
+    found: dict[str, list[SceneObject]] = {}
     for obj in scene.objects:
         if isinstance(obj.shape, Mesh):
             of = obj.shape.piece.of if obj.shape.piece else obj.name
-            found.setdefault(of, []).append((obj.material, obj.shape))
+            found.setdefault(of, []).append(obj)
     for name, objects in found.items():
-        mesh = objects[0][1]
+        mesh = _mesh(objects[0])
         yield name, objects, read_cleaned(mesh.path, mesh.weld)
 
 
-def _not_used(objects: list[tuple[int, Mesh]], cleaned: Cleaned) -> Iterator[str]:
-    model, piece = cleaned.model, objects[0][1].piece
+def _mesh(obj: SceneObject) -> Mesh:
+    assert isinstance(obj.shape, Mesh)
+    return obj.shape
+
+
+def _not_used(objects: list[SceneObject], cleaned: Cleaned) -> Iterator[str]:
+    model, piece = cleaned.model, _mesh(objects[0]).piece
     file, names = shown(model.path.name), [shown(each.name) for each in model.materials]
     if names and piece is None:
         yield (
             f"the materials of {file}, {listed(names)}, are not used, as the scene gives one: "
             "leave `material` out to see them, or dress them by name in `materials`"
         )
-    shown_colours = any(mesh.painted for _, mesh in objects) or (piece and piece.by_material)
-    if model.colours and not shown_colours:
+    if model.colours and not (piece and piece.by_material):
         yield (
             f"the colours of its {model.colours_of} are not used, as the scene gives a material: "
             "leave it out to see them"
         )
-    counts = [len(mesh.painted) for _, mesh in objects if mesh.painted and mesh.piece]
-    if any(palette_of(cleaned, chosen(cleaned, mesh.piece)).bits < 8
-           for _, mesh in objects if mesh.painted and mesh.piece):  # fmt: skip
-        yield f"its colours are rounded: {sum(counts)} are told apart"
     if piece and piece.by_material:
-        yield from _looks_not_used(report(cleaned), [mesh.piece.label for _, mesh in objects
-                                                    if mesh.piece])  # fmt: skip
+        labels = [mesh.piece.label for obj in objects if (mesh := _mesh(obj)).piece]
+        yield from _looks_not_used(report(cleaned), labels)
 
 
 def _looks_not_used(told: dict[str, Any], labels: list[str]) -> Iterator[str]:

@@ -62,19 +62,21 @@ def light_factors(
 
 
 @kernel
-def local_colours(materials, lights, rows, material, lit, diffuse, specular, colour):
-    """Fills colour (n, 3) in these rows (r,): ambient + sum over lights V (diffuse kd +
-    specular ks) light colour.
+def local_colours(materials, lights, rows, material, base, lit, diffuse, specular, colour):
+    """Fills colour (n, 3) in these rows (r,): B ambient + sum over lights V (diffuse B kd +
+    specular ks) light colour, with the base colour B.
 
-    material: (n,); lit (V), diffuse and specular: (n, l).
+    material: (n,); base: (n, 3), or (0, 3) where it is 1 everywhere; lit (V), diffuse and specular:
+    (n, l).
     """
     for i in rows:
         m = material[i]
         for c in range(3):
-            total = materials.ambient[m, c]
+            b = base[i, c] if base.shape[0] > 0 else 1.0
+            total = materials.ambient[m, c] * b
             for k in range(lights.colour.shape[0]):
                 if lit[i, k]:
-                    shine = diffuse[i, k] * materials.diffuse[m, c]
+                    shine = diffuse[i, k] * (materials.diffuse[m, c] * b)
                     shine += specular[i, k] * materials.specular[m, c]
                     total += shine * lights.colour[k, c]
             colour[i, c] = total

@@ -31,7 +31,7 @@ ROWS = ("parent", "kind", "object")
 COLUMNS = {
     "t": "t", "point": "point", "normal": "normal", "weight": "weight",
     "local_weight": "localWeight", "blocked_at": "blockedAt", "passed": "passed",
-    "diffuse": "diffuse", "specular": "specular",
+    "diffuse": "diffuse", "specular": "specular", "base": "base",
 }  # fmt: skip
 
 
@@ -98,12 +98,13 @@ def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
     tree = assemble(tracer, [record(tracer, waves, places, kept, Tally())], size)
     in_grid = dict(zip(places.tolist(), pixels, strict=True))
     t = np.where(np.isfinite(tree.t), tree.t, 0.0)  # a leaving ray's, which nobody reads
+    given = {"t": t, "base": np.ones_like(tree.point) if tree.base is None else tree.base}
     return {
         "n": n,
         "pixel": [in_grid[place] for place in tree.pixel.tolist()],
         **{name: getattr(tree, name).tolist() for name in ROWS},
         "columns": {
-            column: (t if name == "t" else getattr(tree, name)).reshape(-1).tolist()
+            column: given.get(name, getattr(tree, name)).reshape(-1).tolist()
             for name, column in COLUMNS.items()
         },
         "hitsStart": tree.hits_start.tolist(),

@@ -189,9 +189,8 @@ class _Parts:
         if not isinstance(shape, Mesh):
             return
         for part in dressed_parts(table, shape, name, given, rest, at, self.problems):
-            indices = tuple(self._index(material) for material in part.materials)
-            mesh = replace(part.mesh, painted=indices) if len(indices) > 1 else part.mesh
-            self.objects.append(SceneObject(part.name, mesh, indices[0], transform))
+            index = self._index(part.material)
+            self.objects.append(SceneObject(part.name, part.mesh, index, transform, base=part.base))
 
     def _dressed(
         self, dress: str | MaterialTable, name: str, known: Materials, at: Sequence[str | int]

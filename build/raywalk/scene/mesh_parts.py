@@ -11,10 +11,9 @@ from raywalk.models.beside import beside
 from raywalk.models.faults import ModelFault, shown
 from raywalk.models.kept import read_cleaned
 from raywalk.models.model import FileMaterial, Model
-from raywalk.models.palette import Palette, palette_of
 from raywalk.models.piece import Piece
-from raywalk.models.pieces import chosen, labels, material_named, names_in
-from raywalk.scene.model import Material
+from raywalk.models.pieces import labels, material_named, names_in
+from raywalk.scene.model import Base, Material
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MeshTable
 from raywalk.scene.shapes import Mesh, Triple
@@ -22,6 +21,8 @@ from raywalk.scene.wording import did_you_mean, joined, quoted
 
 # A material that a file names without telling its colour is grey, as most programs show it.
 UNTOLD: Triple = (0.8, 0.8, 0.8)
+# What leaves the colours of a file's vertices as they are.
+UNCHANGED: Triple = (1.0, 1.0, 1.0)
 # Of a file's colour the share that is there without any lamp, as the built-in materials have it.
 AMBIENT = 0.1
 
@@ -31,7 +32,8 @@ class Part(NamedTuple):
 
     name: str
     mesh: Mesh
-    materials: list[Material]  # one, or the colours of its triangles
+    material: Material
+    base: Base | None
 
 
 def mesh_of(table: MeshTable, model: str, path: Path) -> Mesh:
@@ -78,34 +80,18 @@ def dressed_parts(
         material = given[label] if label in given else rest or own_material(model, label)
         if material is None:
             continue  # told where it was read
-        materials = [material]
+        base = None
         if label not in given and rest is None and model.colours:
-            materials = painted(material, called, palette_of(cleaned, chosen(cleaned, piece)))
-        yield Part(called, replace(mesh, piece=piece), materials)
-
-
-def painted(material: Material, name: str, palette: Palette) -> list[Material]:
-    """The material in each of a palette's colours."""
-    return [
-        replace(
-            material,
-            name=f"{name}, {as_hex(colour)}",
-            ambient=(AMBIENT * colour[0], AMBIENT * colour[1], AMBIENT * colour[2]),
-            diffuse=(colour[0], colour[1], colour[2]),
-        )
-        for colour in palette.colours.tolist()
-    ]
-
-
-def as_hex(colour: list[float]) -> str:
-    """ "#ff8000", as programs that paint have it."""
-    return "#" + "".join(f"{int(channel * 255 + 0.5):02x}" for channel in colour)
+            base = Base(colours=True)
+            if not model.format.startswith(("glTF", "GLB")):  # glTF multiplies, others replace
+                material = replace(material, ambient=(AMBIENT,) * 3, diffuse=UNCHANGED)
+        yield Part(called, replace(mesh, piece=piece), material, base)
 
 
 def own_material(model: Model, label: str) -> Material:
     """A file's material of that name as one of ours."""
     told = material_named(model, label) or FileMaterial(label or quoted(model.path.name))
-    diffuse = told.diffuse or UNTOLD
+    diffuse = told.diffuse or (UNCHANGED if model.colours else UNTOLD)
     r, g, b = diffuse
     return Material(
         told.name,

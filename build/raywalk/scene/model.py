@@ -47,6 +47,18 @@ class Checker:
     material: int  # index into Scene.materials, of the odd squares
 
 
+BASE_STEPS = 4080  # from 0 to 1: 16 to each of 8 bits; base colours are rounded so
+
+
+@dataclass(frozen=True)
+class Base:
+    """An object's base colour, which differs from place to place: what its material's ambient and
+    diffuse are multiplied by at a hit. Linear, 1 is full, as all colours, in steps of 1/BASE_STEPS:
+    so trace files hold it exactly."""
+
+    colours: bool = False  # those that a mesh's file gives its vertices or faces
+
+
 @dataclass(frozen=True, eq=False)
 class SceneObject:
     name: str
@@ -54,6 +66,7 @@ class SceneObject:
     material: int  # index into Scene.materials
     transform: np.ndarray = field(default_factory=lambda: np.eye(4))  # (4, 4), after the shape
     checker: Checker | None = None
+    base: Base | None = None  # None: the material's colours as they are
 
 
 @dataclass(frozen=True)

@@ -274,7 +274,6 @@ class Mesh(Shape):
     subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
     weld: float | None = None  # corners nearer than this share of the size are one; None: 1e-6
     piece: Piece | None = None  # only what has its label; None: the whole file
-    painted: tuple[int, ...] = ()  # indices into Scene.materials, of its triangles' colours
     beside: tuple[Path, ...] = ()  # files that it needs: materials, buffers
 
     canonical = MESH

@@ -111,6 +111,8 @@ def _object(obj: SceneObject, display: Display) -> ObjectData:
     })  # fmt: skip
     if isinstance(obj.shape, Mesh):
         data["mesh"] = obj.name
+    if obj.base:
+        data["based"] = True
     if obj.checker and isinstance(obj.shape, Plane):
         u, v = checker_axes(np.array(obj.shape.normal, float))
         outer = obj.transform[:3, :3]

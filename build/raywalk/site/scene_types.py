@@ -56,6 +56,7 @@ class ObjectData(TypedDict):
     tip: NotRequired[float]  # of a cone: a cylinder's radius at z = -1, else 1
     mesh: NotRequired[str]  # key into SceneData.meshes
     checker: NotRequired[CheckerData]
+    based: NotRequired[bool]  # it has a base colour, which differs from place to place
 
 
 class MeshData(TypedDict):

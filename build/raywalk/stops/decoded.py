@@ -11,7 +11,7 @@ import numpy as np
 
 from raywalk.stops.process import Stops
 
-VECTORS = ("point", "normal", "colour")
+VECTORS = ("point", "normal", "base", "colour")
 OF_LIGHTS = ("visibility", "blocker", "blockedAt", "passed", "diffuse", "specular")
 
 

@@ -50,6 +50,8 @@ def _ray(trace: DecodedTrace, k: int) -> dict[str, Any]:
     ray["material"] = material
     ray["materialName"] = header["materials"][material]["name"] if material >= 0 else None
     ray["inside"] = bool(trace.inside[k])
+    based = {patch["object"] for patch in header["patches"] if "base" in patch}
+    ray["baseColour"] = trace.base[k].tolist() if thing in based else None
     ray["lights"] = [_light(trace, k, l) for l in range(len(header["lights"]))]
     ray["children"] = []
     return ray
@@ -104,6 +106,8 @@ def _ray_lines(ray: dict[str, Any], header: dict[str, Any]) -> list[str]:
         f"  t {ray['t']:.3f}  point {_three(ray['point'])}  normal {_three(ray['normal'])}"
         f"  tests {ray['tests']}",
     ]
+    if ray["baseColour"]:
+        lines.append(f"  base colour {_three(ray['baseColour'])}")
     if ray["localWeight"] > 0:
         lines += [_light_line(light) for light in ray["lights"]]
     return [*lines, _sum_line(ray, header)]
@@ -132,12 +136,12 @@ def _sum_line(ray: dict[str, Any], header: dict[str, Any]) -> str:
 
 
 def _local(ray: dict[str, Any], header: dict[str, Any]) -> list[float]:
-    material = header["materials"][ray["material"]]
-    local = list(material["ambient"])
+    material, base = header["materials"][ray["material"]], ray["baseColour"] or [1.0] * 3
+    local = [ambient * base[c] for c, ambient in enumerate(material["ambient"])]
     for light, table in zip(ray["lights"], header["lights"], strict=True):
         if Visibility[light["visibility"].upper()] in LIT:
             for c in range(3):
-                term = light["diffuse"] * material["diffuse"][c]
+                term = light["diffuse"] * (material["diffuse"][c] * base[c])
                 term += light["specular"] * material["specular"][c]
                 local[c] += term * table["colour"][c]
     return local

@@ -14,6 +14,8 @@ from raywalk.trace.tables import Lights, Materials
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Lighting
 
+NO_BASE = np.empty((0, 3))
+
 
 def light_hits(
     scene: Scene, compiled: CompiledScene, materials: Materials, lights: Lights,
@@ -33,6 +35,7 @@ def light_hits(
         specular=np.zeros((count, many)),
         local=np.zeros((count, 3)),
         local_weight=local_weight,
+        base=compiled.base_colours(hits),
     )
     wanted = local_weight > 0.0 if plan.leave_colourless else hits.object != NOWHERE
     asked = np.flatnonzero(wanted)
@@ -53,6 +56,7 @@ def light_hits(
             cast_shadows(scene, compiled, materials, hits, cast, k, out)
     lit = (out.visibility == Visibility.REACHED) | (out.visibility == Visibility.UNTESTED)
     local_colours(
-        materials, lights, asked, hits.material, lit, out.diffuse, out.specular, out.local
-    )
+        materials, lights, asked, hits.material, NO_BASE if out.base is None else out.base,
+        lit, out.diffuse, out.specular, out.local,
+    )  # fmt: skip
     return out

@@ -50,6 +50,7 @@ def _node(scene: Scene, wave: Wave, k: int) -> dict[str, Any]:
         "point": None if gone else hits.point[k].tolist(),
         "normal": None if gone else hits.normal[k].tolist(),
         "inside": bool(hits.inside[k]),
+        "base_colour": _base(scene, wave, k),
         "weight": float(wave.weight[k]),
         "local_weight": float(lighting.local_weight[k]),
         "local": lighting.local[k].tolist(),
@@ -57,6 +58,15 @@ def _node(scene: Scene, wave: Wave, k: int) -> dict[str, Any]:
         "colour": wave.colour[k].tolist(),
         "children": [],
     }
+
+
+def _base(scene: Scene, wave: Wave, k: int) -> list[float] | None:
+    """What ambient and diffuse were multiplied by; None on an object without a base colour."""
+    thing = int(wave.hits.object[k])
+    if wave.lighting.base is None or thing == NOWHERE or not scene.objects[thing].base:
+        return None
+    found: list[float] = wave.lighting.base[k].tolist()
+    return found
 
 
 def _lights(scene: Scene, wave: Wave, k: int) -> list[dict[str, Any]]:
@@ -96,6 +106,8 @@ def _lines(node: dict[str, Any]) -> list[str]:
         f"point {_numbers(node['point'])}, normal {_numbers(node['normal'])}: "
         f"colour {_numbers(node['colour'])}, weight {node['weight']:.6g}"
     ]
+    if node["base_colour"]:
+        lines[0] += f", base colour {_numbers(node['base_colour'])}"
     for light in node["lights"]:
         state = "lights it" if light["visible"] else f"is blocked by {light['blocker']}"
         lines.append(

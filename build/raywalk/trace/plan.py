@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from raywalk.scene.model import Scene
-from raywalk.scene.shapes import Mesh
 
 # A ray with a smaller share in its pixel is not followed in pictures: it could change the
 # 8-bit colour by 0.06 of a step. Clear glass splits every ray in two and would otherwise
@@ -49,7 +48,6 @@ def plan_of(scene: Scene, depth: int | None = None) -> Plan:
     """The plan of a scene; depth: bounces at most, the scene's own if not given."""
     used = {obj.material for obj in scene.objects}
     used |= {obj.checker.material for obj in scene.objects if obj.checker}
-    used |= {k for obj in scene.objects if isinstance(obj.shape, Mesh) for k in obj.shape.painted}
     materials = [scene.materials[k] for k in sorted(used)]
     glass = any(m.transmit > 0 for m in materials)
     mirrors = any(m.reflect > 0 for m in materials)

@@ -88,6 +88,7 @@ def _columns(
         **{key: getattr(lighting, key)[chosen] for key in LIGHT_COLUMNS},
         "local": lighting.local[chosen],
         "local_weight": lighting.local_weight[chosen],
+        **({} if lighting.base is None else {"base": lighting.base[chosen]}),
     }
 
 
@@ -144,7 +145,7 @@ def _join(records: list[Recorded], depth: int) -> tuple[dict[str, np.ndarray], n
 def _tree(
     tracer: Tracer, levels: list[dict[str, np.ndarray]], records: list[Recorded], size: int
 ) -> RayTree:
-    names = [key for key in RayTree.__dataclass_fields__ if not key.startswith(("hits", "size"))]
+    names = [key for key in RayTree.__dataclass_fields__ if key in levels[0]]
     columns = {key: np.concatenate([level[key] for level in levels]) for key in names}
     counts = np.concatenate([np.diff(r.hits[0]) for r in records])
     return RayTree(

@@ -7,7 +7,7 @@ tree is thus spread over the rows and held together by `parent`.
 
 Invariant, tested: for every ray that hits,
     colour = local_weight * local + sum over children (weight * child colour),
-    local  = ambient + sum over lights V (diffuse * Kd + specular * Ks),
+    local  = B ambient + sum over lights V (diffuse * B Kd + specular * Ks), B: the base colour,
 and for a ray that leaves the scene, colour = background.
 """
 
@@ -105,6 +105,7 @@ class RayTree:
     hits_start: np.ndarray  # (c + 1,) int32: camera ray k met hits_start[k]:hits_start[k+1]
     hits_t: np.ndarray  # (h,) float64: distances of all hits along it, ascending
     hits_object: np.ndarray  # (h,) int16: the objects met there
+    base: np.ndarray | None = None  # (m, 3) base colour, 1 where none; None: nowhere any
 
     @property
     def cameras(self) -> int:

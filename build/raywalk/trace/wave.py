@@ -22,6 +22,7 @@ class Lighting(NamedTuple):
     specular: np.ndarray  # (n, L)
     local: np.ndarray  # (n, 3)
     local_weight: np.ndarray  # (n,)
+    base: np.ndarray | None  # (n, 3), None where no object has a base colour
 
 
 @dataclass(eq=False)

@@ -41,7 +41,9 @@ def begin_header(
             for light in scene.lights
         ],
         "materials": tables.material_rows(tree, scene),
-        "patches": [tables.patch_row(p, extent, k in ended) for k, p in enumerate(patches)],
+        "patches": [
+            tables.patch_row(p, extent, k in ended, scene) for k, p in enumerate(patches)
+        ],
         "images": depth_images(tree, frame, n, patches, extent, signature, signature_of),
         "tables": {
             "signature": [list(row) for row in signature],

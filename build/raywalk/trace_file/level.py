@@ -34,7 +34,7 @@ def rows_of(tree: RayTree, rows: np.ndarray) -> RayTree:
     columns = {
         f.name: getattr(tree, f.name).take(rows, axis=0)
         for f in fields(tree)
-        if f.name not in ("size", "hits_start", *PER_HIT)
+        if f.name not in ("size", "hits_start", *PER_HIT) and getattr(tree, f.name) is not None
     }
     columns["parent"] = new_row[columns["parent"]]
     cameras = rows[rows < tree.cameras]

@@ -43,6 +43,8 @@ def measured_errors(
         "hits": _most(ray["hitsT"] - tree.hits_t),
         "colour": _most((ray["colour"] - tree.colour).reshape(-1)),
     }
+    if tree.base is not None and (ray["base"] != tree.base).any():
+        raise TraceFileError("column base does not come back")
     if _most((ray["passed"] - tree.passed)[hit].reshape(-1)) > SAME_SHARE:
         raise TraceFileError("column passed does not come back")
     if found["colour"] > COLOUR:

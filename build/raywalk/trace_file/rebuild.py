@@ -75,7 +75,8 @@ def normals_on(patch: dict[str, Any], sign: np.ndarray, point: Columns) -> Colum
 def recombine(header: dict[str, Any], ray: dict[str, np.ndarray]) -> np.ndarray:
     """(m, 3) colours from lighting terms and weights.
 
-    local = ambient + light by light V * (diffuse * kd + specular * ks) * light colour;
+    local = ambient * B + light by light V * (diffuse * (kd * B) + specular * ks) * light colour,
+    B the base colour;
     then rows from the last to the first add weight * colour to their parent's
     localWeight * local: the last branch's child first, so the refracted before the reflected.
     """
@@ -84,7 +85,8 @@ def recombine(header: dict[str, Any], ray: dict[str, np.ndarray]) -> np.ndarray:
     for c in range(3):
         table = [np.array([*(m[key][c] for m in materials), 0.0]) for key in COLOURS]
         ambient, kd, ks = (column[ray["material"]] for column in table)
-        local = ambient
+        base = ray["base"][:, c]
+        local, kd = ambient * base, kd * base
         for l, light in enumerate(header["lights"]):
             lit = np.isin(ray["visibility"][:, l], LIT)
             term = (ray["diffuse"][:, l] * kd + ray["specular"][:, l] * ks) * light["colour"][c]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raywalk.scene.model import Scene
+from raywalk.scene.model import BASE_STEPS, Scene
 from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild
 from raywalk.trace_file.level import TraceFileError
@@ -102,7 +102,9 @@ def seen(tree: RayTree) -> tuple[list, np.ndarray]:
     return [(*seen, float(shares[k])) for *seen, k in table], places.reshape(shape)
 
 
-def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[str, Any]:
+def patch_row(
+    patch: Patch, extent: float, is_ended_by_children: bool, scene: Scene
+) -> dict[str, Any]:
     """What the header says of a patch. A frame is only kept if a reflected ray ends there."""
     row: dict[str, Any] = {"object": patch.object, "points": patch.points, "normals": patch.normals}
     if is_ended_by_children:
@@ -110,6 +112,8 @@ def patch_row(patch: Patch, extent: float, is_ended_by_children: bool) -> dict[s
         row["step"] = coordinate_step(patch.points, error, patch.axes)
         if patch.points != "free":
             row |= {"origin": list(patch.origin), "axes": list(patch.axes)}
+    if patch.object >= 0 and scene.objects[patch.object].base:
+        row["base"] = BASE_STEPS
     if patch.gradient:
         row["gradient"] = list(patch.gradient)
     return row

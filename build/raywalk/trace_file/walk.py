@@ -44,6 +44,7 @@ def walk(header: dict[str, Any], coder: Noting, true: RayTree, tile: np.ndarray)
     points(header, coder, ray, tree, true)
     normals(header, coder, ray, tree, true)
     weights(header, coder, ray, tree, true)
+    bases(header, coder, ray, tree, true)
     tiles(header, coder, ray, sides, tile)
     lights(header, coder, ray, tree, true)
     ray["colour"] = rebuild.recombine(header, ray)
@@ -221,6 +222,25 @@ def weights(
     every = np.ones(tree.count, bool)
     tests = coder.numbers("tests", true.tests, every, ray["history"], ray["patch"], tree.sides)
     ray["tests"] = tests.astype(np.int64)
+
+
+def bases(
+    header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
+) -> None:  # fmt: skip
+    """What ambient and diffuse are multiplied by, each channel predicted from those before it too;
+    of the objects alone that have a base colour."""
+    ray["base"] = np.ones((tree.count, 3))
+    steps = np.array([patch.get("base", 0) for patch in header["patches"]])[ray["patch"]]
+    stored = steps > 0
+    if true.base is None or not stored.any():
+        return
+    for c in range(3):
+        before = [ray["base"][:, k].copy() for k in range(c)]
+        number = coder.numbers(
+            f"base{c}", true.base[:, c] * steps, stored, ray["history"], ray["patch"], tree.sides,
+            before,
+        )  # fmt: skip
+        ray["base"][:, c] = np.where(stored, number / np.maximum(steps, 1), 1.0)
 
 
 def lights(

@@ -70,7 +70,7 @@ export function createRays(acts: LineActs): RaysView {
     if (row.of) brings.append(` \u00b7 ${say("card.share", { share: percent(row.weight), ray: row.of })}`);
     const [nearest, ...others] = row.hits.map(({ name, t }) => `${name} ${number(t)}`);
     const meets = others.length ? [figures("meets", ...marked(phrases("card.meets", { nearest, others: listed(others) })))] : [];
-    const own = row.lights.length ? [figures("where", say("card.ambient", { colour: tone(row.ambient) }), ...(row.keeps < 1 ? [` \u00b7 ${say("card.keeps", { share: percent(row.keeps) })}`] : []))] : [];
+    const own = row.lights.length ? [figures("where", ...(row.base ? [say("card.base", { colour: tone(row.base) }), " \u00b7 "] : []), say("card.ambient", { colour: tone(row.ambient) }), ...(row.keeps < 1 ? [` \u00b7 ${say("card.keeps", { share: percent(row.keeps) })}`] : []))] : [];
     return item(row.kind, row.depth, { ray: row.ray, light: -1 }, says, ...where, ...meets, ...own, brings);
   }
 

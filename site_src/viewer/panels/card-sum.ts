@@ -1,5 +1,6 @@
 /** How the pixel's colour adds up: a formula a ray, with the numbers put in. */
 import type { Actions } from "../actions";
+import { materialAt } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import { isAll } from "../state/vectors";
 import { tileColour } from "../state/view-state";
@@ -80,7 +81,7 @@ export function createSums(acts: Pick<Actions, "goToEvent">): RaysView {
     const made: HTMLElement[] = [];
     const isPixel = row.of === 0;
     const isOwn = row.lights.length > 0;
-    const material = scene.materials[trace.material[row.ray]];
+    const material = materialAt(trace, scene, row.ray)!;
     const title = (name: "sum.pixel" | "sum.ray" | "sum.open" | "sum.surface") => element("p", "sum-title", ...marked(phrases(name, { ray: row.number, object: row.object })));
     const isWhole = !sent.length && isOwn && row.keeps === 1; // the ray brings the surface's own colour and no more
     if (isPixel) {

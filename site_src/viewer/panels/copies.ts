@@ -18,6 +18,7 @@ function rayText(row: RayRow): string[] {
     ...(row.object ? [say("card.t", { t: number(row.t) }), vector(row.point), say("card.normal", { normal: vector(row.normal) })] : []),
     say("card.tests", { count: row.tests }),
     ...(row.of ? [say("card.share", { share: percent(row.weight), ray: row.of })] : []),
+    ...(row.base ? [say("card.base", { colour: tone(row.base) })] : []),
     ...(row.lights.length ? [say("card.ambient", { colour: tone(row.ambient) })] : []),
     `${say("card.brings")} ${colour(row.colour)}`,
   ];
@@ -48,6 +49,7 @@ export function treeTable(rows: readonly RayRow[]): string {
     ["weight", (row) => digits(row.weight)],
     ["share_of_pixel", (row) => digits(row.share)],
     ["local_weight", (row) => digits(row.keeps)],
+    ...(rows.some(({ base }) => base) ? three("base", (row) => row.base ?? [1, 1, 1], "rgb") : []),
     ...three("ambient", (row) => row.ambient, "rgb"),
     ...three("colour", (row) => row.colour, "rgb"),
     ...Array.from({ length: lights }, (_, k) => [

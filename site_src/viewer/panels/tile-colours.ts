@@ -1,8 +1,8 @@
 /** What the tiles show: a menu; what their colours mean comes when they show something else than the picture. */
 import type { Actions } from "../actions";
 import type { OnDemand } from "../on-demand";
-import { TILE_VIEWS, type TileView } from "../state/costs";
 import type { Shown } from "../state/shown";
+import { TILE_VIEWS, type TileView } from "../state/tile-views";
 import type { ViewState } from "../state/view-state";
 import type { Trace } from "../trace/types";
 import { say } from "../words";

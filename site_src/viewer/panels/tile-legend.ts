@@ -1,12 +1,15 @@
 /** What the tiles' colours mean, and the numbers of the selected and the pointed tile; for counts a scale. */
-import { onScale, scaleOf, type Costs, type CountedView, type ScaledView } from "../state/costs";
+import { onScale, scaleOf, type CountedView, type ScaledView } from "../state/costs";
 import { triple } from "../state/vectors";
 import type { Shown } from "../state/shown";
+import type { Costs } from "../state/tile-views";
 import { pixelIndex, type ViewState } from "../state/view-state";
 import type { RayBoxes } from "../trace/boxes";
 import type { Trace } from "../trace/types";
 import { grouped, list, number, percent, say, vector } from "../words";
 import { element } from "../element";
+
+export { costsOf } from "../state/costs"; // of the same part: what the colours mean, and they
 
 const STOPS = 10;
 

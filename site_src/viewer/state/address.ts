@@ -3,10 +3,10 @@
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, type RayChoice } from "./view-state";
 import type { Kept, ViewState } from "./types";
-import { TILE_VIEWS } from "./costs";
 import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
 import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
+import { TILE_VIEWS } from "./tile-views";
 import { length, sub, type Vec3 } from "./vectors";
 
 const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "speed", "projector", "still", "gl"];

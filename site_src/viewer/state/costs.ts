@@ -1,17 +1,9 @@
 /** What a tile can show besides its colour: how much work its rays were, and what its camera ray met. */
 import { KIND } from "../trace/kinds";
-import { VISIBILITY, type SceneData, type Trace, type View } from "../trace/types";
+import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
+import { materialAt } from "./events";
 import { HIDDEN } from "./switches";
-
-export type TileView = NonNullable<View["colours"]>;
-
-export interface Costs {
-  view: TileView;
-  colours: Uint8Array; // (3 * n * n)
-  values: Float64Array | null; // (n * n), NaN where a tile has none; null where colours say all
-  least: number;
-  most: number;
-}
+import { plainly, type Costs, type TileView } from "./tile-views";
 
 /** Anchors of the cividis map: the same order of lightness for every kind of colour vision
  *  (Nunez, Anderton, Renslow 2018). */
@@ -60,7 +52,7 @@ function shadowed(trace: Trace, scene: SceneData): Float64Array {
     if (trace.parent[ray] >= 0) share[ray] *= share[trace.parent[ray]];
     const pixel = trace.pixel[ray];
     if (pixel === HIDDEN || trace.object[ray] < 0) continue;
-    const { diffuse, specular } = scene.materials[trace.material[ray]];
+    const { diffuse, specular } = materialAt(trace, scene, ray)!;
     for (const [light, { colour }] of scene.lights.entries()) {
       const at = ray * trace.lights + light, seen = trace.visibility[at];
       if (seen === VISIBILITY.behind || seen === VISIBILITY.off) continue;
@@ -79,7 +71,7 @@ interface Scaled {
   written: "count" | "length" | "share";
 }
 
-/** The table of what tiles can show by a scale of colours, in the order of the menu; its words are below tileView. */
+/** The table of what tiles can show by a scale of colours; its words are below tileView. */
 const SCALED = {
   rays: { of: (trace) => sums(trace, (ray) => raysAt(trace, ray), add), written: "count" },
   depth: { of: (trace) => sums(trace, (ray) => trace.depth[ray], Math.max), written: "count" },
@@ -91,7 +83,6 @@ const SCALED = {
 export type ScaledView = keyof typeof SCALED;
 export type CountedView = { [Each in ScaledView]: (typeof SCALED)[Each]["written"] extends "count" ? Each : never }[ScaledView];
 export const scaleOf = (view: ScaledView): Scaled => SCALED[view];
-export const TILE_VIEWS: readonly TileView[] = ["picture", ...(Object.keys(SCALED) as ScaledView[]), "normal"];
 
 function normals(trace: Trace): Uint8Array {
   const colours = new Uint8Array(3 * trace.n * trace.n);
@@ -101,8 +92,8 @@ function normals(trace: Trace): Uint8Array {
 }
 
 export function costsOf(trace: Trace, scene: SceneData, view: TileView): Costs {
-  if (view === "picture") return { view, colours: trace.tiles, values: null, least: 0, most: 0 };
-  if (view === "normal") return { view, colours: normals(trace), values: null, least: 0, most: 0 };
+  if (view === "picture") return plainly(view, trace.tiles);
+  if (view === "normal") return plainly(view, normals(trace));
   const { of, written } = scaleOf(view);
   const values = of(trace, scene);
   const known = written === "share" ? Float64Array.of(0, 1) : values.filter((value) => !Number.isNaN(value));

@@ -40,7 +40,7 @@ export type Happening =
   | { what: "background"; colour: Vec3 }
   | { what: "reached" | "away" | "unasked" | "off"; name: string }
   | { what: "blocked"; name: string; by: string; at: number } // world units from the hit
-  | { what: "local"; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
+  | { what: "local"; base: Vec3 | null; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
   | { what: "stops"; name: string; limit: number; atLimit: boolean }
   | { what: "gather"; name: string; terms: readonly Term[]; colour: Vec3 }
   | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3; why: Why | null };

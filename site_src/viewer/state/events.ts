@@ -26,6 +26,15 @@ type Colours = Pick<MaterialData, "ambient" | "diffuse" | "specular">;
 
 const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
+/** What ambient and diffuse are multiplied by where a ray ends; null on an object without a base colour. */
+export const baseAt = (trace: Trace, scene: SceneData, ray: number): Vec3 | null => (scene.objects[trace.object[ray]]?.based ? triple(trace.base, ray) : null);
+
+/** What a ray ends on, its colours as they are there: ambient and diffuse times the base colour. None if it leaves. */
+export function materialAt(trace: Trace, scene: SceneData, ray: number): MaterialData | undefined {
+  const own = scene.materials[trace.material[ray]], base = triple(trace.base, ray);
+  return own && { ...own, ambient: times(own.ambient, base), diffuse: times(own.diffuse, base) };
+}
+
 export const isGiving = ({ seen }: Pick<LightShare, "seen">): boolean => seen === "reached" || seen === "unasked";
 
 /** What a light adds to a surface's own colour, before the share the surface keeps. */
@@ -89,9 +98,9 @@ function lighting(trace: Trace, scene: SceneData, ray: number): RayEvent[] {
     if (seen === "blocked") return event(ray, { what: seen, name, by: nameOf(scene, trace.blocker[at]), at: stopped }, { light, line: seen, long: stopped });
     return event(ray, { what: seen, name }, seen === "reached" ? { light, line: seen, long: far } : { light });
   });
-  const { ambient, diffuse, specular } = scene.materials[trace.material[ray]];
+  const { ambient, diffuse, specular } = materialAt(trace, scene, ray)!;
   const colour = localColour({ ambient, diffuse, specular }, lights);
-  return [...asked, event(ray, { what: "local", ambient, diffuse, specular, lights, share: trace.localWeight[ray], colour })];
+  return [...asked, event(ray, { what: "local", base: baseAt(trace, scene, ray), ambient, diffuse, specular, lights, share: trace.localWeight[ray], colour })];
 }
 
 /** What a ray's colour is the sum of. sent: the rays it led to. */
@@ -99,7 +108,7 @@ function termsOf(trace: Trace, scene: SceneData, ray: number, sent: readonly num
   const brought = sent.map((child): Term => ({ of: RAY_KINDS[trace.kind[child]] as SentKind, share: trace.weight[child], colour: triple(trace.colour, child) }));
   if (trace.object[ray] < 0) return [{ of: "background", share: 1, colour: scene.background }];
   if (trace.localWeight[ray] === 0) return brought;
-  const own = localColour(scene.materials[trace.material[ray]], lightShares(trace, scene, ray));
+  const own = localColour(materialAt(trace, scene, ray)!, lightShares(trace, scene, ray));
   return [{ of: "local", share: trace.localWeight[ray], colour: own }, ...brought];
 }
 

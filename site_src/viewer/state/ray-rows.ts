@@ -1,9 +1,9 @@
 /** A pixel's rays as the rows of a table, numbered in the order in which they are walked. Stored numbers only,
  *  and products of them: a share times a colour. */
 import { RAY_KINDS, type RayKind } from "../trace/kinds";
-import type { SceneData, Trace, Vec3 } from "../trace/types";
+import type { MaterialData, SceneData, Trace, Vec3 } from "../trace/types";
 import type { LightShare } from "./event-types";
-import { given, hitsOf, lightShares, localColour } from "./events";
+import { baseAt, given, hitsOf, lightShares, localColour, materialAt } from "./events";
 import { treeOf } from "./lines";
 import { triple } from "./vectors";
 
@@ -29,6 +29,7 @@ export interface RayRow {
   weight: number; // share in the colour of the ray that led to it
   share: number; // in the pixel's
   keeps: number; // share of the surface's own colour in this ray's
+  base: Vec3 | null; // what ambient and diffuse are multiplied by; null: nothing, on all of the object
   ambient: Vec3;
   local: Vec3; // the surface's own colour: ambient, and what each light gives
   colour: Vec3; // what the ray brings back
@@ -38,8 +39,7 @@ export interface RayRow {
 
 const BLACK: Vec3 = [0, 0, 0];
 
-function lightRows(trace: Trace, scene: SceneData, ray: number): LightRow[] {
-  const material = scene.materials[trace.material[ray]];
+function lightRows(trace: Trace, scene: SceneData, ray: number, material: MaterialData): LightRow[] {
   return lightShares(trace, scene, ray).map((light, k) => {
     const at = ray * trace.lights + k;
     return { ...light, light: k, by: scene.objects[trace.blocker[at]]?.name ?? "", at: trace.blockedAt[at], gives: given(material, light) };
@@ -52,9 +52,9 @@ export function rayRows(trace: Trace, scene: SceneData, pixel: number): RayRow[]
   return treeOf(trace, pixel).map((ray, k) => {
     const above = numbers.get(trace.parent[ray]);
     const isHit = trace.object[ray] >= 0;
-    const material = scene.materials[trace.material[ray]];
+    const material = materialAt(trace, scene, ray);
     const keeps = trace.localWeight[ray];
-    const lights = isHit && keeps > 0 ? lightRows(trace, scene, ray) : [];
+    const lights = isHit && keeps > 0 ? lightRows(trace, scene, ray, material!) : [];
     const row: RayRow = {
       number: k + 1,
       ray,
@@ -70,8 +70,9 @@ export function rayRows(trace: Trace, scene: SceneData, pixel: number): RayRow[]
       weight: above ? trace.weight[ray] : 1,
       share: above ? above.share * trace.weight[ray] : 1,
       keeps,
+      base: baseAt(trace, scene, ray),
       ambient: material?.ambient ?? BLACK,
-      local: isHit ? localColour(material, lights) : scene.background,
+      local: isHit ? localColour(material!, lights) : scene.background,
       colour: triple(trace.colour, ray),
       hits: hitsOf(trace, scene, ray),
       lights,

@@ -4,10 +4,10 @@ import type { SceneData, Trace } from "../trace/types";
 import { picturePlane, type PicturePlane } from "./frustum";
 import type { RayBoxes } from "../trace/boxes";
 import type { Boxes, BoxLines } from "./box-lines";
-import { costsOf, type Costs } from "./costs";
 import { glowing, grownLines, growingOf, type Growing } from "./growth";
 import { memo } from "./memo";
 import { kindsIn, linesOf, thinPixels, type Line } from "./lines";
+import { plainly, type Costs, type CostsOf } from "./tile-views";
 import { grownShare, linesUpTo, timelineOf, type Timeline } from "./timeline";
 import { triple } from "./vectors";
 import { pixelIndex, tilesShown, type ViewState } from "./view-state";
@@ -83,7 +83,8 @@ function kindsOf(kinds: Memo<Kinds>, state: ViewState, scene: SceneData, trace: 
   return kinds(needs, () => new Set([...(isAtEvent ? linesOf(trace, scene, index) : thick), ...thin].map((line) => line.kind)));
 }
 
-export function createShown() {
+/** costing: what works out other things that tiles show than the picture; null until its script is there. */
+export function createShown(costing: () => CostsOf | null) {
   const plane = memo<PicturePlane>();
   const chosen = memo<readonly Line[]>();
   const thin = memo<Lines>();
@@ -98,7 +99,8 @@ export function createShown() {
       const tiles = tilesShown(state);
       const timeline = timelines([scene, trace, index], () => trace && timelineOf(trace, scene, index));
       const thick = chosenLines(chosen, state, scene, trace, timeline);
-      const colours = costs([trace, scene, state.colours], () => trace && costsOf(trace, scene, state.colours));
+      const costsOf = state.colours === "picture" ? null : costing();
+      const colours = costs([trace, scene, costsOf && state.colours], () => trace && (costsOf ? costsOf(trace, scene, state.colours) : plainly("picture", trace.tiles)));
       const boxes = trace && state.colours === "tests" && boxesOfScene?.scene === state.scene ? boxesOfScene : null;
       const rayBoxes = tested([boxes, state.n, index], () => boxes && boxes.of(state.n, index));
       const { lines, left } = thinLines(thin, state, scene, trace);

@@ -1,7 +1,7 @@
 /** The ways in which what is on the page changes: each makes the next state out of this one. */
 import type { SceneData, Trace, View } from "../trace/types";
 import { NO_EVENT } from "./play";
-import type { TileView } from "./costs";
+import type { TileView } from "./tile-views";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
 import type { Kept, ViewState } from "./types";
 import { triple } from "./vectors";

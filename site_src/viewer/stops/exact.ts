@@ -15,7 +15,7 @@ export interface ExactRays {
   hitsT: readonly number[];
 }
 
-const COLUMNS = ["t", "point", "normal", "weight", "localWeight", "blockedAt", "passed", "diffuse", "specular"] as const;
+const COLUMNS = ["t", "point", "normal", "weight", "localWeight", "blockedAt", "passed", "diffuse", "specular", "base"] as const;
 
 /** The trace's row of each exact ray. A ray has one child of a kind at most, so both trees are walked alike. */
 function rowsOf(trace: Trace, exact: ExactRays): number[] {

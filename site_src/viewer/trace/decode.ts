@@ -76,13 +76,14 @@ function read(header: Header, scratch: Scratch): Level {
   columns.numbers("tests", all, patch, patches.length, near, NO_FEATURES, number[0]);
   const tests = new Int32Array(count);
   for (let row = 0; row < count; row++) tests[row] = number[0][row];
+  const base = readBases(header, columns, tree, scratch);
   const tiles = readTiles(header, columns, tree, scratch);
   const weight = readWeights(header, columns, tree, material, scratch);
   const localWeight = looked(material, materials.map((each) => each.local), new Float64Array(count));
   const unlit = {
     scene: header.scene, n, lights: lights.length, count,
     kind: tree.kind, parent: tree.parent, pixel: tree.pixel, depth: tree.depth,
-    object, material, inside, t, weight, localWeight, tests, point, normal, tiles, ...hits,
+    object, material, inside, t, weight, localWeight, tests, point, normal, base, tiles, ...hits,
   };
   return {
     tiles,
@@ -198,6 +199,19 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
     }
   }
   return weight;
+}
+
+/** Base colours, each channel predicted from those before it too; of patches that have steps for them. */
+function readBases({ patches }: Header, columns: Columns, { count, patch }: Structure, { near, rows: scratch, number: [number] }: Scratch): Float64Array {
+  const base = new Float64Array(3 * count).fill(1);
+  const steps = patches.map((each) => each.base ?? 0);
+  const rows = marked(patch, Uint8Array.from(steps, Math.sign), 0, count, scratch);
+  if (rows.length)
+    for (const c of [0, 1, 2] as const) {
+      columns.numbers(`base${c}`, rows, patch, patches.length, near, { width: c, first: base, second: base }, number);
+      for (const row of rows) base[3 * row + c] = number[row] / steps[patch[row]];
+    }
+  return base;
 }
 
 /** 8-bit colours, each channel predicted from those before it too. */

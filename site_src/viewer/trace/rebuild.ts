@@ -85,7 +85,7 @@ export function normalsOn(
   }
 }
 
-export type Terms = Pick<Trace, "count" | "parent" | "material" | "weight" | "localWeight" | "visibility" | "diffuse" | "specular">;
+export type Terms = Pick<Trace, "count" | "parent" | "material" | "weight" | "localWeight" | "visibility" | "diffuse" | "specular" | "base">;
 
 /** The colours that terms are multiplied by. */
 export interface Paints {
@@ -98,7 +98,7 @@ export interface Paints {
  *  weight x colour added to its parent. */
 export function recombine(header: Paints, ray: Terms): Float64Array {
   const { background } = header;
-  const { parent, weight, localWeight, visibility, diffuse, specular } = ray;
+  const { parent, weight, localWeight, visibility, diffuse, specular, base } = ray;
   const colour = new Float64Array(3 * ray.count);
   const flat = (name: "ambient" | "diffuse" | "specular") => Float64Array.from(header.materials.flatMap((each) => [...each[name]]));
   const [ambients, diffuses, speculars] = [flat("ambient"), flat("diffuse"), flat("specular")];
@@ -112,15 +112,16 @@ export function recombine(header: Paints, ray: Terms): Float64Array {
       colour[to + 2] = background[2];
       continue;
     }
-    let red = ambients[of], green = ambients[of + 1], blue = ambients[of + 2];
+    const r = base[to], g = base[to + 1], b = base[to + 2];
+    let red = ambients[of] * r, green = ambients[of + 1] * g, blue = ambients[of + 2] * b;
     for (let l = 0; l < lights; l++) {
       const at = row * lights + l, lamp = 3 * l;
       const seen = visibility[at];
       if (seen !== VISIBILITY.reached && seen !== VISIBILITY.untested) continue;
       const d = diffuse[at], s = specular[at];
-      red = red + (d * diffuses[of] + s * speculars[of]) * lamps[lamp];
-      green = green + (d * diffuses[of + 1] + s * speculars[of + 1]) * lamps[lamp + 1];
-      blue = blue + (d * diffuses[of + 2] + s * speculars[of + 2]) * lamps[lamp + 2];
+      red = red + (d * (diffuses[of] * r) + s * speculars[of]) * lamps[lamp];
+      green = green + (d * (diffuses[of + 1] * g) + s * speculars[of + 1]) * lamps[lamp + 1];
+      blue = blue + (d * (diffuses[of + 2] * b) + s * speculars[of + 2]) * lamps[lamp + 2];
     }
     colour[to] = localWeight[row] * red;
     colour[to + 1] = localWeight[row] * green;

@@ -33,6 +33,7 @@ export interface Trace {
   /** (3 * count), xyz or rgb */
   point: Float64Array; // the hit, or where the drawn line of a leaving ray ends
   normal: Float64Array; // unit, facing the incoming ray; 0 0 0 if none
+  base: Float64Array; // what the material's ambient and diffuse are multiplied by; 1 1 1 where nothing is
   readonly colour: Float64Array; // what the ray brings back, linear, unclamped
   /** (count * lights) */
   visibility: Uint8Array; // VISIBILITY
