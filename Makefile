@@ -10,15 +10,24 @@ MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all site slides kiosk test test-busy check serve bench stress mutants clean distclean help versions
+.PHONY: all packages site slides kiosk test test-busy check serve bench stress mutants clean distclean help versions
 .DEFAULT_GOAL := all
 
 all: site
 	@echo
 	@echo "Open dist/index.html in a browser: it needs no server. Or: make serve"
 
-site: $(PYTHON_READY) $(NODE_READY) ## trace the scenes and build the site into dist/
-	@$(PYTHON) -m raywalk site
+# With TIMES=1 a command says how long it took, into a file that the build's table begins with.
+TIMES_OF_MAKE := .work/times-of-make.jsonl
+timed = $(if $(TIMES),python3 build/setup/timed.py $(TIMES_OF_MAKE) "$(1)")
+
+site: packages ## trace the scenes and build the site into dist/; TIMES=1 tells where the time goes
+	@$(PYTHON) -m raywalk site $(if $(TIMES),--times $(TIMES_OF_MAKE))
+
+# Python's and npm's at the same time. What else needs them waits for this target, not for their files: so only this one
+# make ever installs them, whatever -j says.
+packages:
+	@$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j2) $(PYTHON_READY) $(NODE_READY)
 
 # Another shape or other colours than the site's are made on demand: they would double what it weighs.
 SLIDES_AS := $(if $(ASPECT),--aspect $(ASPECT)) $(if $(PALETTE),--palette $(PALETTE))
@@ -48,7 +57,7 @@ test-busy: site $(TEST_READY) ## the same beside eight busy processes: slowness 
 check: $(PYTHON_READY) ## validate the scenes without tracing them
 	@$(PYTHON) -m raywalk check
 
-serve: $(PYTHON_READY) $(NODE_READY) ## the site at http://127.0.0.1:8000/, built anew whenever a file is saved
+serve: packages ## the site at http://127.0.0.1:8000/, built anew whenever a file is saved
 	@$(PYTHON) -m raywalk serve
 
 bench: site $(TEST_READY) ## measure run time against error, beside peers (about half an hour, on a machine that does nothing else)
@@ -58,7 +67,7 @@ stress: site $(TEST_READY) ## the hardest cases against their bounds; a kiosk fo
 	@sh build/setup/browser.sh
 	@$(PYTHON) -m raywalk stress
 
-mutants: $(TEST_READY) $(NODE_READY) $(MUTANTS)/.ready ## change sources and see that a test fails: SAMPLE=200 SEED=1 ONLY=optics JOBS=2; all of them take a night
+mutants: $(TEST_READY) $(MUTANTS)/.ready ## change sources and see that a test fails: SAMPLE=200 SEED=1 ONLY=optics JOBS=2; all of them take a night
 	@$(MUTANTS)/bin/python tests/mutants/run.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) \
 		$(if $(JOBS),--jobs $(JOBS)) $(if $(ONLY),--only $(ONLY))
 
@@ -79,21 +88,22 @@ versions:
 
 # --no-deps: the lock file already names everything, with hashes. Wheels only, and no script of a package's: installing
 # runs nobody's code.
+PIP_INSTALL := $(PYTHON) -m pip install --quiet --disable-pip-version-check --no-compile --no-deps
 $(PYTHON_READY): requirements.lock pyproject.toml build/setup/venv.sh | versions
-	@sh build/setup/venv.sh
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements.lock
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@$(call timed,make .venv) sh build/setup/venv.sh
+	$(call timed,install Python's packages) $(PIP_INSTALL) --require-hashes --only-binary=:all: -r requirements.lock
+	$(call timed,install this one) $(PIP_INSTALL) --no-build-isolation --editable .
 	@touch $@
 
-$(TEST_READY): $(PYTHON_READY) requirements-test.lock
-	$(PYTHON) -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements-test.lock
+$(TEST_READY): requirements-test.lock requirements.lock pyproject.toml | packages
+	$(PIP_INSTALL) --require-hashes --only-binary=:all: -r requirements-test.lock
 	@touch $@
 
-$(MUTANTS)/.ready: requirements-mutants.lock $(PYTHON_READY)
+$(MUTANTS)/.ready: requirements-mutants.lock | packages
 	$(PYTHON) -m venv --clear $(MUTANTS)
 	$(MUTANTS)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary=:all: -r requirements-mutants.lock
 	@touch $@
 
 $(NODE_READY): package-lock.json | versions
-	npm ci --ignore-scripts --no-audit --no-fund --loglevel=error
+	$(call timed,install npm's packages) npm ci --prefer-offline --ignore-scripts --no-audit --no-fund --loglevel=error
 	@touch $@

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from raywalk.work import times
 from raywalk.work.last_build import LastBuild, inputs_of
 from raywalk.work.progress import Message
 from raywalk.work.publish import ready
@@ -35,6 +36,10 @@ def add_options(parser: Any) -> None:
     parser.add_argument(
         "--scheduler", metavar="tcp://HOST:PORT", help="trace on this Dask cluster, not here"
     )
+    parser.add_argument(
+        "--times", type=Path, nargs="?", const=Path(), metavar="FILE",
+        help="say where the time goes; FILE: what `make` took before",
+    )  # fmt: skip
     parser.add_argument("--stats", action="store_true", help="say what each scene did not need")
     parser.add_argument(
         "--url", default=os.environ.get("RAYWALK_URL", ""), metavar="https://HOST/PATH/",
@@ -51,10 +56,12 @@ def run(chosen: Namespace) -> Iterator[str | Message]:
 
 def _run(chosen: Namespace) -> Iterator[str | Message]:
     started = time.monotonic()
+    times.begin()
     ready(chosen.out)  # before anything is traced
     last = LastBuild(chosen.work, chosen.out)
-    inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
-    said = None if chosen.stats else last.said(inputs)
+    with times.phase("look what changed"):
+        inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
+        said = None if chosen.stats else last.said(inputs)
     if said:
         yield from said["remarks"]
         if chosen.explain:
@@ -68,10 +75,13 @@ def _run(chosen: Namespace) -> Iterator[str | Message]:
         done = yield from build(chosen, SITE_SOURCE)
         # The hashes from before the build: what was edited meanwhile is built next time.
         if not chosen.slides_later:
-            last.keep(inputs, done.also_read, done.said)
+            with times.phase("note what was built"):
+                last.keep(inputs, done.also_read, done.said)
         traced, size = done.traced, done.said["size"]
     if chosen.sizes or chosen.budgets != BUDGETS:
         yield from told_sizes(chosen)
+    if chosen.times:
+        yield from times.table(chosen.times)
     yield f"{traced}; {size / 1e6:.1f} MB in {chosen.out}/, {time.monotonic() - started:.1f} s"
 
 

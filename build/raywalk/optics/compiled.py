@@ -11,6 +11,8 @@ from typing import Any
 
 import numba
 
+from raywalk.optics.compiling import compiled_once
+
 PACKAGE = Path(__file__).parent.parent
 IMPORTED = re.compile(r"^\s*from (raywalk[\w.]*) import ([\w, ]*)", re.MULTILINE)
 
@@ -19,17 +21,20 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """A numba kernel. No fastmath: it would reorder sums and drop NaN checks, and two
     machines would no longer write the same bytes. nogil: strips are traced in threads.
     """
-    compiled: Callable[..., Any] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
-    return compiled
+    return _compiled(function)
 
 
 def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
     """A kernel that is always copied into its callers: for the innermost loops, where handing
     over a table of arrays costs several times the arithmetic done with it."""
-    compiled: Callable[..., Any] = numba.njit(
-        cache=True, nogil=True, error_model="numpy", forceinline=True
-    )(function)
-    return compiled
+    return _compiled(function, forceinline=True)
+
+
+def _compiled(function: Callable[..., Any], forceinline: bool = False) -> Callable[..., Any]:
+    made: Callable[..., Any] = compiled_once(
+        numba.njit(cache=True, nogil=True, error_model="numpy", forceinline=forceinline)(function)
+    )
+    return made
 
 
 def _use_cache_of_these_sources() -> None:

@@ -38,6 +38,7 @@ from raywalk.work.making import made, reasons
 from raywalk.work.pool import cores
 from raywalk.work.progress import Message
 from raywalk.work.store import Entry, Store
+from raywalk.work.times import phase
 
 
 @dataclass(frozen=True)
@@ -52,10 +53,12 @@ class Built:
 def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None, Built]:
     """Builds the site, saying what was traced, kept and written."""
     base = base_of(chosen.url)
-    scenes = read_scenes(chosen.scenes)
-    spoken = in_all_languages(scenes)
+    with phase("read scenes"):
+        scenes = read_scenes(chosen.scenes)
+        spoken = in_all_languages(scenes)
     store = Store(chosen.work, chosen.explain)
-    traces, missing = yield from _traces(store, scenes, chosen)
+    with phase("trace"):
+        traces, missing = yield from _traces(store, scenes, chosen)
     facts = {scene.id: facts_of(traces[scene.id]) for scene in scenes}
     if chosen.stats:
         words = read_words()
@@ -65,15 +68,19 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     for code, translated in spoken.items():
         notes += missing_translations(translated, code)
     yield from notes
-    made_from = viewer_parts(site_source)
-    viewer = yield from kept(store, made_from, partial(bundle, site_source))
-    previews, data = yield from _pages(store, scenes, traces)
+    with phase("bundle the viewer"):
+        made_from = viewer_parts(site_source)
+        viewer = yield from kept(store, made_from, partial(bundle, site_source))
+    with phase("data and previews of pages"):
+        previews, data = yield from _pages(store, scenes, traces)
     decks = yield from _decks(store, spoken, traces, data, chosen)
     yield from slide_remarks(decks)
     notes += slide_remarks(decks)
     works = Made(spoken, facts, viewer, traces, data, previews, decks)
-    publish(works, chosen, site_source, base)
-    store.prune(keep={entry.folder.name for entry in works.entries()})
+    with phase("publish"):
+        publish(works, chosen, site_source, base)
+    with phase("tidy up kept work"):
+        store.prune(keep={entry.folder.name for entry in works.entries()})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
         f"{len(scenes)} scenes: {missing} traced, {len(scenes) - missing} unchanged",

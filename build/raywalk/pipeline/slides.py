@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import time
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -27,6 +27,7 @@ from raywalk.work.pool import Finished, Threads, cores, run_all
 from raywalk.work.progress import Report
 from raywalk.work.snapshot import digest_of
 from raywalk.work.store import Entry, Store
+from raywalk.work.times import phase
 
 if TYPE_CHECKING:
     from raywalk.slides.deck import Sources
@@ -83,9 +84,11 @@ def plans_of(
     no slide anew."""
     code = ASK.parts()
     asked: dict[str, Entry] = {}
-    for each in sources:
-        asked[each.scene.id] = yield from _asked(store, stops, each, layout, code)
-    sights = yield from _sights(store, sources, asked)
+    with phase("ask the viewer what slides show"):
+        for each in sources:
+            asked[each.scene.id] = yield from _asked(store, stops, each, layout, code)
+    with phase("trace what slides show"):
+        sights = yield from _sights(store, sources, asked)
     plans = []
     for each in sources:
         of = sights[each.scene.id]
@@ -200,7 +203,7 @@ def course_parts(plans: list[Plan]) -> Parts:
 def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list[MadeDeck]]:
     """Every scene's slides and the course's in each language, on all cores; tells those that were
     not there. Raises SourceErrors where node is missing."""
-    with Stops() as stops:
+    with phase("tell lessons for slides"), Stops() as stops:
         plans = yield from plans_of(store, stops, sources)
     for each in plans:
         yield from reasons(store, each.slides)
@@ -208,17 +211,15 @@ def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list
     if missing:
         scenes = len({each.scene.id for each in plans})
         yield f"slides of {len(missing)} of {scenes} scenes on {cores()} cores"
-    number = 0
-    for message in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
-        if isinstance(message, Finished):
-            number += 1
-            yield f"[{number}/{len(missing)}] {message.task[0].scene.id}: {message.result:.1f} s"
+    with phase("draw slides"):
+        yield from _drawn(store, missing)
     courses = _by_language(plans)
     lost = [of for of in courses if not store.find(key_of(course_parts(of)))]
     for of in lost:
         yield from reasons(store, course_parts(of))
-    for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
-        pass
+    with phase("draw the course's slides"):
+        for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
+            pass
     return [
         *(MadeDeck(each.scene.id, each.language, store.get(each.key)) for each in plans),
         *(
@@ -226,6 +227,15 @@ def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list
             for of in courses
         ),
     ]  # fmt: skip
+
+
+def _drawn(store: Store, missing: list[tuple[Plan, ...]]) -> Iterator[str]:
+    """Makes the scenes' slides, on all cores."""
+    number = 0
+    for message in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
+        if isinstance(message, Finished):
+            number += 1
+            yield f"[{number}/{len(missing)}] {message.task[0].scene.id}: {message.result:.1f} s"
 
 
 def _by_scene(plans: Iterable[Plan]) -> list[tuple[Plan, ...]]:

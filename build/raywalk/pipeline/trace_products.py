@@ -41,6 +41,7 @@ def write_products(
     """
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
+    report("reading", 0.0)  # it is done, as said of every other stage
     traced = trace_picture(tracer, threads, lambda share: report("tracing", TRACING * share))
     # The longest first, or a thread waits at the end.
     grids = sorted(scene.render.resolutions, reverse=True)

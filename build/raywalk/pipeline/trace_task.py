@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 from raywalk.pipeline.parts import TRACE, models_of
@@ -12,17 +11,21 @@ from raywalk.work.making import made, refuse_changed
 from raywalk.work.pool import Threads
 from raywalk.work.progress import Report
 from raywalk.work.store import Store
+from raywalk.work.times import Spent, Stages
 
 
 def trace_into(
     store: Store, parts: dict[str, Parts], scene: Scene, threads: Threads, report: Report
-) -> float:
-    """Traces a scene into the store, under its key; returns the seconds it took."""
-    begun, made_from = time.monotonic(), parts[scene.id]
+) -> Spent:
+    """Traces a scene into the store, under its key; returns what it took."""
+    # Only where something is traced: a change of words imports no compiler.
+    from raywalk.optics.compiling import seconds_spent
+
+    made_from, stages = parts[scene.id], Stages("compiling kernels", seconds_spent)
 
     def trace(folder: Path) -> None:
-        TRACE(scene, folder, threads, report)
+        TRACE(scene, folder, threads, stages.following(report))
         refuse_changed(made_from, made_from["models"], models_of(scene))
 
     made(store, made_from, trace)
-    return time.monotonic() - begun
+    return stages.spent("keeping")

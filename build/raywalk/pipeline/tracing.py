@@ -14,6 +14,7 @@ from raywalk.work.maker import Parts
 from raywalk.work.pool import Finished, run_all
 from raywalk.work.progress import Begin, End, Message, Progress
 from raywalk.work.store import Store
+from raywalk.work.times import Spent, note
 
 
 def guessed_cost(scene: Scene) -> float:
@@ -31,20 +32,21 @@ def trace_all(
     # Long work is started first, or a core waits at the end.
     scenes = sorted(missing, key=guessed_cost, reverse=True)
     yield Begin({scene.id: guessed_cost(scene) for scene in scenes})
-    number = 0
+    taken: list[Spent] = []
     for message in _traced(scenes, store, parts, scheduler):
         if isinstance(message, Progress):
             yield message
             continue
-        number += 1
+        taken.append(message.result)
         yield Progress(message.task.id, "", 1.0)
-        yield f"[{number}/{len(scenes)}] {message.task.id}: {message.result:.1f} s"
+        yield f"[{len(taken)}/{len(scenes)}] {message.task.id}: {message.result.seconds:.1f} s"
+    note(taken)
     yield End()
 
 
 def _traced(
     scenes: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
-) -> Iterator[Progress | Finished[Scene, float]]:
+) -> Iterator[Progress | Finished[Scene, Spent]]:
     if not scheduler:
         yield from run_all(partial(trace_into, store, parts), scenes, lambda scene: scene.id)
         return
@@ -55,7 +57,7 @@ def _traced(
         seconds, files = message.result
         made_from = parts[message.task.id]
         store.entry(key_of(made_from), partial(write_files, files), made_from)
-        yield Finished(message.task, seconds)
+        yield Finished(message.task, Spent(seconds))
 
 
 def write_files(files: dict[str, bytes], folder: Path) -> None:
