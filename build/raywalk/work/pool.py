@@ -106,7 +106,8 @@ def follow(
             for future in done:
                 yield Finished(waiting.pop(future), future.result())
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        # Where all is done, the processes are waited for: then what they spent is known.
+        pool.shutdown(wait=not waiting, cancel_futures=True)
 
 
 def reporter(messages: Any, of: str, stopped: Flag | None = None) -> Report:

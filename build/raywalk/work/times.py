@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -57,9 +56,9 @@ def phase(name: str) -> Iterator[None]:
 
 def note(tasks: list[Spent]) -> None:
     """The stages of tasks, summed, as parts of the phase that is under way."""
-    whole: Counter[str] = Counter()
-    for task in tasks:
-        whole.update(task.stages)
+    whole: dict[str, float] = {}
+    for name, processor in (stage for task in tasks for stage in task.stages.items()):
+        whole[name] = whole.get(name, 0.0) + processor
     _rows.extend(Row(name, processor) for name, processor in whole.items())
 
 
@@ -71,7 +70,7 @@ class Stages:
         self._apart, self._clock = apart, clock
         self._start = time.monotonic()
         self._used, self._besides = time.process_time(), clock()
-        self.stages: Counter[str] = Counter({apart: 0.0})
+        self.stages = {apart: 0.0}
 
     def following(self, report: Report) -> Report:
         """The same report, listened to. What is reported of a stage was spent on it."""
@@ -90,6 +89,7 @@ class Stages:
     def _add(self, stage: str) -> None:
         used, besides = time.process_time(), self._clock()
         self.stages[self._apart] += besides - self._besides
+        self.stages.setdefault(stage, 0.0)
         self.stages[stage] += used - self._used - (besides - self._besides)
         self._used, self._besides = used, besides
 
