@@ -16,7 +16,7 @@ from raywalk.bench.made_scenes import scene_of, twenty_spheres
 from raywalk.bench.picture_truth import TruePicture
 from raywalk.bench.run_time import interleaved
 from raywalk.geometry.compiled import Hits, Rays
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Camera, Light, Material, Scene, SceneObject
 from raywalk.scene.shapes import Sphere
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit

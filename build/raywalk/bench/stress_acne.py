@@ -22,7 +22,7 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.bench.made_scenes import placed
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Camera, Scene
 from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Mesh

@@ -12,7 +12,7 @@ import numpy as np
 from raywalk.bench.cases import Case, none_of
 from raywalk.bench.glass_bodies import Body
 from raywalk.bench.glass_pairs import PLACES, aimed, all_pairs, placed_somewhere, scene_with
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer
 

@@ -11,7 +11,7 @@ from raywalk.bench.families import directions, from_inside, perpendicular, unit_
 from raywalk.bench.made_scenes import scene_of
 from raywalk.bench.twofold import Twofold, columns, dot, sphere_roots
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.scatter import mirror_directions
 from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Plane, Sphere

@@ -17,7 +17,7 @@ from raywalk.bench.families import around
 from raywalk.bench.made_scenes import bunny, mesh_object, placed, scene_of
 from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.read import read_scenes
 from raywalk.scene.shapes import Shape, Sphere

@@ -13,7 +13,7 @@ from raywalk.bench.families import around, directions
 from raywalk.bench.made_scenes import compiled_mesh, icosphere, placed, scene_of
 from raywalk.bench.stress_place import CONVEX
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Light, Scene
 from raywalk.scene.shapes import Plane, Sphere
 from raywalk.trace.lighting import light_hits

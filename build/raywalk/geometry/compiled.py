@@ -9,10 +9,11 @@ import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.base_colour import base_colours, based_objects
-from raywalk.geometry.nearest import NOWHERE, SOMEWHERE, all_primitives, nearest_primitive
+from raywalk.geometry.nearest import all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
 from raywalk.geometry.refine import refine_roots
+from raywalk.geometry.roots import NOWHERE, SOMEWHERE
 from raywalk.geometry.sides import primitives_beyond
 from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
@@ -141,8 +142,8 @@ class CompiledScene:
         """The same of rays whose nearest hits are known, as `nearest` gives them where they have
         to stop. t is refined in place."""
         count = len(t)
-        point, normal = np.zeros((count, 3)), np.zeros((count, 3))
-        inside, material = np.zeros(count, bool), np.full(count, -1, np.int32)
+        point, normal = np.empty((count, 3)), np.empty((count, 3))
+        inside, material = np.empty(count, bool), np.empty(count, np.int32)
         primitive_surface(
             self.primitives, self.appearance, rays.origin, rays.direction, rays.leaving, t, met,
             point, normal, inside, material,

@@ -6,7 +6,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.faces import holds
-from raywalk.geometry.nearest import to_local
+from raywalk.geometry.roots import to_local
 
 
 def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:

@@ -14,7 +14,7 @@ import numpy as np
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.containment import winding_number
 from raywalk.geometry.faces import PLANE, height
-from raywalk.geometry.nearest import to_local
+from raywalk.geometry.roots import to_local
 from raywalk.geometry.solids import solid_interval
 from raywalk.scene.model import Scene
 

@@ -8,7 +8,7 @@ small as that error, and whatever is rounded on the way to it does not matter.
 from __future__ import annotations
 
 from raywalk.geometry.along_ray import point_along, sharp_product
-from raywalk.geometry.nearest import CLOSE, NOWHERE
+from raywalk.geometry.roots import CLOSE, NOWHERE
 from raywalk.geometry.solids import step_to_surface
 from raywalk.optics.compiled import inlined, kernel
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from raywalk.geometry.nearest import passes_by
+from raywalk.geometry.roots import passes_by
 from raywalk.optics.compiled import kernel
 
 

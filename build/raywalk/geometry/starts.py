@@ -8,7 +8,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.faces import goes_in, is_near
-from raywalk.geometry.nearest import to_local
+from raywalk.geometry.roots import to_local
 
 # A named start may be this share of the coordinates' sizes off its surface: a thousand times what
 # printing twelve digits loses.

@@ -7,11 +7,32 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raywalk.geometry.along_ray import sharp_product
+from raywalk.geometry.blocks import BLOCK
 from raywalk.geometry.faces import SPHERE, height, is_solid, on_surface
-from raywalk.geometry.nearest import NOWHERE
-from raywalk.geometry.refine import from_close_up, refined
-from raywalk.geometry.sides import POINT_ERROR
-from raywalk.optics.compiled import kernel
+from raywalk.geometry.landing import (
+    AGAIN,
+    BOUND,
+    PITCH,
+    SIDE,
+    TABLE,
+    G,
+    H,
+    L,
+    N,
+    P,
+    R,
+    S,
+    T,
+    X,
+    face_rays,
+    into_world,
+    land,
+    lay_out_hits,
+)
+from raywalk.geometry.refine import refined
+from raywalk.geometry.roots import NOWHERE
+from raywalk.optics.compiled import inlined, kernel
 
 
 class Appearance(NamedTuple):
@@ -21,25 +42,6 @@ class Appearance(NamedTuple):
     checker: np.ndarray  # (objects,) int32: material of odd squares, -1 without a checker
     checker_size: np.ndarray  # (objects,)
     checker_turn: np.ndarray  # (objects,) +1 or -1: direction of the second axis along canonical z
-
-
-@kernel
-def starts_in(shape, centre, to_local, stretch, k, ox, oy, oz, is_bound):
-    """Whether a ray starts in the solid of row k, or on it: then it comes out where it meets it.
-
-    Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
-    is_bound: the ray starts on a surface, perhaps this one's too.
-    """
-    x, y, z = ox - centre[k, 0], oy - centre[k, 1], oz - centre[k, 2]
-    lx = to_local[k, 0, 0] * x + to_local[k, 0, 1] * y + to_local[k, 0, 2] * z
-    ly = to_local[k, 1, 0] * x + to_local[k, 1, 1] * y + to_local[k, 1, 2] * z
-    lz = to_local[k, 2, 0] * x + to_local[k, 2, 1] * y + to_local[k, 2, 2] * z
-    bound = 0.0
-    if is_bound:
-        reach = abs(ox) + abs(oy) + abs(oz)
-        reach += abs(centre[k, 0]) + abs(centre[k, 1]) + abs(centre[k, 2])
-        bound = POINT_ERROR * stretch[k] * reach
-    return height(shape, lx, ly, lz) <= 2.0 * bound
 
 
 @kernel
@@ -84,53 +86,73 @@ def primitive_surface(
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive,
     and refines their t.
 
-    The normal faces the incoming ray, but for rounding where that grazes a solid. Rows of rays
-    that met nothing or a mesh stay as they are.
+    The normal faces the incoming ray, but for rounding where that grazes a solid. Of rays that met
+    nothing, point and normal are 0; rows of those that met a mesh stay as they are.
     """
-    # Its columns are taken out once: handed over in the loop it costs small scenes 20 to 60 %.
-    table = primitives
-    centre, centre_rest, to_local = table.centre, table.centre_rest, table.to_local
-    local_rest, is_skewed, to_world = table.to_local_rest, table.is_skewed, table.to_world
-    shapes, row_of, stretch, is_thin = table.shape, table.row_of, table.stretch, table.is_thin
-    for i in range(origin.shape[0]):
-        if met[i] == NOWHERE or row_of[met[i]] < 0:
-            continue
-        k, again = row_of[met[i]], leaving[i] == met[i]
-        shape = shapes[k]
-        x, y, z, dx, dy, dz = from_close_up(
-            centre, centre_rest, to_local, local_rest, is_skewed, k,
-            origin[i, 0], origin[i, 1], origin[i, 2],
-            direction[i, 0], direction[i, 1], direction[i, 2], t[i],
-        )  # fmt: skip
-        if not again:
-            better = refined(t[i], shape, x, y, z, dx, dy, dz)
-            step = better - t[i]
-            t[i], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
-        solid = is_solid(shape)
-        leaves = solid and (
-            again
-            or starts_in(
-                shape, centre, to_local, stretch, k, origin[i, 0], origin[i, 1], origin[i, 2],
-                leaving[i] != NOWHERE,
+    table, columns, rows = np.empty(TABLE), np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    for first in range(0, origin.shape[0], BLOCK):
+        count = 0
+        for i in range(first, min(first + BLOCK, origin.shape[0])):
+            if met[i] == NOWHERE:
+                for c in range(3):
+                    point[i, c] = normal[i, c] = 0.0
+                inside[i], material[i] = False, -1
+            elif primitives.row_of[met[i]] >= 0:
+                columns[count], rows[count] = i, primitives.row_of[met[i]]
+                count += 1
+        if count:
+            lay_out_hits(
+                table, primitives, rows, columns, count, origin, direction, leaving, t, met
             )
-        )  # fmt: skip
+            land(table, count)
+            land_others(table, primitives, rows, count)
+            into_world(table, primitives.to_world, primitives.to_local, rows, count)
+            face_rays(table, count)
+            for n in range(count):
+                write_hit(table, n, columns[n], appearance, t, met, point, normal, inside, material)
+
+
+@inlined
+def write_hit(table, n, i, appearance, t, met, point, normal, inside, material):
+    """Hit n as ray i's."""
+    t[i] = table[T + n]
+    inside[i] = table[SIDE + n] > 0.0
+    sign = -1.0 if inside[i] else 1.0
+    for c in range(3):
+        point[i, c] = table[P + c * PITCH + n]
+        normal[i, c] = sign * table[N + c * PITCH + n]
+    material[i] = square_material(appearance, met[i], table[H + n], table[H + 2 * PITCH + n])
+
+
+@kernel
+def land_others(table, primitives, rows, count):
+    """What `land` left: other shapes, those thin or skewed, and grazing rays, one by one."""
+    to_local, rest, shapes = primitives.to_local, primitives.to_local_rest, primitives.shape
+    is_thin, is_skewed = primitives.is_thin, primitives.is_skewed
+    for n in range(count):
+        if table[SIDE + n] < 2.0:
+            continue
+        k = rows[n]
+        shape, t, again = shapes[k], table[T + n], table[AGAIN + n] > 0.0
+        x, y, z = table[L + n], table[L + PITCH + n], table[L + 2 * PITCH + n]
+        dx, dy, dz = table[R + n], table[R + PITCH + n], table[R + 2 * PITCH + n]
+        if is_skewed[k]:
+            x, y, z = sharp_product(
+                to_local, rest, k, table[X + n], table[X + PITCH + n], table[X + 2 * PITCH + n]
+            )
+        if not again:
+            better = refined(t, shape, x, y, z, dx, dy, dz)
+            step = better - t
+            table[T + n], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
+        solid = is_solid(shape)
+        sx, sy, sz = table[S + n], table[S + PITCH + n], table[S + 2 * PITCH + n]
+        # Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
+        leaves = solid and (again or height(shape, sx, sy, sz) <= 2.0 * table[BOUND + n])
         hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
         if is_thin[k]:
             hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
             if shape.code == SPHERE:
                 gx, gy, gz = hx, hy, hz
-        x, y, z = hx, hy, hz
-        for c in range(3):
-            away = to_world[k, c, 0] * x + to_world[k, c, 1] * y + to_world[k, c, 2] * z
-            point[i, c] = centre[k, c] + (centre_rest[k, c] + away)
-        # Gradients go by the transpose.
-        nx = to_local[k, 0, 0] * gx + to_local[k, 1, 0] * gy + to_local[k, 2, 0] * gz
-        ny = to_local[k, 0, 1] * gx + to_local[k, 1, 1] * gy + to_local[k, 2, 1] * gz
-        nz = to_local[k, 0, 2] * gx + to_local[k, 1, 2] * gy + to_local[k, 2, 2] * gz
-        length = math.sqrt(nx * nx + ny * ny + nz * nz)
-        nx, ny, nz = nx / length, ny / length, nz / length
-        side = nx * direction[i, 0] + ny * direction[i, 1] + nz * direction[i, 2]
-        inside[i] = leaves if solid else side > 0.0
-        sign = -1.0 if inside[i] else 1.0
-        normal[i, 0], normal[i, 1], normal[i, 2] = sign * nx, sign * ny, sign * nz
-        material[i] = square_material(appearance, met[i], x, z)
+        table[H + n], table[H + PITCH + n], table[H + 2 * PITCH + n] = hx, hy, hz
+        table[G + n], table[G + PITCH + n], table[G + 2 * PITCH + n] = gx, gy, gz
+        table[SIDE + n] = (1.0 if leaves else -1.0) if solid else 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.shade import light_factors, local_colours, towards_light
 from raywalk.scene.model import Scene
 from raywalk.trace.plan import Plan, plan_of

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raywalk.geometry.compiled import Hits, Rays, rays_from
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.placement import placement
 from raywalk.scene.shapes import Plane
 from raywalk.trace.camera import unit_directions

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import LIT, Kind, Visibility
 from raywalk.trace.wave import Wave

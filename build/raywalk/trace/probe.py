@@ -10,7 +10,7 @@ import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
-from raywalk.geometry.nearest import NOWHERE, SOMEWHERE
+from raywalk.geometry.roots import NOWHERE, SOMEWHERE
 from raywalk.geometry.starts import NAMED, start_on
 from raywalk.scene.model import Scene
 from raywalk.scene.wording import did_you_mean, joined, plain, quoted

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from raywalk.geometry.compiled import Rays
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
 from raywalk.trace.tally import Tally, tally_tests
 from raywalk.trace.tree import RayTree, dense, level_pixels

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rows_of
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.compiled import kernel
 from raywalk.scene.model import Scene
 from raywalk.trace.tables import Materials

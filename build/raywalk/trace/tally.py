@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.geometry.compiled import CompiledScene, Rays
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.geometry.savings import tests_saved
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import Kind, Visibility

@@ -21,7 +21,7 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
 from raywalk.geometry.containment import objects_around
 from raywalk.geometry.extent import finite_sphere
-from raywalk.geometry.nearest import NOWHERE
+from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Scene
 from raywalk.scene.shapes import Plane
 from raywalk.trace.bounce import Bounced, bounce

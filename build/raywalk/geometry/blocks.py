@@ -1,0 +1,69 @@
+"""Rays in blocks of columns: which of them may meet a sphere, eight at a time.
+
+A kernel that follows one ray through all primitives waits for each of its own sums. So rays are
+laid out as a block, BLOCK of them, a row for each coordinate, all rows in one array:
+
+                ray 0   ray 1   ray 2   ...   ray 255
+        OX       ox      ox      ox             ox       and the same of OY, OZ, DX, DY, DZ
+        DD       d.d     d.d     d.d            d.d      squares of the directions
+        BEST     best    best    best           best     how far each has to look yet
+
+`block[OX + j]` is ray j's. One primitive is asked of the whole block at once: its bounding sphere
+leaves few rays over, the candidates, which are listed and given to the exact roots
+(`candidates.py`). Loops over a block have no branch, and rows of one array lie a constant apart,
+so the compiler knows that none overwrites another and takes eight columns at a time.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raywalk.optics.compiled import inlined, kernel
+
+BLOCK = 256  # a block and what is made of it stay in the first two caches
+ROW = BLOCK + 8  # a power of two apart, rows would all take the same few lines of the cache
+OX, OY, OZ, DX, DY, DZ, DD, BEST = range(0, 8 * ROW, ROW)
+BLOCK_SIZE = 8 * ROW
+WORD = 8  # marks that are read at once
+
+
+@kernel
+def fill_block(block, origin, direction, t_max, first, size):
+    """Lays `size` rays from row `first` on out in columns; what is left over repeats the last."""
+    for j in range(BLOCK):
+        i = first + min(j, size - 1)
+        block[OX + j], block[OY + j], block[OZ + j] = origin[i, 0], origin[i, 1], origin[i, 2]
+        dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        block[DX + j], block[DY + j], block[DZ + j] = dx, dy, dz
+        block[DD + j], block[BEST + j] = dx * dx + dy * dy + dz * dz, t_max[i]
+
+
+@inlined
+def mark_candidates(block, cx, cy, cz, reach_sq, marks):
+    """marks (BLOCK,) uint8: 0 where a ray certainly misses the sphere, as it starts outside and
+    goes away or passes by."""
+    for j in range(BLOCK):
+        x, y, z = cx - block[OX + j], cy - block[OY + j], cz - block[OZ + j]
+        dd = block[DD + j]
+        square = x * x + y * y + z * z
+        beyond = square - reach_sq
+        along = x * block[DX + j] + y * block[DY + j] + z * block[DZ + j]
+        # 1e-13 is a thousand roundings: from far away the sphere's own radius drowns, and the ray
+        # is kept.
+        by = beyond * dd - along * along > 1e-13 * square * dd
+        marks[j] = not ((beyond > 0.0) & ((along < 0.0) | by))
+
+
+@inlined
+def list_marked(marks, size, listed, filled):
+    """Adds the marked of the first `size` columns to listed, in order, from place `filled` on, and
+    returns where it ends now. There is room for one more than are marked."""
+    words, start = marks.view(np.uint64), filled
+    for word in range(words.shape[0]):
+        if words[word] != 0:
+            for j in range(WORD * word, WORD * word + WORD):
+                listed[filled] = j  # without a branch, which none could predict
+                filled += marks[j]
+    while filled > start and listed[filled - 1] >= size:
+        filled -= 1
+    return filled
