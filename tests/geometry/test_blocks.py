@@ -1,0 +1,185 @@
+"""Blocks of rays: what eight at a time give is, bit for bit, what one ray's formulas give."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from tests.geometry.by_hand import SHAPES, random_affine, scene_of, unit
+
+from raywalk.geometry.blocks import BLOCK, BLOCK_SIZE, fill_block, list_marked, mark_candidates
+from raywalk.geometry.compiled import CompiledScene, rays_from
+from raywalk.geometry.faces import is_solid, on_surface
+from raywalk.geometry.nearest import nearest_primitive
+from raywalk.geometry.primitives import Primitives
+from raywalk.geometry.refine import from_close_up, refined
+from raywalk.geometry.roots import NOWHERE, passes_by, settled_roots
+from raywalk.optics.compiled import kernel
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Shape
+
+HOW = ["free", "from far", "along axes", "tangent", "leaving it", "leaving another there"]
+
+
+@dataclass(frozen=True)
+class Shot:
+    """Rays at one primitive: columns as in Rays."""
+
+    origin: np.ndarray
+    direction: np.ndarray
+    leaving: np.ndarray
+    inner: np.ndarray
+
+
+def shot(rng: np.random.Generator, compiled: CompiledScene, how: str, count: int) -> Shot:
+    """Rays at the one object of a scene, which stands near the origin."""
+    origin = rng.normal(size=(count, 3)) * (1e4 if how == "from far" else 3.0)
+    direction = unit(rng.normal(size=(count, 3)) * 0.7 - origin)
+    if how == "along axes":
+        direction = np.eye(3)[rng.integers(3, size=count)] * rng.choice([-1.0, 1.0], (count, 1))
+    if how == "tangent":
+        direction = unit(2.0 * unit(rng.normal(size=(count, 3))) - origin)
+    leaving, inner = np.full(count, NOWHERE, np.int32), np.zeros(count, bool)
+    if how.startswith("leaving"):
+        hits = compiled.hits(rays_from(origin, direction))
+        met = hits.object != NOWHERE
+        origin = np.where(met[:, None], hits.point, origin)
+        direction = unit(rng.normal(size=(count, 3)))
+        leaving[met] = 0 if how == "leaving it" else 7
+        inner = rng.random(count) < 0.5
+    return Shot(origin, direction, leaving, inner)
+
+
+@kernel
+def one_by_one(primitives, origin, direction, leaving, inner):  # type: ignore[no-untyped-def]
+    """The first root of row 0 with each ray."""
+    t = np.empty(origin.shape[0])
+    for i in range(origin.shape[0]):
+        t[i], _ = settled_roots(
+            primitives, 0, origin[i, 0], origin[i, 1], origin[i, 2],
+            direction[i, 0], direction[i, 1], direction[i, 2],
+            primitives.object[0] == leaving[i], inner[i], leaving[i] != NOWHERE,
+        )  # fmt: skip
+    return t
+
+
+def compiled_of(rng: np.random.Generator, shape: Shape, transformed: bool) -> CompiledScene:
+    matrix = random_affine(rng) if transformed else np.eye(4)
+    return CompiledScene(scene_of([SceneObject("it", shape, 0, matrix)]))
+
+
+@pytest.mark.parametrize("how", HOW)
+@pytest.mark.parametrize("transformed", [False, True], ids=["as it is", "transformed"])
+@pytest.mark.parametrize("kind", SHAPES)
+def test_a_block_finds_the_roots_that_one_ray_finds(
+    rng: np.random.Generator, kind: str, transformed: bool, how: str
+) -> None:
+    """Whether by formulas for eight or by one's: equal to the last bit, misses as infinities."""
+    compiled = compiled_of(rng, SHAPES[kind], transformed)
+    rays = shot(rng, compiled, how, 700)
+    limit = np.full(700, np.inf)
+    columns = (rays.origin, rays.direction, rays.leaving, rays.inner)
+    t, met = nearest_primitive(compiled.primitives, *columns, limit)
+    expected = one_by_one(compiled.primitives, *columns)
+    assert np.array_equal(t, expected)
+    assert np.array_equal(met == 0, np.isfinite(expected))
+    if how in ("free", "from far"):
+        assert np.isfinite(expected).sum() > 50, "the rays that were to meet it do"
+
+
+@pytest.mark.parametrize("count", [1, 7, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 88])
+def test_where_blocks_end_changes_nothing(rng: np.random.Generator, count: int) -> None:
+    """Of any number of rays, each meets what it meets alone."""
+    compiled = CompiledScene(scene_of(list(SHAPES.values())))
+    origin = rng.normal(size=(count, 3)) * 4
+    direction = unit(rng.normal(size=(count, 3)) * 0.6 - origin)
+    together = compiled.hits(rays_from(origin, direction))
+    for i in range(0, count, 1 + count // 40):
+        alone = compiled.hits(rays_from(origin[i : i + 1], direction[i : i + 1]))
+        for name, column in zip(alone._fields, alone, strict=True):
+            if column is not None:
+                assert np.array_equal(column[0], getattr(together, name)[i], equal_nan=True), name
+
+
+def test_a_mark_is_left_out_just_where_a_ray_passes_by(rng: np.random.Generator) -> None:
+    """mark_candidates and passes_by are one rule; listed are the marked, in order, none beyond the
+    block's rays."""
+    table = CompiledScene(scene_of(list(SHAPES.values()))).primitives
+    size = BLOCK - 3
+    origin = rng.normal(size=(size, 3)) * 5
+    direction = rng.normal(size=(size, 3)) * 0.7 - origin
+    block, marks = np.empty(BLOCK_SIZE), np.empty(BLOCK, np.uint8)
+    fill_block(block, origin, direction, np.full(size, np.inf), 0, size)
+    for k in range(len(table.shape)):
+        listed = marked(block, table, k, marks, size)
+        expected = [
+            j
+            for j in range(size)
+            if not passes_by(table, k, *origin[j], *direction[j], direction[j] @ direction[j])
+        ]
+        assert listed.tolist() == expected
+        assert 0 < len(expected)
+
+
+@kernel
+def marked(block, primitives, k, marks, size):  # type: ignore[no-untyped-def]
+    """The columns that may meet row k."""
+    listed, c = np.empty(BLOCK + 1, np.int64), primitives.centre
+    mark_candidates(block, c[k, 0], c[k, 1], c[k, 2], primitives.reach_sq[k], marks)
+    return listed[: list_marked(marks, size, listed, 0)]
+
+
+@kernel
+def landed_alone(table: Primitives, origin, direction, t, leaves, again):  # type: ignore[no-untyped-def]
+    """t and canonical foot of hits of row 0, by one ray's formulas."""
+    out = np.empty((origin.shape[0], 4))
+    shape = table.shape[0]
+    for i in range(origin.shape[0]):
+        x, y, z, dx, dy, dz = from_close_up(
+            table.centre, table.centre_rest, table.to_local, table.to_local_rest, table.is_skewed,
+            0, origin[i, 0], origin[i, 1], origin[i, 2],
+            direction[i, 0], direction[i, 1], direction[i, 2], t[i],
+        )  # fmt: skip
+        better = t[i]
+        if not again[i]:
+            better = refined(t[i], shape, x, y, z, dx, dy, dz)
+        step = better - t[i]
+        x, y, z = x + step * dx, y + step * dy, z + step * dz
+        out[i, 0] = better
+        out[i, 1], out[i, 2], out[i, 3], _, _, _ = on_surface(shape, x, y, z, dx, dy, dz, leaves[i])
+    return out
+
+
+# A flat shape is met by hardly a ray that starts on it.
+LANDS = [
+    (kind, how)
+    for kind in ("sphere", "plane", "box", "capped cylinder", "cone", "disc")
+    for how in HOW
+    if not how.startswith("leaving") or kind not in ("plane", "disc")
+]
+
+
+@pytest.mark.parametrize(("kind", "how"), LANDS, ids=lambda word: word)
+def test_a_block_lands_hits_where_one_ray_lands(
+    rng: np.random.Generator, kind: str, how: str
+) -> None:
+    """Distance and point, to the last bit."""
+    compiled = compiled_of(rng, SHAPES[kind], transformed=False)
+    table = compiled.primitives
+    rays = shot(rng, compiled, how, 700)
+    columns = (rays.origin, rays.direction, rays.leaving, rays.inner)
+    t, met = nearest_primitive(table, *columns, np.full(700, np.inf))
+    hit = np.flatnonzero(met == 0)
+    assert len(hit) > 10
+    first = rays_from(rays.origin[hit], rays.direction[hit])._replace(
+        leaving=rays.leaving[hit], inner=rays.inner[hit]
+    )
+    found = compiled.hits(first)
+    leaves = found.inside & is_solid(table.shape[0])
+    again = rays.leaving[hit] == 0
+    alone = landed_alone(table, rays.origin[hit], rays.direction[hit], t[hit], leaves, again)
+    m, (x, y, z) = table.to_world[0], alone[:, 1:].T
+    away = x[:, None] * m[:, 0] + y[:, None] * m[:, 1] + z[:, None] * m[:, 2]
+    assert np.array_equal(found.t, alone[:, 0])
+    assert np.array_equal(found.point, table.centre[0] + (table.centre_rest[0] + away))
