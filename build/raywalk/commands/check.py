@@ -51,11 +51,8 @@ def run(chosen: Namespace) -> Iterator[str]:
 def check_geometry(scene: Scene) -> list[str]:
     """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
     and buried cameras; returns the warnings that a build gives too."""
-    from raywalk.trace.scene_warnings import MOST_OBJECTS, no_lamp, scene_warnings
-
-    if len(scene.objects) > MOST_OBJECTS and not scene.has_glass and not scene.has_mesh:
-        return no_lamp(scene)  # the rest takes a thousand times the time that all else takes
     # numba and Embree: only where needed
+    from raywalk.trace.scene_warnings import scene_warnings
     from raywalk.trace.wavefront import Tracer
 
     return scene_warnings(Tracer(scene))

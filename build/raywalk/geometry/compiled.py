@@ -87,11 +87,10 @@ class CompiledScene:
         self._based = scene if based_objects(scene) else None
         vertices = [mesh.triangles.world for mesh in self.meshes]
         self.primitives = exact_at_edges(self.primitives, vertices)
-        clear = np.array(
+        self.is_clear = np.array(
             [scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool
         )
-        self.clear_rows = np.flatnonzero(clear[self.primitives.object])
-        self.neighbours = neighbours(self.primitives, self.meshes, clear)
+        self.neighbours = neighbours(self.primitives, self.meshes, self.is_clear)
         self.outermost_first = outermost_first(scene, self.primitives, self.meshes)
 
     def nearest(
@@ -192,7 +191,7 @@ class CompiledScene:
         """
         found = [
             primitives_beyond(
-                self.primitives, self.clear_rows, self.neighbours,
+                self.primitives, self.is_clear, self.neighbours.start, self.neighbours.object,
                 rays.origin, rays.direction, rays.leaving, rays.inner,
             )
         ]  # fmt: skip
@@ -210,7 +209,7 @@ class CompiledScene:
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same of one mesh: by its normal on a face, by what comes next where in doubt."""
         at = np.flatnonzero(
-            (rays.leaving == mesh.index) | self.neighbours[rays.leaving, mesh.index]
+            (rays.leaving == mesh.index) | self.neighbours.beside(mesh.index)[rays.leaving]
         )
         own = np.where(rays.leaving[at] == mesh.index, rays.triangle[at], -1).astype(np.int32)
         straight = straight and not mesh.triangles.layered

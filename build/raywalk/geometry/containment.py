@@ -7,6 +7,7 @@ import numpy as np
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.faces import holds
 from raywalk.geometry.roots import to_local
+from raywalk.optics.compiled import kernel
 
 
 def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
@@ -20,11 +21,18 @@ def objects_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
 
 
 def _primitives_around(compiled: CompiledScene, point: np.ndarray) -> list[int]:
-    table, around = compiled.primitives, []
-    for k, shape in enumerate(table.shape):
-        if holds(shape, *to_local(table.to_local[k], *(point - table.centre[k]))):
-            around.append(int(table.object[k]))
-    return around
+    table = compiled.primitives
+    return [int(k) for k in table.object[_rows_around(table, *map(float, point))]]
+
+
+@kernel
+def _rows_around(primitives, px, py, pz):
+    out = np.zeros(len(primitives.shape), np.bool_)
+    for row in range(len(out)):
+        c = primitives.centre[row]
+        x, y, z = to_local(primitives.to_local[row], px - c[0], py - c[1], pz - c[2])
+        out[row] = holds(primitives.shape[row], x, y, z)
+    return out
 
 
 def winding_number(corners: np.ndarray, point: np.ndarray) -> float:

@@ -2,49 +2,48 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.faces import PLANE
+from raywalk.geometry.boxes import boxes_of, touching
 from raywalk.geometry.primitives import Primitives
 from raywalk.scene.model import Scene
 
 if TYPE_CHECKING:
     from raywalk.geometry.mesh_target import MeshTarget
 
-# Boxes further apart than this share of their sizes and places do not touch: a million times
-# the error of a hit point.
-SLACK = 1e-9
+
+class Neighbours(NamedTuple):
+    """The clear objects that may have a surface where an object has, of each object in order."""
+
+    start: np.ndarray  # (objects + 1,) int64: those of object k are object[start[k]:start[k + 1]]
+    object: np.ndarray  # (n,) int32
+
+    def any(self) -> bool:
+        return bool(len(self.object))
+
+    def beside(self, k: int) -> np.ndarray:
+        """(objects,) bool: those that object k is a neighbour of."""
+        beside = np.zeros(len(self.start) - 1, bool)
+        beside[np.searchsorted(self.start, np.flatnonzero(self.object == k), "right") - 1] = True
+        return beside
 
 
-def neighbours(primitives: Primitives, meshes: list[MeshTarget], clear: np.ndarray) -> np.ndarray:
-    """(objects, objects) bool: the second is clear and may have a surface where the first has.
+def neighbours(primitives: Primitives, meshes: list[MeshTarget], clear: np.ndarray) -> Neighbours:
+    """From boxes, so some that do not touch are neighbours too.
 
-    clear: (objects,) bool. From boxes, so some that do not touch are neighbours too.
+    clear: (objects,) bool.
     """
-    boxes = np.empty((len(clear), 2, 3))
-    half = np.abs(primitives.to_world).sum(axis=2)
-    boxes[primitives.object, 0] = primitives.centre - half
-    boxes[primitives.object, 1] = primitives.centre + half
-    for mesh in meshes:
-        boxes[mesh.index] = mesh.centre + mesh.bvh.low[0], mesh.centre + mesh.bvh.high[0]
-    slack = SLACK * np.abs(boxes).max(axis=(1, 2), initial=0.0)
-    boxes[:, 0] -= slack[:, None]
-    boxes[:, 1] += slack[:, None]
-    met = np.asarray((boxes[:, None, 0] <= boxes[None, :, 1]).all(axis=2))
-    met &= met.T
-    is_plane = primitives.shape["code"] == PLANE
-    for row in np.flatnonzero(is_plane):
-        k = primitives.object[row]
-        met[k] = _meets_plane(boxes, primitives.centre[row], primitives.to_local[row, 1])
-        met[:, k] = met[k]
-    both_planes = np.isin(
-        np.arange(len(clear)), primitives.object[primitives.shape["code"] == PLANE]
-    )
-    met |= both_planes[:, None] & both_planes[None, :]
-    np.fill_diagonal(met, False)
-    return np.asarray(met & clear[None, :])
+    pairs = np.empty((0, 2), np.int32)
+    if clear.any():
+        every = len(clear) * len(clear)
+        pairs, _ = touching(primitives, boxes_of(primitives, meshes), clear, every)
+    both = np.concatenate([pairs, pairs[:, ::-1]])
+    both = both[clear[both[:, 1]]]
+    both = both[np.lexsort([both[:, 1], both[:, 0]])]
+    start = np.searchsorted(both[:, 0], np.arange(len(clear) + 1))
+    return Neighbours(start, np.ascontiguousarray(both[:, 1]))
 
 
 def outermost_first(scene: Scene, primitives: Primitives, meshes: list[MeshTarget]) -> np.ndarray:
@@ -68,11 +67,3 @@ def _rounded(volume: np.ndarray) -> np.ndarray:
     with np.errstate(divide="ignore", invalid="ignore"):
         steps = 10.0 ** (np.floor(np.log10(volume)) - 8.0)
         return np.where((volume > 0) & (volume < np.inf), np.round(volume / steps) * steps, volume)
-
-
-def _meets_plane(boxes: np.ndarray, point: np.ndarray, across: np.ndarray) -> np.ndarray:
-    """(objects,) bool: whether a plane runs through a box. across: its normal, of any length."""
-    middle, half = boxes.mean(axis=1), (boxes[:, 1] - boxes[:, 0]) / 2
-    slack = SLACK * (np.abs(boxes).max(axis=(1, 2)) + np.abs(point).max())
-    level = np.abs((middle - point) @ across)
-    return np.asarray(level <= half @ np.abs(across) + slack * np.abs(across).sum())

@@ -7,35 +7,42 @@ should know.
 
 from __future__ import annotations
 
-from itertools import permutations
-
 import numpy as np
 
+from raywalk.geometry.boxes import boxes_of, touching
 from raywalk.geometry.compiled import CompiledScene
 from raywalk.geometry.containment import winding_number
-from raywalk.geometry.faces import PLANE, height
-from raywalk.geometry.roots import to_local
-from raywalk.geometry.solids import solid_interval
+from raywalk.geometry.faces import PLANE
+from raywalk.geometry.samples import level_over, which_cut, world_samples
 from raywalk.scene.model import Scene
 
 SAMPLES = 256  # points a surface: overlaps of a few per cent are found, slighter ones may not be
 # Closer to a surface than this share of its body's size is on it: touching is not overlapping.
 TOUCHING = 1e-6
+MOST_PAIRS = 200_000  # that are looked at: nobody reads as many warnings
 
 
 def overlap_warnings(scene: Scene, compiled: CompiledScene) -> list[str]:
     """A sentence for each pair of overlapping glass objects."""
-    glass = [k for k, obj in enumerate(scene.objects) if scene.materials[obj.material].transmit > 0]
-    points = {k: surface_points(compiled, k) for k in glass}
-    pairs = {
-        (min(one, other), max(one, other))
-        for one, other in permutations(glass, 2)
-        if _is_cut(levels(compiled, other, points[one]))
-    }
+    clear, rows = compiled.is_clear, compiled.primitives.row_of
+    if not clear.any():
+        return []
+    boxes = boxes_of(compiled.primitives, compiled.meshes)
+    pairs, _ = touching(compiled.primitives, boxes, clear, MOST_PAIRS)
+    pairs = pairs[clear[pairs].all(axis=1)]
+    plain = (rows[pairs] >= 0).all(axis=1)
+    cut = np.zeros(len(pairs), bool)
+    cut[plain] = which_cut(compiled.primitives, _on_sphere(SAMPLES), rows[pairs[plain]], TOUCHING)
+    for k in np.flatnonzero(~plain):
+        one, other = pairs[k].tolist()
+        cut[k] = any(
+            _is_cut(levels(compiled, to, surface_points(compiled, of)))
+            for of, to in ((one, other), (other, one))
+        )
     return [
         f'"{scene.objects[a].name}" and "{scene.objects[b].name}" are both clear and overlap, and '
         "neither lies inside the other: in the part they share, light is in the one it entered last"
-        for a, b in sorted(pairs)
+        for a, b in pairs[cut].tolist()
     ]
 
 
@@ -51,12 +58,9 @@ def surface_points(compiled: CompiledScene, k: int) -> np.ndarray:
             corners = mesh.corners.reshape(-1, 3)
             return np.asarray(mesh.centre + corners[:: max(1, len(corners) // SAMPLES)])
     table, row = compiled.primitives, compiled.primitives.row_of[k]
-    shape, points = table.shape[row], _on_sphere(SAMPLES)
-    if shape["code"] == PLANE:
+    if table.shape["code"][row] == PLANE:
         return np.empty((0, 3))
-    away = [solid_interval(shape, 0.0, 0.0, 0.0, *direction)[1] for direction in points]
-    points = np.array(away)[:, None] * points
-    return np.asarray(table.centre[row] + points @ table.to_world[row].T)
+    return np.asarray(world_samples(table, row, SAMPLES)[0])
 
 
 def levels(compiled: CompiledScene, k: int, points: np.ndarray) -> np.ndarray:
@@ -71,11 +75,7 @@ def levels(compiled: CompiledScene, k: int, points: np.ndarray) -> np.ndarray:
             turns[in_box] = [winding_number(mesh.corners, point) for point in local[in_box]]
             return 0.5 - turns
     table, row = compiled.primitives, compiled.primitives.row_of[k]
-    shape, matrix = table.shape[row], table.to_local[row]
-    local = [to_local(matrix, *(point - table.centre[row])) for point in points]
-    if shape["code"] == PLANE:
-        return np.array([y for _, y, _ in local])
-    return np.array([height(shape, x, y, z) for x, y, z in local])
+    return np.array([level_over(table, row, x, y, z) for x, y, z in points.tolist()])
 
 
 def _on_sphere(count: int) -> np.ndarray:

@@ -50,6 +50,7 @@ def compile_primitives(scene: Scene) -> Primitives:
     inverse = _stack([_inverse(linear) for linear, _ in exact], (3, 3))
     middle = _stack([centre for _, centre in exact], (3,))
     to_world, to_local = rounded(_stack([linear for linear, _ in exact], (3, 3))), rounded(inverse)
+    sizes = np.linalg.svd(to_world, compute_uv=False)  # half axes of the unit sphere's image
     corner = _stack(
         [_corners(scene.objects[k].shape, *exact[row]) for row, k in enumerate(kept)], (8, 3)
     )
@@ -66,14 +67,17 @@ def compile_primitives(scene: Scene) -> Primitives:
         is_skewed=_growth(to_world, to_local) > SKEWED,
         is_thin=np.array(
             [
-                _is_thin(scene.objects[k].shape.canonical, m)
-                for k, m in zip(kept, to_world, strict=True)
+                _is_thin(scene.objects[k].shape.canonical, m, own)
+                for k, m, own in zip(kept, to_world, sizes, strict=True)
             ],
             bool,
         ),
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
         reach_sq=np.array(
-            [_reach(scene.objects[k].shape, m) for k, m in zip(kept, to_world, strict=True)]
+            [
+                _reach(scene.objects[k].shape, m, own[0])
+                for k, m, own in zip(kept, to_world, sizes, strict=True)
+            ]
         )
         ** 2,
         row_of=row_of,
@@ -114,23 +118,24 @@ _NOTHING = _unique(np.empty((0, 3)))
 ROOMY = 1.0 + 1e-6
 
 
-def _reach(shape: Shape, to_world: np.ndarray) -> float:
+def _reach(shape: Shape, to_world: np.ndarray, longest: float) -> float:
     """Radius of a sphere round the centre that holds the shape, world units."""
     if isinstance(shape, Triangle):  # its centre is a corner
         return ROOMY * float(np.linalg.norm(to_world[:, :2], axis=0).max())
-    stretch = float(np.linalg.norm(to_world, 2))  # the longest axis of the unit sphere's image
-    return ROOMY * shape.canonical.reach * stretch
+    return ROOMY * shape.canonical.reach * float(longest)
 
 
 # Canonical corners in the order of BOX_TRIANGLES, and of a triangle's a, b, c.
 BOX_CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+NO_CORNERS = np.full((8, 3), Decimal(0), object)
 TRIANGLE_CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
 
 
 def _corners(shape: Shape, linear: np.ndarray, centre: np.ndarray) -> np.ndarray:
     """(8, 3) Decimals: where the corners stand, those of a box or triangle first, then zeros."""
-    given = BOX_CORNERS if isinstance(shape, Box) else []
-    given = TRIANGLE_CORNERS if isinstance(shape, Triangle) else given
+    if not isinstance(shape, EDGED):
+        return NO_CORNERS
+    given = BOX_CORNERS if isinstance(shape, Box) else TRIANGLE_CORNERS
     out = np.full((8, 3), Decimal(0), object)
     with localcontext(prec=DIGITS):
         for row, local in enumerate(given):
@@ -140,10 +145,15 @@ def _corners(shape: Shape, linear: np.ndarray, centre: np.ndarray) -> np.ndarray
 
 def _inverse(linear: np.ndarray) -> np.ndarray:
     """Inverse by cofactors, of Decimals."""
+    (a, b, c), (d, e, f), (g, h, i) = linear.tolist()
     with localcontext(prec=DIGITS):
-        a, b, c = linear.T  # columns
-        rows = np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
-        return np.asarray(rows / (a @ rows[0]))
+        rows = [
+            [e * i - h * f, h * c - b * i, b * f - e * c],
+            [f * g - i * d, i * a - c * g, c * d - f * a],
+            [d * h - g * e, g * b - a * h, a * e - d * b],
+        ]
+        size = a * rows[0][0] + d * rows[0][1] + g * rows[0][2]
+        return np.array([[each / size for each in row] for row in rows], object)
 
 
 def _stack(arrays: list[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
@@ -161,17 +171,20 @@ THIN = 4.0
 SQUARE = 1e-9  # cosine below which two axes are square to each other, but for rounding
 
 
-def _is_thin(canonical: Canonical, to_world: np.ndarray) -> bool:
+def _is_thin(canonical: Canonical, to_world: np.ndarray, sizes: np.ndarray) -> bool:
     """Whether the way from a point next to the surface to its canonical foot is far from the
-    shortest in the world."""
+    shortest in the world.
+
+    sizes: (3,) half axes of the unit sphere's image, the longest first.
+    """
+    is_open = canonical.name in ("plane", "disc", "triangle")
+    if not is_open and not sizes[0] > THIN * sizes[-1]:
+        return False
     axes = to_world / np.linalg.norm(to_world, axis=0)
     turned = np.abs(axes.T @ axes - np.eye(3))  # cosines
-    sizes = np.linalg.svd(to_world, compute_uv=False)
-    if canonical.name in ("plane", "disc", "triangle"):
+    if is_open:
         across = 1 if canonical.name == "plane" else 2
         return bool(turned[across].max() > SQUARE)
-    if not sizes[0] > THIN * sizes[-1]:
-        return False
     if canonical.name == "sphere" or turned.max() > SQUARE:
         return True
     wide, other = np.linalg.norm(to_world[:, :2], axis=0)

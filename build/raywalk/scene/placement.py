@@ -10,6 +10,8 @@ import numpy as np
 from raywalk.scene.exact import DIGITS, axes_across, exact, rotation, rounded, unit
 from raywalk.scene.model import SceneObject
 
+UNMOVED = np.eye(4)
+
 
 def placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
     """(3, 3) linear part and (3,) centre with world = linear @ canonical + centre.
@@ -26,6 +28,8 @@ def exact_placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
     what is made of them (an inverse, an axis, a sum) is rounded once and not at every step."""
     with localcontext(prec=DIGITS):
         linear, centre = obj.shape.placement()
+        if np.array_equal(obj.transform, UNMOVED):  # most are: two products of Decimals less
+            return +linear, +centre
         outer = exact(obj.transform)
         return outer[:3, :3] @ linear, outer[:3, :3] @ centre + outer[:3, 3]
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raywalk.geometry.coincide import coinciding, samples_of, surface_at
+from raywalk.geometry.coincide import coinciding, middles_of, objects_at, samples_of
 from raywalk.geometry.containment import objects_around
 from raywalk.geometry.extent import finite_sphere
 from raywalk.geometry.faces import PLANE
@@ -23,11 +23,15 @@ from raywalk.trace.wave import Wave
 if TYPE_CHECKING:
     from raywalk.trace.wavefront import Tracer
 
-# Of scenes with more objects it is not asked: every pair would be.
-MOST_OBJECTS = 1_000
 SAMPLE = 99  # pixels across the picture that is asked what is lit and seen
+# Where much is in the way of each ray, fewer are: as many as make this many tests of a ray and an
+# object for each light, but not fewer than LEAST across.
+TESTS, LEAST = 100_000_000, 33
 # Less than half a step of an 8-bit colour is nothing.
 DARK = 0.5 / 255.0
+UPRIGHT = 0.7  # cosine between a normal and the vertical from which on a surface is a floor
+MOSTLY = 0.9  # of what the camera's rays meet
+MOST_SAID = 20  # warnings of a kind: where there are more, they have one cause
 
 
 def scene_warnings(tracer: Tracer) -> list[str]:
@@ -39,15 +43,27 @@ def scene_warnings(tracer: Tracer) -> list[str]:
         from raywalk.geometry.mesh_report import mesh_warnings
 
         found += mesh_warnings(scene)
-    found += [*overlap_warnings(scene, tracer.compiled), *no_lamp(scene)]
-    if len(scene.objects) > MOST_OBJECTS:
-        return found
-    waves = tracer.waves(np.arange(SAMPLE * SAMPLE), SAMPLE, SAMPLE)
-    found += _lamps(tracer, waves)
-    found += _coinciding(tracer)
-    found += _eye(tracer)
-    found += _outside(tracer, waves)
-    return found
+    found += [*_some(overlap_warnings(scene, tracer.compiled)), *no_lamp(scene)]
+    middle = middles_of(tracer.compiled)
+    side = _pixels_across(scene)
+    waves = tracer.waves(np.arange(side * side), side, side)
+    kinds: list[Iterable[str]] = [
+        _lamps(tracer, waves), _coinciding(tracer), _eye(tracer, middle),
+        _under_floor(tracer, waves[0], middle), _outside(tracer, waves, middle),
+    ]  # fmt: skip
+    return found + [said for kind in kinds for said in _some(list(kind))]
+
+
+def _some(said: list[str]) -> list[str]:
+    """The first of many sentences of one kind, and how many more there are."""
+    more = len(said) - MOST_SAID
+    return [*said[:MOST_SAID], f"{more:,} more warnings like the last"] if more > 1 else said
+
+
+def _pixels_across(scene: Scene) -> int:
+    depth = 4 if scene.has_glass or any(each.reflect for each in scene.materials) else 1
+    a_pixel = max(1, len(scene.objects)) * (1 + len(scene.lights)) * depth
+    return int(np.clip(np.sqrt(TESTS / a_pixel), LEAST, SAMPLE))
 
 
 def no_lamp(scene: Scene) -> list[str]:
@@ -112,56 +128,84 @@ def _brightest(tracer: Tracer, waves: list[Wave]) -> np.ndarray:
 
 def _coinciding(tracer: Tracer) -> Iterator[str]:
     scene = tracer.scene
-    for seen, hidden in coinciding(scene, tracer.compiled):
+    pairs, is_all = coinciding(tracer.compiled)
+    size = finite_sphere(scene, tracer.compiled)[1]
+    apart = 10.0 ** np.floor(np.log10(max(size, 1e-300) / 1e3))
+    for seen, hidden in pairs:
         one, other = quoted(scene.objects[seen].name), quoted(scene.objects[hidden].name)
-        size = finite_sphere(scene, tracer.compiled)[1]
-        apart = 10.0 ** np.floor(np.log10(max(size, 1e-300) / 1e3))
         yield (
             f"{one} and {other} coincide: where they do, {one} is seen and {other} is not; "
             f"moving one by {apart:g} shows which"
         )
+    if not is_all:
+        yield "so many objects lie in one another that not all were asked whether they coincide"
 
 
-def _eye(tracer: Tracer) -> Iterator[str]:
-    """An eye on a surface, or on the other side of a floor than all that there is to see."""
+def _eye(tracer: Tracer, middle: np.ndarray) -> Iterator[str]:
+    """An eye on a surface, or on the other side of a plane than all that there is to see."""
     scene, compiled = tracer.scene, tracer.compiled
     eye = np.array(scene.camera.eye, float)
-    for k, obj in enumerate(scene.objects):
-        on, _ = surface_at(compiled, k, eye[None])
-        if on[0]:
-            yield f"the camera's eye is on the surface of {quoted(obj.name)}"
+    for k in objects_at(compiled, eye):
+        yield f"the camera's eye is on the surface of {quoted(scene.objects[k].name)}"
     table = compiled.primitives
-    things = [np.array(light.position, float) for light in scene.lights]
-    things += [
-        samples_of(compiled, k).point.mean(axis=0)
-        for k, obj in enumerate(scene.objects)
-        if not isinstance(obj.shape, Plane)
-    ]
+    things = middle[np.isfinite(middle).all(axis=1)]
+    lamps = np.array([light.position for light in scene.lights], float).reshape(-1, 3)
+    things = np.concatenate([lamps, things])
     for row in np.flatnonzero(table.shape["code"] == PLANE):
         obj = scene.objects[table.object[row]]
-        if not things or _is_clear(scene, obj):
+        if not len(things) or _is_clear(scene, obj):
             continue
         across = table.to_local[row, 1]
         mine = across @ (eye - table.centre[row])
-        theirs = (np.array(things) - table.centre[row]) @ across
+        theirs = (things - table.centre[row]) @ across
         if mine != 0.0 and (theirs * np.sign(mine) < 0).all():
             side = "under" if abs(across[1]) > 0.7 * np.linalg.norm(across) else "behind"
             side = "above" if side == "under" and eye[1] > table.centre[row][1] else side
-            yield (f"the camera is {side} {quoted(obj.name)}: everything else is on its other side")
+            yield f"the camera is {side} {quoted(obj.name)}: everything else is on its other side"
 
 
-def _outside(tracer: Tracer, waves: list[Wave]) -> Iterator[str]:
+def _under_floor(tracer: Tracer, first: Wave, middle: np.ndarray) -> Iterator[str]:
+    """An eye that sees a finite floor from below, a box, a disc, a mesh or several of them, and
+    next to nothing else, while all the rest is above it.
+
+    first: the camera's rays, spread over the picture. middle: (objects, 3), NaN of planes.
+    """
+    scene, hits = tracer.scene, first.hits
+    clear, row_of = tracer.compiled.is_clear, tracer.compiled.primitives.row_of
+    finite = np.isfinite(middle).all(axis=1)  # what is not is a plane, such as a far wall
+    seen = np.flatnonzero(hits.object >= 0)
+    seen = seen[finite[hits.object[seen]]]
+    if not len(seen) or not len(row_of):
+        return
+    # Normals face the eye: an underside's points down.
+    below = seen[(hits.geometric[seen, 1] < -UPRIGHT) & ~clear[hits.object[seen]]]
+    floor, counts = np.unique(hits.object[below], return_counts=True)
+    others = finite.copy()
+    others[floor] = False
+    if len(below) < MOSTLY * len(seen) or not others.any():
+        return
+    if (middle[others, 1] > hits.point[below, 1].max()).all():
+        name = quoted(scene.objects[floor[np.argmax(counts)]].name)
+        yield f"the camera is under {name}: everything else is above it"
+
+
+def _outside(tracer: Tracer, waves: list[Wave], middle: np.ndarray) -> Iterator[str]:
     """Objects that are not in the picture, not in a mirror of it, and throw no shadow into it."""
     scene = tracer.scene
-    met = np.unique(np.concatenate([wave.hits.object for wave in waves]))
-    blockers = np.unique(np.concatenate([wave.lighting.blocker.ravel() for wave in waves]))
     frame, half = camera_frame(scene.camera), half_width(scene.camera)
     eye = np.array(scene.camera.eye, float)
-    for k, obj in enumerate(scene.objects):
-        if k in met or k in blockers:
-            continue
-        points = samples_of(tracer.compiled, k).point
+
+    def beside(points: np.ndarray) -> np.ndarray:
+        """(5, n) bool: behind the eye, and beyond each side of the picture."""
         x, y, z = frame @ (points - eye).T
-        sides = [z <= 0, x > half * z, -x > half * z, y > half * z, -y > half * z]
-        if any(side.all() for side in sides):  # of an endless plane there are no points
-            yield f"{quoted(obj.name)} is outside the picture, and no ray of it meets it"
+        return np.array([z <= 0, x > half * z, -x > half * z, y > half * z, -y > half * z])
+
+    away = np.any(beside(middle), axis=0)  # never a plane, which is everywhere
+    for wave in waves:
+        for met in (wave.hits.object, wave.lighting.blocker):
+            away[met[met >= 0]] = False
+    for k in np.flatnonzero(away):
+        # If all of its points are beyond one side, so is their middle: most need not be asked.
+        if beside(samples_of(tracer.compiled, int(k)).point).all(axis=1).any():
+            name = quoted(scene.objects[k].name)
+            yield f"{name} is outside the picture, and no ray of it meets it"
