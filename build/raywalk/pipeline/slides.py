@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from raywalk.pipeline.parts import plain, shut_for
 from raywalk.scene.credits import named_models
+from raywalk.scene.lesson_pictures import pictures_of
 from raywalk.scene.model import Scene
 from raywalk.site.scene_data import scene_words
 from raywalk.slides.formats import ASKED, COURSE, KEPT, LESSON, REMARKS, SIGHTS
@@ -97,6 +98,7 @@ def plans_of(
             "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
             "trace": each.traced.folder.name, "sights": of.folder.name,
             "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene),
+            "pictures": {file.name: digest(file) for file in pictures_of(each.scene)},
             "credits": [model.model_dump() for model in named_models(each.scene)],
             **WRITE.parts(languages={DEFAULT, each.language}),
         }))  # fmt: skip

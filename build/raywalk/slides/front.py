@@ -9,7 +9,7 @@ from raywalk.scene.model import Scene
 from raywalk.slides.blocks import BODY_SIZE, continued, flow, flow_texts, one_line, text, title
 from raywalk.slides.figure import Item, Run, Slide
 from raywalk.slides.layout import Box, Layout
-from raywalk.slides.lesson_words import Paragraph, paragraphs_of, title_and_body
+from raywalk.slides.lesson_words import Paragraph, title_and_body, words_and_pictures
 from raywalk.slides.pictures import TITLE_SIDE, picture_of, traced_picture
 from raywalk.slides.typeface import wrapped
 from raywalk.slides.words import say
@@ -52,7 +52,7 @@ def goals_slides(scene: Scene, layout: Layout) -> list[Slide]:
     """What is to be learnt, and the steps by their first sentences."""
     points = [Paragraph((Run(scene.teaches, bold=True),))]
     for step in scene.lesson:
-        head, _ = title_and_body(paragraphs_of(step.text))
+        head, _ = title_and_body(words_and_pictures(step.text)[0])
         if head and not step.answer:
             points.append(Paragraph((Run(head),), bullet="•"))
     return list_slides(say("slides.goals"), points, layout, "goals")

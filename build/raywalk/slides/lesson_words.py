@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from html.parser import HTMLParser
+from typing import NamedTuple
+from urllib.parse import unquote
 
 from raywalk.scene.lesson_text import lesson_html
 from raywalk.slides.figure import Run
@@ -30,6 +32,23 @@ def paragraphs_of(markdown: str) -> list[Paragraph]:
     reader.close()
     reader.end_paragraph()
     return reader.paragraphs
+
+
+class Shown(NamedTuple):
+    """A picture of a lesson."""
+
+    file: str  # its name in the scene's folder
+    alt: str
+
+
+def words_and_pictures(markdown: str) -> tuple[list[Paragraph], list[Shown]]:
+    """The same, where pictures are shown: of one that stands by itself no word is left.
+    An SVG is told in words."""
+    reader = _Reader()
+    reader.feed(lesson_html(markdown, "here"))
+    reader.close()
+    reader.end_paragraph()
+    return reader.paragraphs, reader.pictures
 
 
 def plain_text(markdown: str) -> str:
@@ -68,7 +87,9 @@ class _Reader(HTMLParser):
     def __init__(self) -> None:
         super().__init__(convert_charrefs=True)
         self.paragraphs: list[Paragraph] = []
+        self.pictures: list[Shown] = []
         self.runs: list[Run] = []
+        self.is_only_pictures = True  # in this paragraph
         self.bold = self.italic = 0
         self.lists: list[int] = []  # numbers of open lists; 0 for bullets
         self.bullet = ""
@@ -79,6 +100,13 @@ class _Reader(HTMLParser):
             self.bold += 1
         if tag in ("em", "i"):
             self.italic += 1
+        if tag == "img":
+            source, alt = (dict(attrs).get(key) or "" for key in ("src", "alt"))
+            was, file = self.is_only_pictures, unquote(source.rpartition("/")[2])
+            self.handle_data(alt)
+            if not file.lower().endswith(".svg"):  # PDF and PowerPoint draw none: its words stay
+                self.pictures.append(Shown(file, alt))
+                self.is_only_pictures = was
         if tag == "math":
             self.handle_data(dict(attrs).get("alttext") or "")
             self.is_formula = True
@@ -113,13 +141,14 @@ class _Reader(HTMLParser):
         if not self.runs:
             text = text.lstrip()
         if text:
+            self.is_only_pictures &= not text.strip()
             self.runs.append(Run(text, self.bold > 0, self.italic > 0))
 
     def end_paragraph(self) -> None:
         """What was read so far is one paragraph."""
-        if self.runs and "".join(run.text for run in self.runs).strip():
+        if not self.is_only_pictures and "".join(run.text for run in self.runs).strip():
             last = self.runs[-1]
             self.runs[-1] = Run(last.text.rstrip(), last.bold, last.italic)
             self.paragraphs.append(Paragraph(tuple(self.runs), self.bullet))
             self.bullet = ""
-        self.runs = []
+        self.runs, self.is_only_pictures = [], True

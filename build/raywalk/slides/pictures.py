@@ -51,6 +51,10 @@ def jpeg(image: Image.Image, quality: int) -> bytes:
     return _file(image.convert("RGB"), "JPEG", quality=quality, optimize=True)
 
 
+def png(image: Image.Image) -> bytes:
+    return _file(image, "PNG", optimize=True)
+
+
 def webp(image: Image.Image) -> bytes:
     return _file(image, "WEBP", quality=FOR_WEB, method=4)
 
@@ -125,6 +129,6 @@ def tiles_picture(
         back.reshape(-1)[:8].tolist(),
         Image.Resampling.NEAREST,
     )
-    data = _file(image, "PNG", optimize=True)
+    data = png(image)
     where = Box(box.left + low[0], box.top + low[1], high[0] - low[0], high[1] - low[1])
     return Picture(where, data, data, say("slides.tiles", n=n), "")

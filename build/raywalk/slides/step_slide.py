@@ -19,7 +19,8 @@ from raywalk.slides.blocks import (
 )
 from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat, hex_of
 from raywalk.slides.layout import SMALLEST, Box, Layout
-from raywalk.slides.lesson_words import paragraphs_of, plain_text, title_and_body
+from raywalk.slides.lesson_pictures import picture_slides
+from raywalk.slides.lesson_words import plain_text, title_and_body, words_and_pictures
 from raywalk.slides.palette import KINDS
 from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
@@ -63,7 +64,8 @@ class Lesson:
 def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     """One slide, and further ones for words and rays that do not fit."""
     layout, scene, stop = lesson.layout, lesson.scene, lesson.stops[index]
-    head, body = title_and_body(paragraphs_of(stop.text(scene)))
+    paragraphs, shown = words_and_pictures(stop.text(scene))
+    head, body = title_and_body(paragraphs)
     head = head or scene.title
     figure = step_figure(lesson.drawing(stop))
     marks = legend(figure, layout)
@@ -80,6 +82,8 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     below = _below_title(layout)
     words_below = below._replace(left=layout.words.left, width=layout.words.width)
     slides += continued(rest, words_below, head, layout, stop.kind, under)
+    folder = scene.path.parent
+    slides += picture_slides(shown, folder, head, below, layout, under, stop.kind)
     is_cut = any(isinstance(item, Table) and not is_whole(item, stop) for item in numbers)
     if is_cut and is_last:
         again = say("slides.continued", title=head)
