@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from argparse import Namespace
 from collections.abc import Generator, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -57,7 +58,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
         scenes = read_scenes(chosen.scenes)
         spoken = in_all_languages(scenes)
     store = Store(chosen.work, chosen.explain)
-    with phase("trace"):
+    made_from = viewer_parts(site_source)
+    yield from reasons(store, made_from)
+    with phase("trace"), ThreadPoolExecutor(1) as beside:
+        # Esbuild needs one core for a moment, and tracing leaves one towards its end.
+        bundled = beside.submit(made, store, made_from, partial(bundle, site_source))
         traces, missing = yield from _traces(store, scenes, chosen)
     facts = {scene.id: facts_of(traces[scene.id]) for scene in scenes}
     if chosen.stats:
@@ -68,9 +73,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     for code, translated in spoken.items():
         notes += missing_translations(translated, code)
     yield from notes
-    with phase("bundle the viewer"):
-        made_from = viewer_parts(site_source)
-        viewer = yield from kept(store, made_from, partial(bundle, site_source))
+    viewer = bundled.result()
     with phase("data and previews of pages"):
         previews, data = yield from _pages(store, scenes, traces)
     decks = yield from _decks(store, spoken, traces, data, chosen)

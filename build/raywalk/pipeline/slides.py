@@ -128,6 +128,8 @@ def _sights(
             **SEE.parts(shut_for(each.scene)),
         })  # fmt: skip
     missing = [task for task in tasks.values() if not store.find(key_of(task[2]))]
+    size = {each.scene.id: _traces_size(each.traced.folder) for each in sources}
+    missing.sort(key=lambda task: -size[task[0].id])  # as for slides
     for _, _, parts in missing:
         yield from reasons(store, parts)
     if missing:
