@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.base_colour import base_colours, based_objects
 from raywalk.geometry.nearest import all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
@@ -22,6 +21,7 @@ from raywalk.scene.placement import checker_axes
 from raywalk.scene.shapes import Mesh, Plane
 
 if TYPE_CHECKING:
+    from raywalk.geometry.base_colour import BaseColours
     from raywalk.geometry.mesh_target import MeshTarget
 
 # A mesh and something else tie where their distances differ by this share, 500 roundings.
@@ -84,9 +84,9 @@ class CompiledScene:
         self.appearance = _appearance_of(scene)
         # Only a scene with a mesh pays for trimesh and Embree, at start-up too.
         self.meshes = _compile_meshes(scene)
-        self._based = scene if based_objects(scene) else None
         vertices = [mesh.triangles.world for mesh in self.meshes]
         self.primitives = exact_at_edges(self.primitives, vertices)
+        self.base = _base_of(scene, self.primitives, self.meshes)
         self.is_clear = np.array(
             [scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool
         )
@@ -157,7 +157,7 @@ class CompiledScene:
 
     def base_colours(self, hits: Hits) -> np.ndarray | None:
         """(n, 3) what ambient and diffuse are multiplied by at hits; None: nothing, anywhere."""
-        return base_colours(self._based, self.meshes, hits) if self._based else None
+        return self.base.at(hits) if self.base else None
 
     def crossings(self, rays: Rays) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Every hit of rays from free space, nearest first: start (n + 1,), t (h,), object (h,).
@@ -274,6 +274,15 @@ def _appearance_of(scene: Scene) -> Appearance:
         turn[k] = np.sign(v @ np.cross(u, normal))
     material = np.array([obj.material for obj in scene.objects], np.int32)
     return Appearance(material, checker, size, turn)
+
+
+def _base_of(scene: Scene, primitives: Primitives, meshes: list[MeshTarget]) -> BaseColours | None:
+    """None where no object has a base colour: such a scene imports nothing of it."""
+    if not any(obj.base for obj in scene.objects):
+        return None
+    from raywalk.geometry.base_colour import BaseColours
+
+    return BaseColours(scene, primitives, meshes)
 
 
 def _compile_meshes(scene: Scene) -> list[MeshTarget]:

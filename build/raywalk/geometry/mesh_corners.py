@@ -9,7 +9,7 @@ from raywalk.models.model import PerCorner
 
 
 def at_corners(
-    told: PerCorner | None, cleaned: Cleaned, rounds: int, chosen: np.ndarray, mirrored: bool
+    cleaned: Cleaned, rounds: int, chosen: np.ndarray, mirrored: bool, told: PerCorner | None
 ) -> np.ndarray | None:
     """(f, 3, k) float64 of the corners of these triangles; NaN where the file says nothing.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from raywalk.models.edges import balanced, edges_of, open_edges
 from raywalk.models.faults import ModelFault
 from raywalk.models.kept import read_cleaned
 from raywalk.models.pieces import chosen
-from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.model import Base, Scene, SceneObject
 from raywalk.scene.shapes import Mesh
 
 
@@ -30,6 +31,7 @@ class Triangles:
     normals: np.ndarray | None  # (n, 3) unit normals; None if flat
     normal_rows: np.ndarray  # (f, 3) int64: of each corner; `faces` where each vertex has one
     colours: np.ndarray | None  # (f, 3, 3) of each corner, where the file's are shown
+    places: np.ndarray | None  # (f, 3, 2) of each corner in a texture's picture, where one is
     closed: bool
     layered: bool  # closed shells of it lie in one another, or overlap
     dropped: dict[str, int]  # reason -> triangles
@@ -83,7 +85,8 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         faces = faces[:, ::-1]
     centre, rest = _centre(linear, middle, offset)
     world, world_rest = in_world(linear, offset, vertices)
-    shown = obj.base.colours if obj.base else False
+    base = obj.base or Base()
+    told = partial(at_corners, cleaned, shape.subdivide, child, mirrored)
     normals, rows = _normals(shape, cleaned, placed, faces, row, linear)
     return Triangles(
         centre=centre,
@@ -91,9 +94,8 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         faces=np.ascontiguousarray(faces),
         normals=normals,
         normal_rows=np.ascontiguousarray(rows),
-        colours=at_corners(cleaned.model.colours, cleaned, shape.subdivide, child, mirrored)
-        if shown
-        else None,
+        colours=told(cleaned.model.colours) if base.colours else None,
+        places=told(cleaned.model.texture_places) if base.texture else None,
         closed=closed and not flattened,
         layered=cleaned.shape.layered,
         dropped={**dropped, **flattened},

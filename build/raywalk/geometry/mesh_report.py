@@ -8,8 +8,11 @@ from typing import Any
 from raywalk.models.clean import Cleaned
 from raywalk.models.faults import shown
 from raywalk.models.kept import read_cleaned
+from raywalk.models.model import Model
+from raywalk.models.pieces import material_named
 from raywalk.models.report import report
 from raywalk.models.telling import in_short, listed, warnings
+from raywalk.scene.mesh_parts import texture_fault
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
 
@@ -79,17 +82,20 @@ def _not_used(objects: list[SceneObject], cleaned: Cleaned) -> Iterator[str]:
             f"the colours of its {model.colours_of} are not used, as the scene gives a material: "
             "leave it out to see them"
         )
+    if model.texture_places is None and any(obj.base and obj.base.texture for obj in objects):
+        yield f"{file} tells no coordinates for a texture: it is shown without the scene's"
     if piece and piece.by_material:
         labels = [mesh.piece.label for obj in objects if (mesh := _mesh(obj)).piece]
-        yield from _looks_not_used(report(cleaned), labels)
+        yield from _looks_not_used(model, report(cleaned), labels)
 
 
-def _looks_not_used(told: dict[str, Any], labels: list[str]) -> Iterator[str]:
+def _looks_not_used(model: Model, told: dict[str, Any], labels: list[str]) -> Iterator[str]:
     for each in told["materials"]:
         if each["name"] not in labels:
             continue
-        if each["texture"]:
-            yield f"the texture {shown(each['texture'])} of {shown(each['name'])} is not used"
+        material = material_named(model, each["name"])
+        if material and (fault := texture_fault(model, material)):
+            yield f"the texture {fault}: {shown(each['name'])} is shown without it"
         if each["opacity"] < 1.0:
             yield (
                 f"{shown(each['name'])} is transparent in the file, and opaque here: give it a "

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from raywalk.models.model import FileMaterial, Model, PerCorner
 from raywalk.models.ply import cut_strips
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
+NEAREST = 9728  # of a sampler's filters
 MOST_TRIANGLES = 20_000_000  # also of instances, which cost a file nothing
 FLOAT32 = 2.0**-23
 # Extensions of primitives and materials that change what is seen; others are of no concern here.
@@ -41,7 +43,7 @@ def read_gltf(path: Path, data: bytes) -> Model:
 class _Reader:
     def __init__(self, path: Path, data: bytes):
         self.path = path
-        document, chunk = _parts(path, data)
+        document, chunk = parts_of(path, data)
         self.json: dict[str, Any] = document
         self.buffers = Buffers(path, document, chunk)
         self.vertices: list[np.ndarray] = []
@@ -114,7 +116,9 @@ class _Reader:
         self.vertices.append(at @ linear.T + offset)
         self.normals.append(self._normals(attributes, at, linear))
         self.colours.append(self._attribute(attributes, "COLOR_0", len(at), 3))
-        self.textures.append(self._attribute(attributes, "TEXCOORD_0", len(at), 2))
+        # From the top: a Model's v runs up.
+        places = self._attribute(attributes, "TEXCOORD_0", len(at), 2)
+        self.textures.append(np.column_stack([places[:, 0], 1.0 - places[:, 1]]))
         first = sum(len(each) for each in self.vertices[:-1])
         self.faces.append(faces + first)
         self.count += len(faces)
@@ -179,7 +183,7 @@ class _Reader:
         return told + [f"the extension {quoted(str(each))} is not known" for each in unknown]
 
 
-def _parts(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
+def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
     """The JSON, and of a GLB its binary chunk."""
     chunk = b""
     if data[:4] == b"glTF":
@@ -218,13 +222,25 @@ def _material(path: Path, document: dict[str, Any], index: int) -> FileMaterial:
     name = str(told.get("name") or f"material {index + 1}")
     surface = told.get("pbrMetallicRoughness", {})
     r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in surface.get("baseColorFactor", [1] * 4))
-    picture = None
-    if "baseColorTexture" in surface:
-        texture = document["textures"][surface["baseColorTexture"]["index"]]
-        image = document["images"][texture["source"]] if "source" in texture else {}
-        uri = str(image.get("uri", ""))
-        picture = path.parent / uri if uri and not uri.startswith("data:") else None
-    return FileMaterial(name, (r, g, b), opacity=a, texture=picture)
+    return FileMaterial(name, (r, g, b), opacity=a, **_texture(path, document, surface))
+
+
+def _texture(path: Path, document: dict[str, Any], surface: dict[str, Any]) -> dict[str, Any]:
+    """Keys of FileMaterial: which picture, where, and how it is looked up."""
+    if "baseColorTexture" not in surface:
+        return {}
+    texture = document["textures"][whole(surface["baseColorTexture"]["index"])]
+    if "source" not in texture:  # an extension's format
+        return {}
+    image = document["images"][whole(texture["source"])]
+    sampler = document["samplers"][whole(texture["sampler"])] if "sampler" in texture else {}
+    uri = str(image.get("uri", ""))
+    held = not uri or uri.startswith("data:")
+    return {
+        "texture": path if held else path.parent / unquote(uri),
+        "texture_inside": texture["source"] if held else -1,
+        "texture_filter": "nearest" if sampler.get("magFilter") == NEAREST else "bilinear",
+    }
 
 
 def _whole(tables: list[np.ndarray], faces: np.ndarray) -> PerCorner | None:

@@ -46,6 +46,12 @@ class Buffers:
             found = np.maximum(found / np.iinfo(kind).max, -1.0)
         return found
 
+    def view(self, index: int) -> bytes:
+        """The bytes of a view of a buffer, as far as they are there. Raises ModelFault."""
+        told = self.json["bufferViews"][index]
+        begin = whole(told.get("byteOffset", 0))
+        return self._buffer(whole(told["buffer"]))[begin : begin + whole(told["byteLength"])]
+
     def _sparse(
         self, index: int, told: dict[str, Any], values: np.ndarray, kind: str, size: int
     ) -> np.ndarray:
@@ -93,12 +99,9 @@ class Buffers:
         if uri is None:
             return self.chunk
         if uri.startswith("data:"):
-            try:
-                return base64.b64decode(uri.split(",", 1)[1], validate=True)
-            except (IndexError, binascii.Error):
-                raise ModelFault(
-                    self.path, f"buffer {index}", "its base64 is damaged", CUT
-                ) from None
+            if (data := data_of(uri)) is None:
+                raise ModelFault(self.path, f"buffer {index}", "its base64 is damaged", CUT)
+            return data
         try:
             return (self.path.parent / unquote(uri)).read_bytes()
         except (OSError, ValueError):
@@ -109,6 +112,14 @@ class Buffers:
 
     def _fault(self, index: int, cause: str) -> ModelFault:
         return ModelFault(self.path, f"accessor {index}", cause, CUT)
+
+
+def data_of(uri: str) -> bytes | None:
+    """What a data: URI holds in base64; None if that is damaged, or it is none."""
+    try:
+        return base64.b64decode(uri.split(",", 1)[1], validate=True)
+    except (IndexError, binascii.Error):
+        return None
 
 
 def beside_gltf(path: Path, document: dict[str, Any]) -> Iterator[Path]:

@@ -19,7 +19,9 @@ class FileMaterial:
     specular: Colour | None = None
     shininess: float | None = None
     opacity: float = 1.0
-    texture: Path | None = None  # the picture of its colours
+    texture: Path | None = None  # file of a picture that multiplies `diffuse`
+    texture_inside: int = -1  # which picture of a glTF file it is
+    texture_filter: str = "bilinear"  # or "nearest"
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +49,7 @@ class Model:
     materials: tuple[FileMaterial, ...] = ()
     material: np.ndarray | None = None  # (f,) int32 into materials, -1 for none
     normals: PerCorner | None = None  # of 3
-    texture_places: PerCorner | None = None  # of 2: u and v
+    texture_places: PerCorner | None = None  # of 2: u to the right and v up
     colours: PerCorner | None = None  # of 3, each from 0 to 1
     colours_of: str = ""  # "vertices" or "faces"
     smoothing: np.ndarray | None = None  # (f,) int32 groups; 0 flat

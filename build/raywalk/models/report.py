@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.models.clean import Cleaned
+from raywalk.models.model import FileMaterial
 
 PLACES = 20  # of open edges that are told
 # What files of a format mostly are measured in, where they do not say it.
@@ -81,8 +82,15 @@ def _materials(cleaned: Cleaned) -> list[dict[str, Any]]:
             "name": each.name,
             "colour": None if each.diffuse is None else list(each.diffuse),
             "opacity": each.opacity,
-            "texture": each.texture.name if each.texture else None,
+            "texture": _texture_of(each),
             "triangles": int((of == k).sum()),
         }
         for k, each in enumerate(model.materials)
     ]
+
+
+def _texture_of(material: FileMaterial) -> str | None:
+    if material.texture is None:
+        return None
+    inside = material.texture_inside
+    return material.texture.name if inside < 0 else f"picture {inside} in the file itself"

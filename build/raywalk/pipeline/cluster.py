@@ -16,7 +16,7 @@ from typing import Any
 
 from raywalk.errors import UserError
 from raywalk.pipeline.parts import TRACE
-from raywalk.scene.model import Scene
+from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Mesh
 from raywalk.work.maker import Parts
 from raywalk.work.making import refuse_edited
@@ -93,9 +93,9 @@ def _result(done: Any, distributed: Any) -> tuple[float, Files]:
 
 
 def mesh_files(scene: Scene) -> Files:
-    """The content of each mesh file of a scene, and of those it needs, by its path here."""
-    meshes = [obj.shape for obj in scene.objects if isinstance(obj.shape, Mesh)]
-    paths = {path for mesh in meshes for path in (mesh.path, *mesh.beside)}
+    """The content of each mesh file of a scene, of those it needs, and of textures, by its path
+    here."""
+    paths = {path for obj in scene.objects for path in obj.files}
     return {str(path): path.read_bytes() for path in sorted(paths)}
 
 
@@ -138,8 +138,8 @@ def refuse_other_makers(expected: Parts, found: Parts) -> None:
 
 
 def with_meshes(scene: Scene, meshes: Files, folder: Path) -> Scene:
-    """The scene with its mesh files in a folder of this machine, under their own names, and what
-    they need beside them as it was."""
+    """The scene with its mesh files and textures in a folder of this machine, under their own
+    names, and what meshes need beside them as it was."""
     homes: dict[Path, Path] = {}
 
     def placed(path: Path, of: Path) -> Path:
@@ -151,12 +151,14 @@ def with_meshes(scene: Scene, meshes: Files, folder: Path) -> Scene:
             place.write_bytes(meshes[str(path)])
         return place
 
-    def moved(mesh: Mesh) -> Mesh:
-        beside = tuple(placed(path, mesh.path) for path in mesh.beside)
-        return replace(mesh, path=placed(mesh.path, mesh.path), beside=beside)
+    def moved(obj: SceneObject) -> SceneObject:
+        shape, base = obj.shape, obj.base
+        if isinstance(shape, Mesh):
+            beside = tuple(placed(path, shape.path) for path in shape.beside)
+            shape = replace(shape, path=placed(shape.path, shape.path), beside=beside)
+        if base and base.texture:
+            path = base.texture.path
+            base = replace(base, texture=replace(base.texture, path=placed(path, path)))
+        return replace(obj, shape=shape, base=base)
 
-    objects = tuple(
-        replace(obj, shape=moved(obj.shape)) if isinstance(obj.shape, Mesh) else obj
-        for obj in scene.objects
-    )
-    return replace(scene, objects=objects)
+    return replace(scene, objects=tuple(moved(obj) for obj in scene.objects))

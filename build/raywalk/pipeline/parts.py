@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from raywalk.scene.model import Scene
-from raywalk.scene.shapes import Mesh
 from raywalk.work.digests import digest
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.packages import npm_versions
@@ -41,9 +40,8 @@ def trace_parts(scene: Scene) -> Parts:
 
 
 def models_of(scene: Scene) -> dict[str, str]:
-    """Hash of each object's mesh file, and of those it needs. Raises OSError."""
-    meshes = [(obj.name, obj.shape) for obj in scene.objects if isinstance(obj.shape, Mesh)]
-    named = [(name, path) for name, mesh in meshes for path in (mesh.path, *mesh.beside)]
+    """Hash of each object's mesh file, of those it needs, and of its texture. Raises OSError."""
+    named = [(obj.name, path) for obj in scene.objects for path in obj.files]
     hashes = {path: digest(path) for path in {path for _, path in named}}
     return {f"{path.name} of {name}": hashes[path] for name, path in named}
 

@@ -25,7 +25,6 @@ from raywalk.pipeline.slides import MadeDeck, Source, last_decks, make_decks, sl
 from raywalk.pipeline.tracing import trace_all
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scenes
-from raywalk.scene.shapes import Mesh
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.site.assets import BundleError, bundle_viewer
 from raywalk.site.figures import left_out
@@ -87,13 +86,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
         f"{len(scenes)} scenes: {missing} traced, {len(scenes) - missing} unchanged",
-        [
-            path
-            for scene in scenes
-            for obj in scene.objects
-            if isinstance(obj.shape, Mesh)
-            for path in (obj.shape.path, *obj.shape.beside)
-        ],
+        [path for scene in scenes for obj in scene.objects for path in obj.files],
         {"scenes": len(scenes), "size": size, "remarks": notes},
     )
 

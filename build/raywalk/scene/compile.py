@@ -19,9 +19,10 @@ from raywalk.scene.checks import (
 from raywalk.scene.draft import Draft
 from raywalk.scene.lesson_pictures import check_pictures
 from raywalk.scene.lights import point_lights
-from raywalk.scene.materials import Materials
+from raywalk.scene.materials import Dressed, Materials
 from raywalk.scene.mesh_parts import dressed_parts, mesh_of
 from raywalk.scene.model import (
+    Base,
     Camera,
     Checker,
     LessonStep,
@@ -155,12 +156,13 @@ class _Parts:
         if isinstance(table, MeshTable) and (table.materials or table.material is None):
             self._add_parts(table, shape, name, known, at, transform)
             return
-        material = self._dressed(table.material, name, known, (*at, "material"))
-        if shape is None or material is None:
+        dressed = self._dressed(table.material, name, known, (*at, "material"))
+        if shape is None or dressed is None:
             return
-        check_closed(shape, material, at, self.problems)
-        even, checker = self._checkered(table, name, material)
-        self.objects.append(SceneObject(name, shape, even, transform, checker))
+        check_closed(shape, dressed.material, at, self.problems)
+        even, checker = self._checkered(table, name, dressed.material)
+        base = Base(texture=dressed.texture) if dressed.texture else None
+        self.objects.append(SceneObject(name, shape, even, transform, checker, base))
 
     def _shape_of(self, table: ObjectTable, at: Location) -> Shape | None:
         """None, with the problem noted, if it has no extent or no file."""
@@ -194,7 +196,7 @@ class _Parts:
 
     def _dressed(
         self, dress: str | MaterialTable, name: str, known: Materials, at: Sequence[str | int]
-    ) -> Material | None:
+    ) -> Dressed | None:
         if isinstance(dress, str):
             return known.find(dress, at)
         return known.inline(dress, name, at)

@@ -29,6 +29,7 @@ from raywalk.scene.schema_objects import (
     CheckerTable,
     MaterialTable,
     ObjectTable,
+    TextureTable,
 )
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.table import Table
@@ -78,6 +79,7 @@ SECTIONS: list[tuple[str, type[Table]]] = [
     ("[camera]", CameraTable),
     ("[render]", RenderTable),
     ("[materials.NAME], or in place: material = { ... }", MaterialTable),
+    ("texture = { ... }", TextureTable),
     ("[[objects]]", ObjectTable),
     *((f'type = "{kind}"', table) for kind, table in SHAPES.items()),
     ("transform = [{ ... }, ...]", TransformTable),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
-from raywalk.scene.model import Material
+from raywalk.scene.model import Material, Texture
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MaterialTable
+from raywalk.scene.textures import check_texture, texture_of
 from raywalk.scene.wording import did_you_mean, joined, plain, quoted
 
 # All glassy ones split by Fresnel and scatter nothing: what is not mirrored goes through.
@@ -36,6 +38,13 @@ MOST_HINTS = 10
 CIRCLE = 12  # names that are told of a circle
 
 
+class Dressed(NamedTuple):
+    """What an object is dressed in."""
+
+    material: Material
+    texture: Texture | None = None
+
+
 class Materials:
     """Looks up materials by name and notes once what is wrong with each.
 
@@ -47,31 +56,31 @@ class Materials:
     def __init__(self, own: Mapping[str, MaterialTable | None], problems: Problems):
         self._own = own
         self._problems = problems
-        self._finished: dict[str, Material | None] = {}
+        self._finished: dict[str, Dressed | None] = {}
         self._inherited: dict[str, dict[str, Any]] = {}  # all keys of own materials, once followed
         self._unknown = 0
         for name in own:
             self._finished[name] = self._read_own(name)
 
-    def find(self, name: str, at: Location) -> Material | None:
+    def find(self, name: str, at: Location) -> Dressed | None:
         """The material of that name; None, with the problem noted, if there is none."""
         if name in self._finished:
             return self._finished[name]
         if name in BUILT_IN:
-            return _finish(name, _given(BUILT_IN[name]))
+            return _finish(name, _given(BUILT_IN[name]), self._problems.file.parent)
         self._note_unknown(name, at)
         return None
 
-    def inline(self, table: MaterialTable, name: str, at: Location) -> Material | None:
+    def inline(self, table: MaterialTable, name: str, at: Location) -> Dressed | None:
         """A material given in place, with a name for people to read."""
         keys = self._with_inherited(table, at)
-        return None if keys is None else self._checked(name, keys, at)
+        return None if keys is None else self._checked(name, keys, table, at)
 
-    def _read_own(self, name: str) -> Material | None:
+    def _read_own(self, name: str) -> Dressed | None:
         at = ("materials", name)
         table = self._own[name]
         keys = None if table is None else self._with_inherited(table, at, name)
-        return None if keys is None else self._checked(name, keys, at)
+        return None if keys is None or table is None else self._checked(name, keys, table, at)
 
     def _with_inherited(
         self, table: MaterialTable, at: Location, own_name: str = ""
@@ -105,12 +114,17 @@ class Materials:
                 self._inherited[name] = base
         return base
 
-    def _checked(self, name: str, keys: dict[str, Any], at: Location) -> Material | None:
-        """The material, if light that meets it is neither lost nor won."""
-        material = _finish(name, keys)
-        problem = _physics_problem(material, "ior" in keys)
+    def _checked(
+        self, name: str, keys: dict[str, Any], table: MaterialTable, at: Location
+    ) -> Dressed | None:
+        """The material, if light is neither lost nor won there, and its texture is there."""
+        # What is wrong with an inherited texture is said where it is given.
+        if table.texture and not check_texture(table.texture, (*at, "texture"), self._problems):
+            return None
+        dressed = _finish(name, keys, self._problems.file.parent)
+        problem = _physics_problem(dressed.material, "ior" in keys)
         if problem is None:
-            return material
+            return dressed
         key, message, hint = problem
         self._problems.add((*at, key), message, hint=hint)
         return None
@@ -152,5 +166,7 @@ def _given(table: MaterialTable) -> dict[str, Any]:
     return table.model_dump(exclude_none=True, exclude={"like"})
 
 
-def _finish(name: str, keys: dict[str, Any]) -> Material:
-    return Material(name, **keys)
+def _finish(name: str, keys: dict[str, Any], folder: Path) -> Dressed:
+    texture = keys.get("texture")
+    rest = {key: value for key, value in keys.items() if key != "texture"}
+    return Dressed(Material(name, **rest), texture and texture_of(texture, folder))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import NamedTuple
 
 from raywalk.models.beside import beside
@@ -13,7 +13,9 @@ from raywalk.models.kept import read_cleaned
 from raywalk.models.model import FileMaterial, Model
 from raywalk.models.piece import Piece
 from raywalk.models.pieces import labels, material_named, names_in
-from raywalk.scene.model import Base, Material
+from raywalk.scene.materials import Dressed
+from raywalk.scene.model import Base, Material, Texture
+from raywalk.scene.pictures import PictureFault, read_texture
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_objects import MeshTable
 from raywalk.scene.shapes import Mesh, Triple
@@ -42,8 +44,8 @@ def mesh_of(table: MeshTable, model: str, path: Path) -> Mesh:
 
 
 def dressed_parts(
-    table: MeshTable, mesh: Mesh, name: str, given: Mapping[str, Material | None],
-    rest: Material | None, at: Location, problems: Problems,
+    table: MeshTable, mesh: Mesh, name: str, given: Mapping[str, Dressed | None],
+    rest: Dressed | None, at: Location, problems: Problems,
 ) -> Iterator[Part]:  # fmt: skip
     """The objects that a mesh becomes, in the order of its file.
 
@@ -77,26 +79,75 @@ def dressed_parts(
         whole = len(found) == 1
         called = name if whole else f"{name}, {label or 'rest'}"
         piece = Piece(name, label, tuple(given), by_material, label == found[0])
-        material = given[label] if label in given else rest or own_material(model, label)
-        if material is None:
+        dressed = given[label] if label in given else rest or own_material(model, label)
+        if dressed is None:
             continue  # told where it was read
-        base = None
-        if label not in given and rest is None and model.colours:
-            base = Base(colours=True)
-            if not model.format.startswith(("glTF", "GLB")):  # glTF multiplies, others replace
-                material = replace(material, ambient=(AMBIENT,) * 3, diffuse=UNCHANGED)
-        yield Part(called, replace(mesh, piece=piece), material, base)
+        is_own = label not in given and rest is None
+        base = Base(is_own and model.colours is not None, dressed.texture)
+        some = base if base.colours or base.texture else None
+        yield Part(called, replace(mesh, piece=piece), dressed.material, some)
 
 
-def own_material(model: Model, label: str) -> Material:
-    """A file's material of that name as one of ours."""
+def own_material(model: Model, label: str) -> Dressed:
+    """A file's material of that name as one of ours, and its texture if that can be read."""
     told = material_named(model, label) or FileMaterial(label or quoted(model.path.name))
-    diffuse = told.diffuse or (UNCHANGED if model.colours else UNTOLD)
-    r, g, b = diffuse
-    return Material(
+    texture = own_texture(model, told)
+    shown = texture if not texture_fault(model, told) else None
+    r, g, b = diffuse = _diffuse(model, told, shown is not None)
+    material = Material(
         told.name,
         ambient=(AMBIENT * r, AMBIENT * g, AMBIENT * b),
         diffuse=diffuse,
         specular=told.specular or (0.0, 0.0, 0.0),
         shininess=max(1.0, told.shininess or 1.0),
     )
+    return Dressed(material, shown)
+
+
+def _diffuse(model: Model, told: FileMaterial, is_textured: bool) -> Triple:
+    """What the file's colours and texture multiply. In glTF they multiply the material's colour,
+    and a texture does in MTL, but for a black that would hide it; colours of vertices stand in its
+    place elsewhere."""
+    if model.colours and not model.format.startswith(("glTF", "GLB")):
+        return UNCHANGED
+    if is_textured and not any(told.diffuse or ()):
+        return UNCHANGED
+    return told.diffuse or (UNCHANGED if model.colours else UNTOLD)
+
+
+def own_texture(model: Model, told: FileMaterial) -> Texture | None:
+    """The texture of a file's material, whether or not it is there. A name of another machine's
+    folder is looked for beside the model."""
+    if told.texture is None:
+        return None
+    path, beside = told.texture, model.path.parent / PureWindowsPath(told.texture).name
+    found = path if _is_file(path) or not _is_file(beside) else beside
+    return Texture(found, told.texture_filter, inside=told.texture_inside)
+
+
+def texture_fault(model: Model, told: FileMaterial) -> str:
+    """Why the texture of a file's material is not shown, as in "wood.png is not there"; ""."""
+    texture = own_texture(model, told)
+    if texture is None:
+        return ""
+    name = shown(texture.path.name)
+    if texture.inside >= 0:
+        name = f"picture {texture.inside} in {name}"
+    try:
+        if not texture.path.resolve().is_relative_to(model.path.parent.resolve()):
+            return f"{name} lies outside of the model's folder"
+        read_texture(texture)
+    except PictureFault as fault:
+        return f"{name} {fault.cause}"
+    except (OSError, ValueError):  # a name that no file can have
+        return f"{name} is not there"
+    if model.texture_places is None:
+        return f"{name} has no places, as the file tells no coordinates for it"
+    return ""
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False

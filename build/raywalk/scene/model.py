@@ -51,12 +51,23 @@ BASE_STEPS = 4080  # from 0 to 1: 16 to each of 8 bits; base colours are rounded
 
 
 @dataclass(frozen=True)
+class Texture:
+    """A picture whose colours an object shows, each where it belongs; it repeats."""
+
+    path: Path
+    filter: str = "bilinear"  # between the centres of four pixels; or "nearest"
+    repeat: tuple[float, float] = (1.0, 1.0)  # pictures in a unit of u and of v
+    inside: int = -1  # a glTF file holds it as its image of that number
+
+
+@dataclass(frozen=True)
 class Base:
     """An object's base colour, which differs from place to place: what its material's ambient and
     diffuse are multiplied by at a hit. Linear, 1 is full, as all colours, in steps of 1/BASE_STEPS:
     so trace files hold it exactly."""
 
     colours: bool = False  # those that a mesh's file gives its vertices or faces
+    texture: Texture | None = None  # where both are given, their product
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +78,12 @@ class SceneObject:
     transform: np.ndarray = field(default_factory=lambda: np.eye(4))  # (4, 4), after the shape
     checker: Checker | None = None
     base: Base | None = None  # None: the material's colours as they are
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """What its mesh and its texture are read from."""
+        mesh = (self.shape.path, *self.shape.beside) if isinstance(self.shape, Mesh) else ()
+        return (*mesh, self.base.texture.path) if self.base and self.base.texture else mesh
 
 
 @dataclass(frozen=True)

@@ -20,12 +20,33 @@ from raywalk.scene.fields import (
     Text,
     maybe,
     means,
+    one_of,
     refusal,
 )
 from raywalk.scene.schema_transforms import TransformTable
 from raywalk.scene.shapes import Triple
 from raywalk.scene.table import LIST, SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import TAG, did_you_mean, joined, show
+
+Repeat = Annotated[tuple[Positive, Positive], Allowed("two numbers above 0, [across, upwards]")]
+
+
+class TextureTable(Table):
+    """A picture that gives an object's base colour: ambient and diffuse are multiplied by it, so
+    that in `white` it looks as it is. Its colours count as they are, 255 as 1, nothing is decoded
+    from sRGB. On a sphere or ellipsoid it goes round once as a map does: its middle faces +z, its
+    top edge is the pole at +y, its sides meet at -z. On a plane a picture is as large as a world
+    unit, from `point` on; on each face of a box, on a disc (its square) and on caps it is whole,
+    upright for who looks at it, and of a floor from +z. On a cylinder or cone it goes round the
+    side, from `start` at the bottom to `end`. On a triangle a, b, c are its corners at the lower
+    left, lower right and upper left. On a mesh it lies where the file's coordinates (vt, s t, u v,
+    TEXCOORD_0) put it. The object's `transform` carries it along."""
+
+    file: Name = means("a .png, .jpg or .webp picture in the scene's folder")
+    filter: Annotated[Literal["bilinear", "nearest"], one_of("bilinear", "nearest")] = means(
+        "between the centres of four pixels, or the pixel that is hit", "bilinear"
+    )
+    repeat: Repeat = means("how often it stands side by side, across and upwards", (1.0, 1.0))
 
 
 class MaterialTable(Table):
@@ -46,6 +67,7 @@ class MaterialTable(Table):
     )
     ior: Maybe[Positive] = maybe("index of refraction; required where transmit is above 0")
     fresnel: Maybe[Flag] = maybe("split reflect + transmit by angle, as glass does (default false)")
+    texture: Maybe[TextureTable] = maybe("a picture that ambient and diffuse are multiplied by")
 
 
 TwoColours = Annotated[tuple[Colour, Colour], Allowed("two colours, [[r, g, b], [r, g, b]]")]

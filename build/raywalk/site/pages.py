@@ -105,12 +105,14 @@ def write_sizes(
     tables = []
     for budget in budgets:
         own = sorted((each for each in weights if each.key == budget.key), key=lambda e: -e.value)
+        if not own:
+            continue
         rows = [
             {"file": each.file, "size": f"{each.size:,}", "value": shown(each.value, budget)}
             for each in own
         ]
         together = [shown(value, budget) for _, value in weighed(own, budget)]
-        all_counted = budget.counted == "all" and rows
+        all_counted = budget.counted == "all"
         tables.append(
             {
                 "what": budget.what, "limit": shown(budget.limit, budget), "reason": budget.reason,

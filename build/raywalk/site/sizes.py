@@ -88,16 +88,20 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
         finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
         trace = folder / f"{finest['n']}.json.gz"
+        # What textures and colours of files add is noise to every encoder.
+        kind = "textured " if any(obj.base for obj in scene.objects) else ""
         data = sent(folder / "scene.js")
         first = sent(folder / "index.html") + _without_meshes(folder / "scene.js")
         first += sent(folder / f"{start_of(scene)['resolution']}.json.gz")
+        rays = max(finest["rays"], FEW_RAYS)
         sizes += [
-            Size("trace", f"{name}/{trace.name}", sent(trace), max(finest["rays"], FEW_RAYS)),
-            Size("picture", f"{name}/picture.png", sent(folder / "picture.png")),
+            Size(kind + "trace", f"{name}/{trace.name}", sent(trace), rays),
+            Size(kind + "picture", f"{name}/picture.png", sent(folder / "picture.png")),
             Size("first", name, first + styles + sum(scripts.values())),
         ]
         if triangles:
-            sizes.append(Size("mesh", f"{name}/scene.js", data, max(triangles, FEW_TRIANGLES)))
+            over = max(triangles, FEW_TRIANGLES)
+            sizes.append(Size(kind + "mesh", f"{name}/scene.js", data, over))
     return sizes
 
 
