@@ -110,7 +110,16 @@ def test_a_mark_is_left_out_just_where_a_ray_passes_by(rng: np.random.Generator)
     origin = rng.normal(size=(size, 3)) * 5
     direction = rng.normal(size=(size, 3)) * 0.7 - origin
     block, marks = np.empty(BLOCK_SIZE), np.empty(BLOCK, np.uint8)
-    fill_block(block, origin, direction, np.full(size, np.inf), 0, size)
+    fill_block(
+        block,
+        origin,
+        direction,
+        np.full(size, NOWHERE),
+        np.zeros(size, bool),
+        np.full(size, np.inf),
+        0,
+        size,
+    )
     for k in range(len(table.shape)):
         listed = marked(block, table, k, marks, size)
         expected = [

@@ -1,17 +1,18 @@
 """The roots of candidates: pairs of a ray and a primitive that it may meet, eight at a time.
 
-Spheres, planes and boxes, most of what scenes are made of, have formulas without branches, taken
-here for many pairs at once: the same operations in the same order as one ray's `roots`, which finds
-all others.
+Spheres and boxes, most of what scenes are made of besides planes, have formulas without branches,
+taken here for many pairs at once: the same operations in the same order as one ray's `roots`, which
+finds all others.
 """
 
 from __future__ import annotations
 
 import math
 
+from raywalk.geometry import blocks
 from raywalk.geometry.along_ray import point_along
-from raywalk.geometry.blocks import BLOCK, DX, DY, DZ, OX, OY, OZ
-from raywalk.geometry.faces import BOX, PLANE, SPHERE
+from raywalk.geometry.blocks import BLOCK, DX, DY, DZ, LEAVES, OX, OY, OZ
+from raywalk.geometry.faces import BOX, SPHERE
 from raywalk.geometry.roots import AT_ONCE, FAR_SQ, NOWHERE, exact_pair, roots
 from raywalk.geometry.seams import is_unsure
 from raywalk.geometry.sides import POINT_ERROR
@@ -27,46 +28,21 @@ TABLE = 13 * PITCH
 
 
 @kernel
-def find_roots(table, codes, primitives, block, columns, rows, count, first, leaving, inner):
-    """Fills the table's ROOT for pairs (count,) of columns of a block and rows of primitives, in
-    the order of rows: the first parameter t > 0 at which each pair meets, else inf.
-
-    leaving, inner: (n,) of all rays, of which the block's start at `first`.
-    """
-    lay_out(table, codes, primitives, block, columns, rows, count, first, leaving, inner)
-    start = 0
-    while start < count:
-        code, end = codes[start], start + 1
-        while end < count and codes[end] == code:
-            end += 1
-        if code == SPHERE:
-            sphere_roots(table[start:], end - start)
-        elif code == PLANE:
-            plane_roots(table[start:], end - start)
-        else:
-            if code == BOX:
-                box_roots(table[start:], end - start)
-            other_roots(table, primitives, block, columns, rows, start, end)
-        start = end
-
-
-@kernel
-def lay_out(table, codes, primitives, block, columns, rows, count, first, leaving, inner):
-    """Fills the table up to ROOT, and the codes of the primitives' shapes."""
-    centre, rest, m = primitives.centre, primitives.centre_rest, primitives.to_local
-    stretch, reach_sq = primitives.stretch, primitives.reach_sq
-    shape, who, edged = primitives.shape, primitives.object, primitives.is_edged
-    for p in range(count):
-        j, k = columns[p], rows[p]
+def lay_out(table, block, columns, primitives, k):
+    """Fills the table up to ROOT for pairs of these columns (count,) of a block and row k."""
+    c, rest, m = primitives.centre, primitives.centre_rest, primitives.to_local
+    cx, cy, cz, far_sq = c[k, 0], c[k, 1], c[k, 2], FAR_SQ * primitives.reach_sq[k]
+    stretch, who, edged = primitives.stretch[k], primitives.object[k], primitives.is_edged[k]
+    for p in range(columns.shape[0]):
+        j = columns[p]
         ox, oy, oz = block[OX + j], block[OY + j], block[OZ + j]
         dx, dy, dz = block[DX + j], block[DY + j], block[DZ + j]
-        cx, cy, cz = centre[k, 0], centre[k, 1], centre[k, 2]
-        leaves, bound, shift = leaving[first + j], 0.0, 0.0
+        leaves, bound, shift = block[LEAVES + j], 0.0, 0.0
         x, y, z = ox - cx, oy - cy, oz - cz
         if leaves != NOWHERE:
             reach = abs(ox) + abs(oy) + abs(oz) + abs(cx) + abs(cy) + abs(cz)
-            bound = POINT_ERROR * stretch[k] * reach
-        elif x * x + y * y + z * z > FAR_SQ * reach_sq[k]:
+            bound = POINT_ERROR * stretch * reach
+        elif x * x + y * y + z * z > far_sq:
             # From many sizes away: from the point nearest to the centre, where rounding is a share
             # of the shape's size and not of the way.
             shift = max(0.0, -(x * dx + y * dy + z * dz) / (dx * dx + dy * dy + dz * dz))
@@ -79,22 +55,29 @@ def lay_out(table, codes, primitives, block, columns, rows, count, first, leavin
         table[RY + p] = m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz
         table[RZ + p] = m[k, 2, 0] * dx + m[k, 2, 1] * dy + m[k, 2, 2] * dz
         table[SHIFT + p], table[BOUND + p] = shift, bound
-        table[OWN + p], table[INNER + p] = who[k] == leaves, inner[first + j]
-        codes[p] = shape[k].code
-        if edged[k]:
+        table[OWN + p], table[INNER + p] = leaves == who, block[blocks.INNER + j]
+        if edged:
             size = max(abs(x), max(abs(y), abs(z))) + max(abs(cx), max(abs(cy), abs(cz)))
-            table[SIZE + p] = stretch[k] * size
-            table[DRIFT + p] = stretch[k] * max(abs(dx), max(abs(dy), abs(dz)))
+            table[SIZE + p] = stretch * size
+            table[DRIFT + p] = stretch * max(abs(dx), max(abs(dy), abs(dz)))
 
 
 @kernel
-def plane_roots(table, count):
-    """As `flat_root` has it."""
-    for p in range(count):
-        y, dy = table[LY + p], table[RY + p]
-        t = -y / dy
-        meets = (t > 0.0) & (abs(y) > table[BOUND + p]) & (dy != 0.0) & (table[OWN + p] == 0.0)
-        table[ROOT + p] = t if meets else math.inf
+def find_roots(table, primitives, block, columns, rows, count):
+    """Fills the table's ROOT for pairs (count,) with these rows of primitives, in the order of
+    rows: the first parameter t > 0 at which each pair meets, else inf."""
+    shape, start = primitives.shape, 0
+    while start < count:
+        code, end = shape[rows[start]].code, start + 1
+        while end < count and shape[rows[end]].code == code:
+            end += 1
+        if code == SPHERE:
+            sphere_roots(table[start:], end - start)
+        else:
+            if code == BOX:
+                box_roots(table[start:], end - start)
+            other_roots(table, primitives, block, columns, rows, start, end)
+        start = end
 
 
 @kernel

@@ -16,6 +16,7 @@ from raywalk.geometry.roots import NOWHERE, SOMEWHERE
 from raywalk.geometry.sides import primitives_beyond
 from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
+from raywalk.optics.heap import keep_freed_memory
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import checker_axes
 from raywalk.scene.shapes import Mesh, Plane
@@ -79,6 +80,7 @@ class CompiledScene:
     """Ray queries on a scene. Immutable; queries may run in threads."""
 
     def __init__(self, scene: Scene):
+        keep_freed_memory()
         self.primitives: Primitives = compile_primitives(scene)
         self.rank = _tie_ranks(scene)
         self.appearance = _appearance_of(scene)

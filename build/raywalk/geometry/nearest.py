@@ -11,16 +11,19 @@ from raywalk.geometry.blocks import (
     DX,
     DY,
     DZ,
+    MET,
+    NEAR,
     OX,
     OY,
     OZ,
     fill_block,
     list_marked,
     mark_candidates,
+    meet_plane,
 )
-from raywalk.geometry.candidates import MOST, ROOT, TABLE, find_roots
+from raywalk.geometry.candidates import MOST, ROOT, TABLE, find_roots, lay_out
 from raywalk.geometry.roots import CLOSE, NOWHERE, lies_on, settled_roots
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import inlined, kernel
 
 
 @kernel
@@ -36,45 +39,61 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
     """
     count = origin.shape[0]
     t, met = np.full(count, np.inf), np.full(count, NOWHERE, np.int32)
-    block, marks, row = np.empty(BLOCK_SIZE), np.empty(BLOCK, np.uint8), np.empty(BLOCK, np.int32)
+    block, marks = np.empty(BLOCK_SIZE), np.empty(BLOCK, np.uint8)
     columns, rows = np.empty(MOST + 1, np.int64), np.empty(MOST, np.int64)
-    table, codes = np.empty(TABLE), np.empty(MOST, np.int64)
+    table = np.empty(TABLE)
     # Columns taken out once: handed over in the loop the table costs more than the arithmetic.
-    centre, reach_sq = primitives.centre, primitives.reach_sq
+    c, m, reach_sq = primitives.centre, primitives.to_local, primitives.reach_sq
+    who, stretch = primitives.object, primitives.stretch
     for first in range(0, count, BLOCK):
         size, listed = min(BLOCK, count - first), 0
-        fill_block(block, origin, direction, t_max, first, size)
-        row[:] = NOWHERE
+        fill_block(block, origin, direction, leaving, inner, t_max, first, size)
         for k in range(reach_sq.shape[0] + 1):
             is_last = k == reach_sq.shape[0]
-            if not is_last:
-                mark_candidates(block, centre[k, 0], centre[k, 1], centre[k, 2], reach_sq[k], marks)
+            is_endless = not is_last and reach_sq[k] == np.inf
+            if listed > MOST - BLOCK or ((is_last or is_endless) and listed > 0):
+                find_roots(table, primitives, block, columns, rows, listed)
+                keep_nearest(primitives, table, block, columns, rows, listed)
+                listed = 0
+            if is_endless:
+                meet_plane(
+                    block, k, who[k], c[k, 0], c[k, 1], c[k, 2],
+                    m[k, 1, 0], m[k, 1, 1], m[k, 1, 2], stretch[k], marks,
+                )  # fmt: skip
+                settle_ties(primitives, k, block, marks, size, columns)
+            elif not is_last:
+                mark_candidates(block, c[k, 0], c[k, 1], c[k, 2], reach_sq[k], marks)
                 start, listed = listed, list_marked(marks, size, columns, listed)
                 rows[start:listed] = k
-            if listed > MOST - BLOCK or is_last:
-                find_roots(
-                    table, codes, primitives, block, columns, rows, listed, first, leaving, inner
-                )
-                keep_nearest(primitives, table, block, columns, rows, listed, row)
-                listed = 0
+                if listed > start:
+                    lay_out(table[start:], block, columns[start:listed], primitives, k)
         for j in range(size):
-            if row[j] != NOWHERE:
-                t[first + j], met[first + j] = block[BEST + j], primitives.object[row[j]]
+            if block[MET + j] != NOWHERE:
+                t[first + j], met[first + j] = block[BEST + j], who[int(block[MET + j])]
     return t, met
 
 
 @kernel
-def keep_nearest(primitives, table, block, columns, rows, count, row):
-    """Writes roots of pairs (count,) to BEST of their columns, and their rows to row (BLOCK,),
-    where they are nearer than what was met before."""
+def keep_nearest(primitives, table, block, columns, rows, count):
+    """Writes roots of pairs (count,) to BEST, and their rows to MET, of their columns, where they
+    are nearer than what was met before."""
     for p in range(count):
         near, j = table[ROOT + p], columns[p]
-        best = block[BEST + j]
+        best, met = block[BEST + j], int(block[MET + j])
         if not near < best:
             continue
-        is_close = row[j] != NOWHERE and best - near <= CLOSE * best
-        if not is_close or not ties(primitives, row[j], block, j, near):
-            block[BEST + j], row[j] = near, rows[p]
+        is_close = met != NOWHERE and best - near <= CLOSE * best
+        if not is_close or not ties(primitives, met, block, j, near):
+            block[BEST + j], block[MET + j] = near, rows[p]
+
+
+@inlined
+def settle_ties(primitives, k, block, marks, size, columns):
+    """The same of row k for the marked columns, whose roots are NEAR; columns: room for a list."""
+    for place in range(list_marked(marks, size, columns, 0)):
+        j = columns[place]
+        if not ties(primitives, int(block[MET + j]), block, j, block[NEAR + j]):
+            block[BEST + j], block[MET + j] = block[NEAR + j], k
 
 
 @kernel
