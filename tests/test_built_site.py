@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import json
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from raywalk.scene.read import read_scenes
 from raywalk.stops.decoded import read_trace
 from raywalk.stops.process import Stops
 from raywalk.trace.tree import SHOT
+from raywalk.trace_file.container import mark_of, unpack
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
@@ -61,3 +63,14 @@ def test_the_first_view_of_a_scene_takes_at_most_200_kb_besides_the_picture(scen
     size = sum(len(gzip.compress(path.read_bytes(), 6)) for path in sent)
     print(f"{scene.id}: {size / 1000:.0f} KB")
     assert size <= 200_000
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
+def test_a_scenes_data_name_every_script_of_their_build(scene):
+    """So an open page never draws what a later upload put in their place; grids, outlines, boxes."""
+    beside = {path.stem for path in folder(scene).glob("*.js")} - {"scene"}
+    data = json.loads(unpack((folder(scene) / "scene.js").read_bytes()))
+    assert set(data["files"]) == {name for name in beside if not name.startswith("words-")}
+    for name, mark in data["files"].items():
+        assert mark_of(folder(scene) / f"{name}.js") == mark
+    assert len(set(data["files"].values())) == len(data["files"])

@@ -51,6 +51,14 @@ export function addScript(address: string, name: string, times = 0): Promise<voi
   });
 }
 
+const MARK = 16; // last characters of base64: gzip's checksum and length of what it packed
+const marks = new Map<string, string>();
+/** All files of a scene are of one build. On a plain host an open page would meet the data of the next one, too. */
+function mark(name: string, text: string) {
+  if ((marks.get(name) ?? text) !== text) throw new LoadError(name, "other version");
+  marks.set(name, text);
+}
+
 type Read<T> = (json: unknown, name: string) => T | Promise<T>;
 
 /** root: relative path from the page to the site's root, "" or ending in "/". */
@@ -72,7 +80,9 @@ function createScripts(root: string) {
     try {
       const text = await run(name);
       if (typeof DecompressionStream === "undefined") throw new LoadError(name, "old browser");
-      return await read(await unpack(text), name);
+      const value = await read(await unpack(text), name);
+      mark(name, text.slice(-MARK));
+      return value;
     } catch (error) {
       failed.set(name, (failed.get(name) ?? 0) + 1);
       if (error instanceof LoadError) throw error;
@@ -132,6 +142,7 @@ function sceneFrom(json: unknown): SceneData {
   const scene = json as SceneData;
   if (typeof scene?.format === "number" && scene.format !== SCENE_FORMAT) throw new TraceError("version", `written as ${scene.format}, this reads ${SCENE_FORMAT}`);
   if (!scene?.format || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
+  for (const file in scene.files) mark(`${scene.id}/${file}`, scene.files[file]);
   return scene;
 }
 

@@ -142,6 +142,18 @@ const FAULTS = [
     },
   },
   {
+    name: "the trace is of another build, which the host got while the page was open: none of it is shown",
+    make: () => script(TRACE, altered(N, { background: [0.25, 0.5, 0.75] })),
+    says: VERSION,
+    async then() {
+      await theRestWorks();
+      assert.equal((await stats(page)).tilesShown, 0);
+      await wholeAgain();
+      await page.getByRole("button", { name: "Load the page anew" }).click();
+      await rays();
+    },
+  },
+  {
     name: "another grid works where one is missing, and the sentence goes",
     make: () => gone(TRACE),
     says: MISSING,

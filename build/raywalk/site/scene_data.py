@@ -25,7 +25,7 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
-from raywalk.trace_file.container import write_script
+from raywalk.trace_file.container import mark_of, write_script
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,9 @@ class Display:
     meshes: dict[str, DisplayMesh]  # by object name
 
 
-def scene_data(scene: Scene, display: Display, savings: Savings) -> SceneData:
+def scene_data(
+    scene: Scene, display: Display, savings: Savings, files: dict[str, str]
+) -> SceneData:
     """All of a scene for the viewer."""
     return {
         "format": 1,
@@ -60,6 +62,7 @@ def scene_data(scene: Scene, display: Display, savings: Savings) -> SceneData:
         "lights": [_light(light) for light in scene.lights],
         "lesson": [_step(step, scene.id) for step in scene.lesson],
         "savings": savings,
+        "files": files,
     }
 
 
@@ -134,7 +137,9 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
 def write_page_data(scene: Scene, traced: Path, folder: Path) -> None:
     """traced: the folder of the scene's trace, with facts.json and display.npz."""
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
-    data = scene_data(scene, read_display(scene, traced / "display.npz"), savings_of(facts))
+    display = read_display(scene, traced / "display.npz")
+    marks = {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
+    data = scene_data(scene, display, savings_of(facts), marks)
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, default=asdict)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

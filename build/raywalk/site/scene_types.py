@@ -134,6 +134,7 @@ class SceneData(TypedDict):
     lights: list[LightData]
     lesson: list[LessonStepData]
     savings: Savings
+    files: dict[str, str]  # the marks of the scripts beside it: of this build, and no other
 
 
 class SceneWords(TypedDict):
