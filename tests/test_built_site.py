@@ -67,7 +67,7 @@ def test_the_first_view_of_a_scene_takes_at_most_200_kb_besides_the_picture(scen
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
 def test_a_scenes_data_name_every_script_of_their_build(scene):
-    """So an open page never draws what a later upload put in their place; grids, outlines, boxes."""
+    """So an open page never draws what a later upload put in their place."""
     beside = {path.stem for path in folder(scene).glob("*.js")} - {"scene"}
     data = json.loads(unpack((folder(scene) / "scene.js").read_bytes()))
     assert set(data["files"]) == {name for name in beside if not name.startswith("words-")}
