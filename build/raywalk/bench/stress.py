@@ -12,6 +12,7 @@ from raywalk.bench import (
     stress_media,
     stress_mesh,
     stress_mirrors,
+    stress_model_memory,
     stress_models,
     stress_optics,
     stress_order,
@@ -47,6 +48,7 @@ SUBJECTS: dict[str, Subject] = {
     "kills": stress_kills.cases,
     "monkey": stress_page.monkey_cases,
     "soak": stress_page.soak_cases,
+    "memory": stress_model_memory.cases,
 }
 RAYS = 1_000_000
 SEED = 20_260

@@ -5,7 +5,7 @@ In the model's own coordinates; what of it stands in a scene is another matter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -67,7 +67,10 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
         faces, kept = _used_only(faces, len(vertices))
         vertices = vertices[kept]
     shape = turn_outwards(vertices, faces, model.part_of()[source])
-    return Cleaned(model, vertices, shape.faces, source, shape.turned, shape, dropped, used, count)
+    # While there were edges beside them, 32 bits were enough.
+    faces, source = shape.faces.astype(np.int64), source.astype(np.int64)
+    shape = replace(shape, faces=faces)
+    return Cleaned(model, vertices, faces, source, shape.turned, shape, dropped, used, count)
 
 
 def within_reach(
@@ -76,7 +79,7 @@ def within_reach(
     """Only vertices that some face uses, without faces that reach to infinity or next to it:
     vertices, faces, which those were, and how many were dropped why."""
     finite = np.isfinite(vertices).all(axis=1)[faces].all(axis=1)
-    source = np.flatnonzero(finite)
+    source = np.flatnonzero(finite).astype(np.int32)
     near = np.ones(len(source), bool)
     if len(source):
         kept = faces[source]
@@ -93,7 +96,7 @@ def _used_only(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Faces in numbers of the vertices that they use, and which (count,) bool those are."""
     used = np.zeros(count, bool)
     used[faces] = True
-    return (np.cumsum(used) - 1)[faces], used
+    return (np.cumsum(used, dtype=np.int32) - 1)[faces], used
 
 
 def worth_tracing(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, dict[str, int]]:

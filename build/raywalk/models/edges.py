@@ -12,9 +12,9 @@ class Edges(NamedTuple):
 
     side: np.ndarray  # (3 f,) int32: 3 * triangle + which side
     along: np.ndarray  # (3 f,) int8: 1 from the lower vertex to the higher, -1 back
-    start: np.ndarray  # (e,) int64: where each edge's sides begin
-    uses: np.ndarray  # (e,) int64: how many there are
-    ends: np.ndarray  # (e, 2) int64 vertices
+    start: np.ndarray  # (e,) int32: where each edge's sides begin
+    uses: np.ndarray  # (e,) int32: how many there are
+    ends: np.ndarray  # (e, 2) int32 vertices
 
 
 def edges_of(faces: np.ndarray) -> Edges:
@@ -31,9 +31,13 @@ def edges_of(faces: np.ndarray) -> Edges:
     key = key[side]
     is_first = np.full(len(key), True)
     is_first[1:] = key[1:] != key[:-1]
-    start = np.flatnonzero(is_first)
-    uses = np.diff(np.append(start, len(key)))
-    ends = np.column_stack(np.divmod(key[start], many))
+    start = np.flatnonzero(is_first).astype(np.int32)
+    del is_first
+    uses = np.diff(start, append=np.int32(len(key)))
+    key = key[start]
+    ends = np.empty((len(key), 2), np.int32)
+    ends[:, 0], ends[:, 1] = key // many, key % many
+    del key
     along = np.where(forth[side], np.int8(1), np.int8(-1))
     return Edges(side, along, start, uses, ends)
 
@@ -67,7 +71,7 @@ def joined(
     one, other: (p,) ties; turned: (p,) bool, whether a tie turns. Each round hangs every group
     that has a lower neighbour below it, so that they at least halve (Shiloach and Vishkin, 1982).
     """
-    root, parity = np.arange(count), np.zeros(count, bool)
+    root, parity = np.arange(count, dtype=np.int32), np.zeros(count, bool)
     while True:
         at, to = root[one], root[other]
         live = at != to

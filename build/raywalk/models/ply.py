@@ -67,7 +67,8 @@ def _polygons(
             counts, corners = listed.counts, listed.values.astype(np.int64)
         keep = counts >= 3
         whose = np.flatnonzero(keep)
-        counts, corners = counts[keep], corners[np.repeat(keep, counts)]
+        if not keep.all():
+            counts, corners = counts[keep], corners[np.repeat(keep, counts)]
     elif strips is not None:
         values = next((strips.lists[n].values for n in INDICES if n in strips.lists), np.zeros(0))
         corners = cut_strips(values.astype(np.int64)).reshape(-1)

@@ -19,6 +19,8 @@ SHORT_RUN = 64  # rows: after fewer whose lists are of one length, so many are l
 RUN = 1 << 16  # rows that are compared at once
 CUT = "it is cut short: copy or export it again"
 
+MANY = 1 << 16  # values that are taken together
+
 
 @dataclass(frozen=True, eq=False)
 class Listed:
@@ -267,6 +269,8 @@ class _Binary:
         """(n,) float64 values that begin at these bytes (n,)."""
         size = np.dtype(kind).itemsize
         whole = np.frombuffer(self.data, np.uint8)
-        taken = whole[at[:, None] + np.arange(size)] if len(at) else np.empty((0, size), np.uint8)
+        taken = np.empty((len(at), size), np.uint8)
+        for k in range(0, len(at), MANY):  # a place in the file weighs more than a byte
+            taken[k : k + MANY] = whole[at[k : k + MANY, None] + np.arange(size)]
         with np.errstate(invalid="ignore"):
             return taken.view(self.order + kind).reshape(-1).astype(float)

@@ -20,14 +20,14 @@ FLAT = 1e-12
 def triangulated(
     vertices: np.ndarray, counts: np.ndarray, corners: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Triangles (t, 3) int64, as places in `corners`, and the polygon (t,) int64 of each.
+    """Triangles (t, 3) int, as places in `corners`, and the polygon (t,) int64 of each.
 
     vertices: (v, 3); counts: (p,) corners of each polygon, at least 3; corners: (sum,) rows of
     vertices. In the order of the polygons; triangles stay as they are.
     """
-    start = np.cumsum(counts) - counts
     if (counts == 3).all():
-        return start[:, None] + np.arange(3), np.arange(len(counts))
+        return np.arange(len(corners), dtype=np.int32).reshape(-1, 3), np.arange(len(counts))
+    start = np.cumsum(counts) - counts
     made, of = [], []
     for size in np.unique(counts):
         of_size = np.flatnonzero(counts == size)

@@ -123,13 +123,16 @@ def _shells(
     order, starts = np.concatenate(groups), np.cumsum([0, *map(len, groups)])[:-1]
     rows = faces[order]
     boxes = np.empty((len(groups), 2, 3))
-    for k, axis in enumerate(vertices.T):
-        at = axis[rows]
-        boxes[:, 0, k] = np.minimum.reduceat(at.min(axis=1), starts)
-        boxes[:, 1, k] = np.maximum.reduceat(at.max(axis=1), starts)
-    middle = np.repeat(boxes.mean(axis=1), [len(group) for group in groups], axis=0)
     some = range(0, len(rows), MANY)
-    parts = [_six_volumes(vertices[rows[k : k + MANY]] - middle[k : k + MANY, None]) for k in some]
+    for k, axis in enumerate(vertices.T):
+        for end, least in ((0, np.minimum), (1, np.maximum)):
+            of_each = [least.reduce(axis[rows[j : j + MANY]], axis=1) for j in some]
+            boxes[:, end, k] = least.reduceat(np.concatenate(of_each), starts)
+    whose = np.repeat(np.arange(len(groups), dtype=np.int32), [len(group) for group in groups])
+    middle = boxes.mean(axis=1)
+    parts = [
+        _six_volumes(vertices[rows[k : k + MANY]] - middle[whose[k : k + MANY], None]) for k in some
+    ]
     volumes = np.where(is_closed, np.add.reduceat(np.concatenate(parts), starts), 0.0)
     return [
         Shell(*each) for each in zip(groups, is_closed, volumes.tolist(), list(boxes), strict=True)

@@ -182,12 +182,12 @@ class _Reader:
         count = first = 0
         for name, id, matrix in self._placed(items):
             found = self.objects[id]
-            corners = np.array(found.corners, np.int64).reshape(-1, 3)
+            corners = np.asarray(found.corners).reshape(-1, 3)
             count += len(corners)
             if count > MOST_TRIANGLES:
                 raise ModelFault(self.path, "", f"its items place more than {MOST_TRIANGLES} "
                                  "triangles", "leave out some copies")  # fmt: skip
-            places = np.array(found.places).reshape(-1, 3)
+            places = np.asarray(found.places).reshape(-1, 3)
             if len(corners) and corners.max() >= len(places):
                 raise ModelFault(
                     self.path, f"object {quoted(found.name)}",
@@ -197,7 +197,7 @@ class _Reader:
             if np.linalg.det(matrix[:3]) < 0:
                 corners = corners[:, ::-1]
             vertices.append(places @ matrix[:3] + matrix[3])
-            faces.append(corners + first)
+            faces.append(corners.astype(np.int32) + np.int32(first))
             first += len(places)
             colour.append(np.array(found.colour, np.int32))
             part.append(np.full(len(corners), parts.setdefault(name, len(parts)), np.int32))

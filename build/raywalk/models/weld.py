@@ -19,15 +19,15 @@ STEPS = 2.0
 def weld_equal(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Joins vertices of exactly equal position, as formats without sharing (STL) need."""
     order, is_first = sorted_rows(vertices)
-    index = np.empty(len(vertices), np.int64)
-    index[order] = np.cumsum(is_first) - 1
+    index = np.empty(len(vertices), np.int32)  # a file of 2 GB has fewer
+    index[order] = np.cumsum(is_first, dtype=np.int32) - 1
     return vertices[order[is_first]], index[faces]
 
 
 def sorted_rows(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """An order (n,) of rows (n, k) by their first column, then the next; and which (n,) bool of
     them, so sorted, differ from the one before. `np.unique` of rows needs thrice the memory."""
-    order = np.lexsort(rows.T[::-1])
+    order = np.lexsort(rows.T[::-1]).astype(np.int32)
     is_first = np.zeros(len(rows), bool)
     is_first[:1] = True
     for column in rows.T:
@@ -56,7 +56,7 @@ def weld_cracks(
     if not len(one):
         return faces, 0
     root, _, _ = joined(len(ends), one, other, np.zeros(len(one), bool))
-    stands_for = np.arange(len(vertices))
+    stands_for = np.arange(len(vertices), dtype=np.int32)
     stands_for[ends] = ends[root]
     return stands_for[faces], int((root != np.arange(len(ends))).sum())
 
