@@ -81,8 +81,9 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     works = Made(spoken, facts, viewer, traces, data, previews, decks)
     with phase("publish"):
         publish(works, chosen, site_source, base)
-    with phase("tidy up kept work"):
-        store.prune(keep={entry.folder.name for entry in works.entries()})
+    if not chosen.slides_later:  # nor is tidying up anything that pages should wait for
+        with phase("tidy up kept work"):
+            store.prune(keep={entry.folder.name for entry in works.entries()})
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
         f"{len(scenes)} scenes: {missing} traced, {len(scenes) - missing} unchanged",

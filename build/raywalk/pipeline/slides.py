@@ -266,9 +266,9 @@ def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
     """The decks as they were last made, for pages that shall not wait for new ones."""
     wanted = [(each.scene.id, each.language) for each in sources]
     wanted += [(COURSE, code) for code in dict.fromkeys(each.language for each in sources)]
-    found = []
+    found, newest = [], store.newest_of("slides")
     for id, language in wanted:
-        made_from = store.newest("slides", _of(id, language))
+        made_from = newest.get(_of(id, language))
         entry = store.find(key_of(made_from)) if made_from else None
         found += [MadeDeck(id, language, entry)] if entry else []
     return found

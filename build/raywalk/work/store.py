@@ -77,11 +77,18 @@ class Store:
 
     def newest(self, what: str, of: str) -> Any:
         """What the newest entry of this kind and name was made from; None if there is none."""
-        for place in sorted(self._places(), key=_used, reverse=True):
-            made_from = _manifest(place).get("made_from") or {}
-            if (made_from.get("what"), made_from.get("of")) == (what, of):
-                return made_from
-        return None
+        return self.newest_of(what).get(of)
+
+    def newest_of(self, what: str) -> dict[str, Any]:
+        """The same of every name of a kind: one look at the store, which may hold thousands."""
+        newest: dict[str, tuple[float, Any]] = {}
+        for place in self._places():
+            made_from = _made_from(place)
+            if made_from.get("what") == what:
+                of, used = str(made_from.get("of")), _used(place)
+                if of not in newest or newest[of][0] < used:
+                    newest[of] = used, made_from
+        return {of: made_from for of, (_, made_from) in newest.items()}
 
     def prune(self, keep: set[str], days: float = DAYS_KEPT, most: int = MOST_BYTES) -> int:
         """Removes what no build used lately, but never these keys; returns the bytes freed."""
@@ -99,7 +106,7 @@ class Store:
     def _places(self) -> list[Path]:
         if not self.folder.is_dir():
             return []
-        return [path for path in self.folder.iterdir() if is_entry(path)]
+        return [path for path in self.folder.iterdir() if path in _known or is_entry(path)]
 
     def _keep(self, fresh: Path, place: Path) -> None:
         if damage_of(place) is None:
@@ -110,6 +117,18 @@ class Store:
         except OSError:
             if damage_of(place) is not None:  # unless it came in between these two lines
                 raise
+
+
+# What entries were made from, once a process: an entry's name is the hash of that. Serving a site
+# builds it again and again beside the same thousand entries, whose manifests take two seconds.
+_known: dict[Path, dict[str, Any]] = {}
+
+
+def _made_from(place: Path) -> dict[str, Any]:
+    """Of an entry that is there, whole or not; finding it will tell."""
+    if place not in _known:
+        _known[place] = _manifest(place).get("made_from") or {}
+    return _known[place]
 
 
 def is_entry(place: Path) -> bool:
