@@ -39,7 +39,7 @@ ifeq ($(strip $(SLIDES_AS)),)
 else
 	@for scene in scenes/*/scene.toml; do \
 		$(PYTHON) -m raywalk slides $$scene $(SLIDES_AS) --out $(SLIDES_TO) \
-			--format html,pdf,pptx,handout-2,handout-3,handout-6 || exit 1; done
+			--format decks,handouts || exit 1; done
 	@$(PYTHON) -m raywalk slides course $(SLIDES_AS) --format pdf,pptx --out $(SLIDES_TO)
 endif
 

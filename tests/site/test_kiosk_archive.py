@@ -254,3 +254,17 @@ def test_without_a_built_site_the_next_step_is_named(tmp_path):
     """make."""
     with pytest.raises(UserError, match="no built site is there\n  hint: run `make`"):
         write_archive(tmp_path, SOURCE, tmp_path / "out.zip")
+
+
+def test_the_instructions_name_the_settings_that_the_page_has(archive):
+    """Range and default of each, in both languages, as the viewer clamps them."""
+    fields = (SOURCE / "viewer" / "state" / "kiosk-fields.ts").read_text(encoding="utf-8")
+    found = re.findall(r'^  "?([a-z-]+)"?: \[([\d.]+), ([\d.]+), ([\d.]+)\]', fields, re.M)
+    numbers = {key: tuple(map(float, rest)) for key, *rest in found if key != "strikes"}
+    assert set(numbers) == {"idle", "warn", "attract-pace"}
+    for language in text(archive, "START-HERE.txt").split("RAYWALK ALS KIOSK"):
+        settings = " ".join(language.replace(",", ".").split())
+        for key, range_and_usual in numbers.items():
+            [said] = re.findall(rf"{key} (?!=)[^(=]*\(([^()]*)\)", settings)
+            assert tuple(map(float, re.findall(r"[\d.]+", said))) == range_and_usual, (key, said)
+        assert f"{numbers['idle'][2]:g} " in settings and f"{numbers['warn'][2]:g} " in settings

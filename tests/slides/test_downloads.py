@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from raywalk.site.downloads import sorted_downloads
 from raywalk.words import read_words
 
@@ -25,3 +27,9 @@ def test_the_viewer_reads_folder_and_sizes_form_by_form():
     """A form that is not there has no number; a language's comma does not part the list."""
     told = sorted_downloads("04-balls", SIZES, read_words("de"))
     assert told["compact"] == "slides/|143 KB|1,2 MB|-|-|-|-|1 KB|-"
+
+
+def test_a_file_that_nothing_links_is_refused():
+    """It would weigh, and nobody would find it."""
+    with pytest.raises(ValueError, match="poster.pdf would be published and never linked"):
+        sorted_downloads("04-balls", SIZES | {"slides/04-balls-poster.pdf": 9}, read_words())

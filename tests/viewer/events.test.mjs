@@ -6,6 +6,7 @@ import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
 const { eventsOf } = await load("state/events.ts");
+const { whyOf } = await load("state/why.ts");
 const { treeOf, linesOf } = await load("state/lines.ts");
 const { timelineOf, linesUpTo } = await load("state/timeline.ts");
 const { advancePlay, goToEvent, goToTime, pressPlay, stepEvent, timeOf, NO_EVENT } = await load("state/play.ts");
@@ -25,6 +26,16 @@ for (const { id } of walked) {
   const { scene, trace } = await readTrace(id, 15);
   const pixels = Array.from({ length: 225 }, (_, k) => k);
   const each = (check) => pixels.forEach((pixel) => check(eventsOf(trace, scene, pixel), treeOf(trace, pixel), pixel));
+
+  test(`${id}: why a pixel is dark or lit does not hang on the order in which its events are given`, () =>
+    each((events, tree, pixel) => {
+      const bytes = [...trace.tiles.slice(3 * pixel, 3 * pixel + 3)];
+      const { why } = events.find(({ what }) => what === "pixel");
+      const turned = [...events].reverse();
+      const mixed = events.map((_, k) => events[(7 * k + 3) % events.length]);
+      assert.equal(new Set(mixed).size === events.length || events.length % 7 === 0, true);
+      for (const order of [events, turned, ...(events.length % 7 ? [mixed] : [])]) assert.deepEqual(whyOf(trace, tree, order, bytes), why);
+    }));
 
   test(`${id}: every ray sets out and arrives once, and asks each light where it has a colour of its own`, () =>
     each((events, tree) => {

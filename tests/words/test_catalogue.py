@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import re
+import subprocess
 from functools import cache
 from pathlib import Path
 
@@ -10,6 +12,7 @@ import pytest
 
 from raywalk.words import languages, read_words
 from raywalk.words.catalogue import entries, linked, read_tree, slots_of, words_from
+from raywalk.words.plurals import RULES, plural_form
 
 ROOT = Path(__file__).parent.parent.parent
 TELLERS = ("site_src/viewer/**/*.ts", "site_src/templates/*.html", "build/raywalk/**/*.py")
@@ -98,3 +101,23 @@ def test_unknown_keys_and_wrong_slots_are_refused(key: str, slots: dict[str, int
     """A page with a hole in a sentence is never written."""
     with pytest.raises(KeyError):
         read_words("en").say(key, **slots)
+
+
+def test_python_chooses_a_plurals_form_as_browsers_do() -> None:
+    """French says 0 in the singular, Polish and Arabic have more forms than two: for every language
+    of the table, and each that there is."""
+    counts = [*range(130), 1000, 1001, 999_999, 1_000_000, 2_000_000]
+    script = (
+        "const [codes, counts] = JSON.parse(process.argv[1]); console.log(JSON.stringify("
+        "codes.map((code) => counts.map((n) => new Intl.PluralRules(code).select(n)))))"
+    )
+    codes = [*RULES, "pt-BR", "zh-Hant"]
+    asked = json.dumps([codes, counts])
+    theirs = json.loads(subprocess.run(["node", "-e", script, asked], check=True,
+                                       capture_output=True, text=True).stdout)  # fmt: skip
+    for code, forms in zip(codes, theirs, strict=True):
+        assert [plural_form(code, n) for n in counts] == forms, code
+    assert set(languages()) <= set(RULES)
+    assert plural_form("en", "1") == "one" and plural_form("en", "1,001") == "other"
+    with pytest.raises(KeyError, match='no rule for "tlh"'):
+        plural_form("tlh", 1)

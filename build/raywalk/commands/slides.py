@@ -15,7 +15,7 @@ from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.wording import did_you_mean, joined
-from raywalk.slides.formats import COURSE, DECK_FORMATS, FORMATS
+from raywalk.slides.formats import COURSE, DECK_FORMATS, FORMATS, GROUPS
 from raywalk.slides.layout import LAYOUTS, WIDE
 from raywalk.slides.palette import PALETTES
 
@@ -87,16 +87,17 @@ def steps(text: str) -> frozenset[int]:
 
 
 def formats(text: str) -> tuple[str, ...]:
-    """ "pdf,svg" as a tuple, each once."""
+    """ "pdf,svg" or "decks,handouts" as a tuple, each once."""
+    known = {name: (name,) for name in FORMATS} | GROUPS
     named = [part.strip() for part in text.split(",")]
     for name in named:
-        if name not in FORMATS:
-            hint = did_you_mean(name, FORMATS)
+        if name not in known:
+            hint = did_you_mean(name, list(known))
             raise argparse.ArgumentTypeError(
-                f"no format is called {name!r}; known: {joined(FORMATS)}"
+                f"no format is called {name!r}; known: {joined(list(known))}"
                 + (f"; {hint}" if hint else "")
             )
-    return tuple(dict.fromkeys(named))
+    return tuple(dict.fromkeys(each for name in named for each in known[name]))
 
 
 def _scenes(chosen: Namespace) -> list[Scene]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 import numpy as np
 
 from raywalk.scene.model import Light
@@ -15,15 +17,12 @@ def point_lights(table: LightTable, name: str) -> list[Light]:
     """The point lights that a [[lights]] table stands for, together as bright as it says."""
     positions = sample_points(table)
     count = len(positions)
+    alike = {key.name: getattr(table, key.name) for key in fields(Light)}
+    alike["intensity"] = table.intensity / count
+    names = [name] if count == 1 else [f"{name} {number + 1}/{count}" for number in range(count)]
     return [
-        Light(
-            name=name if count == 1 else f"{name} {number}/{count}",
-            position=position,
-            colour=table.colour,
-            intensity=table.intensity / count,
-            attenuation=table.attenuation,
-        )
-        for number, position in enumerate(positions, start=1)
+        Light(**alike | {"name": each, "position": position})
+        for each, position in zip(names, positions, strict=True)
     ]
 
 

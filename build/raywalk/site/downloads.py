@@ -25,9 +25,12 @@ def sorted_downloads(id: str, sizes: dict[str, int], words: Words) -> dict[str, 
 
     {"files": [{word key, path, ending after the id, size in words}] as the panel shows them,
     "figures": paths of the SVG files, "compact": folder and sizes in one line, which the viewer
-    reads when it turns to the scene}.
+    reads when it turns to the scene}. Raises ValueError for a file that none of them names.
     """
     by_ending = {path.rpartition(f"/{id}")[2]: path for path in sizes}
+    for ending, path in by_ending.items():
+        if ending not in FORMS and not ending.endswith(".svg"):
+            raise ValueError(f"{path} would be published and never linked: FORMS lacks {ending!r}")
     files = [
         {
             "word": word,

@@ -8,6 +8,8 @@ DECK_FORMATS = ("html", "pdf", "pptx")
 SHEET_FORMATS = tuple(f"handout-{count}" for count in PER_SHEET)
 LESSON_FORMATS = ("svg", "worksheet", "answers")
 FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
+# What the command line may say for several.
+GROUPS = {"decks": DECK_FORMATS, "handouts": SHEET_FORMATS}
 # Of a translation: figures have few words, and any printer sets several slides on a sheet.
 TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
 COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.words.numbers import Numbers
+from raywalk.words.plurals import plural_form
 from raywalk.work.snapshot import text_of
 
 FOLDER = Path(__file__).resolve().parents[3] / "site_src" / "words"
@@ -45,7 +46,7 @@ class Words:
             raise KeyError(f"{key}: its slots are {sorted(needed)}, not {sorted(slots)}")
         if isinstance(found, str):
             return found
-        return found.get("one" if slots["count"] == 1 else "other", found["other"])
+        return found.get(plural_form(self.code, slots["count"]), found["other"])
 
 
 def languages() -> list[str]:

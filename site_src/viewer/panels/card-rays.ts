@@ -35,7 +35,7 @@ const sample = (colour: Vec3, words: string) => element("span", "shown-colour", 
 const figures = (className: string, ...parts: (Node | string)[]) => element("span", `${className} numbers`, ...parts);
 
 /** A row's first words. */
-export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind as "camera"}`, { object: row.object }) : phrases(`card.leaves.${row.kind as "camera"}`));
+export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind}`, { object: row.object }) : phrases(`card.leaves.${row.kind}`));
 export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
   seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
 

@@ -41,7 +41,7 @@ function ownFormula(row: RayRow, of: MaterialData, isWhole: boolean) {
 function sumFormula(row: RayRow, sent: readonly RayRow[]) {
   const terms = [
     ...(row.keeps > 0 && row.object ? [{ share: row.keeps, name: indexed("L", row.number), colour: row.local, words: say("sum.own") }] : []),
-    ...sent.map((ray) => ({ share: ray.weight, name: indexed("C", ray.number), colour: ray.colour, words: say(`tree.kind.${ray.kind as "camera"}`) })),
+    ...sent.map((ray) => ({ share: ray.weight, name: indexed("C", ray.number), colour: ray.colour, words: say(`tree.kind.${ray.kind}`) })),
   ];
   const show = coloursOf([row.colour, ...terms.map(({ colour }) => colour)]);
   if (!terms.length) return [piece(indexed("C", row.number), operator("="), row.object ? under(math("mn", "0"), say("sum.nothing")) : under(show(row.colour), say("sum.background")))];

@@ -23,24 +23,24 @@ function reasonsOf(lights: readonly LightShare[], by: ReadonlyMap<string, string
   return dark && found.every(({ how }) => how === "reached") ? [...found, { how: "paint", by: "", lights: [] }] : found;
 }
 
-/** tree: the pixel's rays as the card numbers them. */
+/** tree: the pixel's rays as the card numbers them. events: in any order. */
 export function whyOf(trace: Trace, tree: readonly number[], events: readonly RayEvent[], bytes: Vec3): Why | null {
   const shareOf = (ray: number): number => (trace.parent[ray] < 0 ? 1 : trace.weight[ray] * shareOf(trace.parent[ray]));
   const dark = Math.max(...bytes) < DARK;
+  /** What is in a light's way from this ray's hit. */
+  const blockers = (ray: number) => new Map(events.flatMap((each) => (each.what === "blocked" && each.ray === ray ? [[each.name, each.by]] : [])));
   let why: Why | null = null;
-  let name = "";
-  let by = new Map<string, string>();
   for (const event of events) {
     const { what, ray } = event;
-    if (what === "meets") [name, by] = [event.name, new Map()];
-    else if (what === "blocked") by.set(event.name, event.by);
-    else if (what === "local" || what === "stops" || what === "background") {
-      const share = shareOf(ray) * (what === "local" ? event.share : what === "stops" ? 1 - trace.localWeight[ray] : 1);
-      if (why && share <= why.share) continue;
-      const reasons = what === "local" ? reasonsOf(event.lights, by, dark) : [];
-      const tone = dark ? "dark" : reasons.some(({ how }) => how === "blocked") ? "shadow" : "lit";
-      why = { tone, end: what, ray: tree.indexOf(ray) + 1, share, name, reasons };
-    }
+    if (what !== "local" && what !== "stops" && what !== "background") continue;
+    const share = shareOf(ray) * (what === "local" ? event.share : what === "stops" ? 1 - trace.localWeight[ray] : 1);
+    const number = tree.indexOf(ray) + 1;
+    // Of equals the first ray, and of its ends its own colour.
+    if (why && (share - why.share || why.ray - number || (what === "local" ? 1 : -1)) < 0) continue;
+    const reasons = what === "local" ? reasonsOf(event.lights, blockers(ray), dark) : [];
+    const tone = dark ? "dark" : reasons.some(({ how }) => how === "blocked") ? "shadow" : "lit";
+    const met = events.find((each) => each.what === "meets" && each.ray === ray);
+    why = { tone, end: what, ray: number, share, name: met?.what === "meets" ? met.name : "", reasons };
   }
   return why;
 }
