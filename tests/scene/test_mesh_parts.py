@@ -11,6 +11,7 @@ from tests.models.solids import QUADS, cube, obj_text, written
 
 from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
+from raywalk.geometry.mesh_display import display_triangles, one_normal_each
 from raywalk.geometry.mesh_report import mesh_lines, mesh_warnings
 from raywalk.scene.model import BASE_STEPS, Scene
 
@@ -282,3 +283,23 @@ def test_all_colours_are_kept_however_many(
     assert (hits.triangle >= 0).all()
     assert (255 * found == colours[hits.triangle]).all()
     assert mesh_warnings(made) == []
+
+
+def test_a_corner_with_several_normals_is_drawn_as_a_vertex_for_each(
+    scene_from: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """A cube whose file gives each face its own: 24 vertices, each with its face's normal."""
+    sides = [(-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1)]
+    text = "".join(f"v {x} {y} {z}\n" for x, y, z in cube().tolist())
+    text += "".join(f"vn {x} {y} {z}\n" for x, y, z in sides)
+    for k, quad in enumerate(QUADS.tolist()):
+        text += "f " + " ".join(f"{corner + 1}//{k + 1}" for corner in quad) + "\n"
+    written(tmp_path / "crate.obj", text)
+    made = scene_from('[[objects]]\ntype = "mesh"\nfile = "crate.obj"\nmaterial = "white"\n')
+    triangles = display_triangles(made, made.objects[0])
+    vertices, faces, normals = one_normal_each(triangles)
+    assert normals is not None
+    assert (len(vertices), len(normals)) == (24, 24)
+    a, b, c = vertices[faces].transpose(1, 0, 2)
+    facing = np.cross(b - a, c - a)
+    assert np.allclose(normals[faces], facing[:, None], rtol=0, atol=1e-12)  # of length 1 already

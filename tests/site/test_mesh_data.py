@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import base64
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from raywalk.site.mesh_data import DisplayMesh, face_walk, mesh_data
+from raywalk.site.mesh_data import DisplayMesh, face_walk, in_order_of_use, mesh_data
 
 TETRAHEDRON = DisplayMesh(
     centre=np.zeros(3),
@@ -55,3 +56,14 @@ def test_no_triangle_is_lost_moved_or_turned(seed):
     step = np.ptp(vertices, axis=0).max() / 65535
     assert np.abs(positions_of(data)[faces_of(data)] - walked).max() <= 0.51 * step
     assert "normals" not in data
+
+
+def test_colours_of_vertices_come_back_as_they_are():
+    """In the order in which vertices are first used."""
+    colours = np.array([[255, 0, 7], [0, 255, 128], [9, 8, 7], [200, 100, 50]], np.uint8)
+    data = mesh_data(replace(TETRAHEDRON, colours=colours))
+    steps = unpacked(data["colours"], 1).reshape(3, -1)
+    found = np.cumsum(steps, axis=1).T % 256
+    used, _ = in_order_of_use(TETRAHEDRON.faces[face_walk(TETRAHEDRON.faces)])
+    assert (found == colours[used]).all()
+    assert "colours" not in mesh_data(TETRAHEDRON)

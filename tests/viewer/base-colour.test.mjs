@@ -28,11 +28,11 @@ const pixels = Array.from({ length: built.n ** 2 }, (_, k) => k);
 const first = (name) => pixels.find((pixel) => scene.objects[trace.object[pixel]]?.name === name);
 
 test("of three objects with base colours many rays have one of their own, all others 1; no picture is shipped", () => {
-  assert.deepEqual(scene.objects.filter(({ based }) => based).map(({ name }) => name), ["ball", "floor", "tetra"]);
+  assert.deepEqual(scene.objects.filter(({ base }) => base).map(({ name }) => name), ["ball", "floor", "tetra"]);
   const told = new Set();
   for (let ray = 0; ray < trace.count; ray++) {
     const base = [...trace.base.subarray(3 * ray, 3 * ray + 3)];
-    if (scene.objects[trace.object[ray]]?.based) told.add(base.join());
+    if (scene.objects[trace.object[ray]]?.base) told.add(base.join());
     else assert.deepEqual(base, [1, 1, 1]);
   }
   assert.ok(told.size > 150, `${told.size} different`);

@@ -23,3 +23,9 @@ test("a packed mesh comes back with its corners, normals and faces", () => {
 test("a mesh without normals is flat", () => {
   assert.equal(meshOf({ ...TETRAHEDRON, normals: undefined }).normals, null);
 });
+
+test("colours of vertices are bytes, as they were packed", () => {
+  const colours = Buffer.from([255, 10, 246, 1, 0, 255, 13, 200, 7, 121, 136, 56]).toString("base64"); // differences, axis by axis
+  assert.deepEqual([...meshOf({ ...TETRAHEDRON, colours }).colours], [255, 0, 7, 9, 255, 128, 255, 12, 8, 0, 212, 64]);
+  assert.equal(meshOf({ ...TETRAHEDRON }).colours, null);
+});

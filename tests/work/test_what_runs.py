@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from raywalk.commands.slides import traced
 from raywalk.pipeline import parts as keys
@@ -38,7 +39,7 @@ name = "ball"
 type = "sphere"
 center = [-1, 0, 0]
 radius = 0.8
-material = "mirror"
+material = {ball}
 {mesh}
 [[lights]]
 position = [1, 2, 3]
@@ -47,6 +48,7 @@ text = "One **ray**."
 view = {{ resolution = 7, pixel = [2, 3] }}
 """
 MESH = '[[objects]]\nname = "bunny"\ntype = "mesh"\nmodel = "bunny"\nmaterial = "white"'
+TEXTURE = '{ reflect = 0.5, texture = { file = "four.png" } }'
 WATCHED = """
 import json, pickle, sys
 from importlib import import_module
@@ -60,7 +62,7 @@ print(json.dumps({"modules": sorted(sys.modules), "opened": sorted(opened)}))
 """
 
 
-@pytest.fixture(scope="module", params=["with a mesh", "without a mesh"])
+@pytest.fixture(scope="module", params=["with a mesh", "without a mesh", "with a texture"])
 def work(request, tmp_path_factory):
     """Each piece of work on a scene: its maker, what it is given (the folder to fill is "new"),
     and what its key is made of."""
@@ -68,7 +70,13 @@ def work(request, tmp_path_factory):
     (folder / "models").symlink_to(ROOT / "models")
     place = folder / "scenes" / "01-things"
     place.mkdir(parents=True)
-    text = SCENE.format(mesh=MESH if request.param == "with a mesh" else "")
+    is_textured = request.param == "with a texture"
+    text = SCENE.format(
+        mesh=MESH if request.param == "with a mesh" else "",
+        ball=TEXTURE if is_textured else '"mirror"',
+    )
+    if is_textured:
+        Image.new("RGB", (2, 2), (9, 90, 200)).save(place / "four.png")
     (place / "scene.toml").write_text(text, encoding="utf-8")
     scene, store, new = read_scene(place), Store(folder / "work"), folder / "new"
     with Stops() as stops:

@@ -51,6 +51,10 @@ class BaseColours:
             colour[rows] = found
         return np.floor(BASE_STEPS * colour + 0.5) / BASE_STEPS
 
+    def pixels_of(self, texture: Texture) -> np.ndarray:
+        """(h, w, 3) uint8, row 0 on top."""
+        return self._pixels[texture]
+
     def on_shape(self, obj: SceneObject, local: np.ndarray) -> np.ndarray:
         """(n, 3) at points (n, 3) in the shape's canonical coordinates."""
         texture = obj.base.texture if obj.base else None

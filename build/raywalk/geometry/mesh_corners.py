@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raywalk.geometry.corners import of_quarters
 from raywalk.models.clean import Cleaned
 from raywalk.models.model import PerCorner
 
@@ -25,17 +26,6 @@ def at_corners(
         values = of_quarters(values)
     values = values[chosen]
     return np.ascontiguousarray(values[:, ::-1] if mirrored else values)
-
-
-def of_quarters(values: np.ndarray) -> np.ndarray:
-    """(4 f, 3, k) of the four triangles that a round of subdivision makes of each: linear between
-    the corners (f, 3, k). In the order of Loop's scheme: the three corners', then the middle one.
-    """
-    a, b, c = values.transpose(1, 0, 2)
-    ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
-    four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-    made = np.stack([np.stack(each, axis=1) for each in four], axis=1)
-    return made.reshape(-1, 3, values.shape[2])
 
 
 def interpolated(

@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image
 
 from raywalk.scene.model import Scene
-from raywalk.scene.shapes import Mesh
+from raywalk.scene.shapes import Mesh, Plane
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.scene_warnings import scene_warnings
 from raywalk.trace.sections import sections_of
@@ -25,6 +25,7 @@ from raywalk.trace_file.png import write_png
 from raywalk.work.progress import Report, say_nothing
 
 if TYPE_CHECKING:
+    from raywalk.geometry.base_colour import BaseColours
     from raywalk.geometry.mesh_file import Triangles
 
 TRACING = 0.7  # of a scene's time; the rest is encoding. Only the progress bar knows this.
@@ -55,12 +56,13 @@ def write_products(
     for place, rays in enumerate(in_order(lambda k: works[k](), len(works), threads)):
         made.append(rays)
         report(stages[place], TRACING + (1 - TRACING) * (place + 1) / len(works))
-    write_display(folder / "display.npz", scene, tracer)
+    drawn = write_display(folder / "display.npz", scene, tracer)
     facts = counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,
         "finest": {"n": grids[0], "rays": made[stages.index(f"grid {grids[0]}")]},
         "triangles": sum(len(mesh.triangles.faces) for mesh in tracer.compiled.meshes),
+        "drawn": drawn,
         "dropped": dropped_triangles(tracer),
         "warnings": scene_warnings(tracer),
     }
@@ -128,25 +130,49 @@ def dropped_triangles(tracer: Tracer) -> dict[str, dict[str, int]]:
     }
 
 
-def write_display(path: Path, scene: Scene, tracer: Tracer) -> None:
-    """What the page needs of geometry: the sphere round the scene, meshes to rasterise."""
+def write_display(path: Path, scene: Scene, tracer: Tracer) -> int:
+    """What the page needs of geometry: the sphere round the scene, meshes to rasterise, and objects
+    with a base colour as meshes that have it. Returns how many triangles these are."""
     centre, radius = tracer.scene_sphere
     arrays: dict[str, np.ndarray] = {"centre": centre, "radius": np.array(radius)}
     for k, obj in enumerate(scene.objects):
-        if isinstance(obj.shape, Mesh):
+        if obj.base and tracer.compiled.base:
+            arrays |= _based_arrays(k, scene, tracer.compiled.base)
+        elif isinstance(obj.shape, Mesh):
             # Only here: a scene without a mesh imports nothing that reads one.
             from raywalk.geometry.mesh_display import display_triangles
 
             arrays |= _mesh_arrays(k, display_triangles(scene, obj))
     np.savez(path, **arrays)  # type: ignore[arg-type]
+    return sum(len(faces) for name, faces in arrays.items() if name.endswith(".faces"))
+
+
+def _based_arrays(k: int, scene: Scene, base: BaseColours) -> dict[str, np.ndarray]:
+    """Of an object with a base colour; `base` is its mean."""
+    from raywalk.geometry.base_display import painted_mesh, painted_shape, plane_tile
+
+    obj, arrays = scene.objects[k], {f"{k}.centre": np.zeros(3)}
+    if isinstance(obj.shape, Plane):
+        tile, axes = plane_tile(obj, base)
+        mean = tile.reshape(-1, 3).mean(axis=0)
+        return {f"{k}.tile": tile, f"{k}.tile_axes": axes, f"{k}.base": mean / 255.0}
+    if isinstance(obj.shape, Mesh):
+        from raywalk.geometry.mesh_display import display_triangles
+
+        triangles = display_triangles(scene, obj)
+        painted = painted_mesh(obj, base, triangles)
+        arrays[f"{k}.centre"] = triangles.centre
+    else:
+        painted = painted_shape(obj, base)
+    for name, column in painted._asdict().items():
+        if column is not None:
+            arrays[f"{k}.{name}"] = column
+    return arrays | {f"{k}.base": painted.colours.mean(axis=0) / 255.0}
 
 
 def _mesh_arrays(k: int, triangles: Triangles) -> dict[str, np.ndarray]:
-    arrays = {
-        f"{k}.centre": triangles.centre,
-        f"{k}.vertices": triangles.vertices,
-        f"{k}.faces": triangles.faces,
-    }
-    if triangles.normals is not None:
-        arrays[f"{k}.normals"] = triangles.normals
-    return arrays
+    from raywalk.geometry.mesh_display import one_normal_each
+
+    vertices, faces, normals = one_normal_each(triangles)
+    arrays = {f"{k}.centre": triangles.centre, f"{k}.vertices": vertices, f"{k}.faces": faces}
+    return arrays if normals is None else arrays | {f"{k}.normals": normals}

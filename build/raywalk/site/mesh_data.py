@@ -24,6 +24,7 @@ class DisplayMesh:
     vertices: np.ndarray  # (v, 3)
     faces: np.ndarray  # (f, 3)
     normals: np.ndarray | None  # (v, 3) unit; None if flat
+    colours: np.ndarray | None = None  # (v, 3) uint8 base colours; None without
 
 
 def mesh_data(mesh: DisplayMesh) -> MeshData:
@@ -42,6 +43,8 @@ def mesh_data(mesh: DisplayMesh) -> MeshData:
     if mesh.normals is not None:
         turned = np.rint(mesh.normals[used] * 127).astype(np.int64)
         data["normals"] = byte_planes(differences(turned), 1)
+    if mesh.colours is not None:
+        data["colours"] = byte_planes(differences(mesh.colours[used].astype(np.int64)), 1)
     return data
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import cast
 
@@ -35,6 +36,9 @@ class Display:
     centre: np.ndarray  # (3,) of a sphere round everything finite
     radius: float
     meshes: dict[str, DisplayMesh]  # by object name
+    # Of objects with a base colour, by name: its mean (3,); of planes (h, w, 3) uint8 and (2, 3).
+    bases: dict[str, np.ndarray] = field(default_factory=dict)
+    tiles: dict[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
 
 
 def scene_data(
@@ -112,10 +116,18 @@ def _object(obj: SceneObject, display: Display) -> ObjectData:
         "material": obj.material,
         "transform": _column_major(linear, centre),
     })  # fmt: skip
-    if isinstance(obj.shape, Mesh):
+    if obj.name in display.meshes:
         data["mesh"] = obj.name
     if obj.base:
-        data["based"] = True
+        data["base"] = display.bases[obj.name].tolist()
+    if obj.name in display.tiles:
+        pixels, axes = display.tiles[obj.name]
+        data["tile"] = {
+            "width": pixels.shape[1],
+            "pixels": base64.b64encode(pixels.tobytes()).decode("ascii"),
+            "axes": axes.tolist(),
+            "origin": centre.tolist(),
+        }
     if obj.checker and isinstance(obj.shape, Plane):
         u, v = checker_axes(np.array(obj.shape.normal, float))
         outer = obj.transform[:3, :3]
@@ -153,8 +165,19 @@ def read_display(scene: Scene, path: Path) -> Display:
             vertices=arrays[f"{k}.vertices"],
             faces=arrays[f"{k}.faces"],
             normals=arrays.get(f"{k}.normals"),
+            colours=arrays.get(f"{k}.colours"),
         )
         for k, obj in enumerate(scene.objects)
-        if isinstance(obj.shape, Mesh)
+        if f"{k}.faces" in arrays
     }
-    return Display(arrays["centre"], float(arrays["radius"]), meshes)
+    bases = {
+        obj.name: arrays[f"{k}.base"]
+        for k, obj in enumerate(scene.objects)
+        if f"{k}.base" in arrays
+    }
+    tiles = {
+        obj.name: (arrays[f"{k}.tile"], arrays[f"{k}.tile_axes"])
+        for k, obj in enumerate(scene.objects)
+        if f"{k}.tile" in arrays
+    }
+    return Display(arrays["centre"], float(arrays["radius"]), meshes, bases, tiles)

@@ -41,6 +41,16 @@ class CheckerData(TypedDict):
     origin: Vec3
 
 
+class TileData(TypedDict):
+    """A small picture with which a plane is drawn, again and again: base64 of 8-bit red, green,
+    blue, row 0 below. The way from `origin` times an axis is how many of it lie between."""
+
+    width: int
+    pixels: str
+    axes: TwoVec3
+    origin: Vec3
+
+
 class ObjectData(TypedDict):
     """Canonical shapes, placed by `transform`, 16 numbers, column-major (as three's
     Matrix4.fromArray): sphere of radius 1; plane y = 0 facing +y; cylinder x^2 + y^2 = w^2,
@@ -54,20 +64,23 @@ class ObjectData(TypedDict):
     transform: list[float]
     open: NotRequired[bool]  # a cylinder without caps
     tip: NotRequired[float]  # of a cone: a cylinder's radius at z = -1, else 1
-    mesh: NotRequired[str]  # key into SceneData.meshes
+    mesh: NotRequired[str]  # key into SceneData.meshes: what it is drawn as
     checker: NotRequired[CheckerData]
-    based: NotRequired[bool]  # it has a base colour, which differs from place to place
+    base: NotRequired[Vec3]  # it has a base colour, which differs from place to place: its mean
+    tile: NotRequired[TileData]  # of a plane
 
 
 class MeshData(TypedDict):
     """Base64 of byte planes: all low bytes, then all next ones. Positions: 2 planes of steps of
     65535 over box[0]..box[1], normals (absent when flat): 1 plane, / 127; both axis by axis,
-    each the difference to the vertex before, modulo the planes' range. Indices: 4 planes, how
-    far behind the next new vertex; 0 is that new one."""
+    each the difference to the vertex before, modulo the planes' range. Colours (base colours,
+    where there are some) like normals, of 255. Indices: 4 planes, how far behind the next new
+    vertex; 0 is that new one."""
 
     box: TwoVec3
     positions: str
     normals: NotRequired[str]
+    colours: NotRequired[str]
     indices: str
 
 

@@ -86,10 +86,11 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             sizes.append(Size(_part(name), f"assets/{path.name}", sent(path)))
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
-        finest, triangles = facts[scene.id]["finest"], facts[scene.id]["triangles"]
+        finest = facts[scene.id]["finest"]
         trace = folder / f"{finest['n']}.json.gz"
         # What textures and colours of files add is noise to every encoder.
         kind = "textured " if any(obj.base for obj in scene.objects) else ""
+        triangles = facts[scene.id]["drawn" if kind else "triangles"]
         data = sent(folder / "scene.js")
         first = sent(folder / "index.html") + _without_meshes(folder / "scene.js")
         first += sent(folder / f"{start_of(scene)['resolution']}.json.gz")

@@ -2,7 +2,7 @@
 import { isWithin, toWorld } from "../state/placing";
 import type { Projection } from "../state/projection";
 import { FORMS } from "../state/shapes";
-import { cross, dot, length, scale, sub, unit, type Vec3 } from "../state/vectors";
+import { cross, dot, length, scale, sub, times, unit, type Vec3 } from "../state/vectors";
 import type { MaterialData, ObjectData, SceneData } from "../trace/types";
 import { otherWalls, wallSheet } from "./wall-sheet";
 
@@ -21,10 +21,10 @@ const FINEST = 1 / 8; // of a cell, along another wall
 const CALM: Vec3 = [0.26, 0.28, 0.32];
 
 /** A body's colour on this stage: its own, or a steel and a pale blue for mirror and glass. */
-export function bodyColour(material: MaterialData): { colour: Vec3; alpha: number } {
+export function bodyColour(material: MaterialData, { base = [1, 1, 1] }: ObjectData): { colour: Vec3; alpha: number } {
   if (material.transmit > 0.3) return { colour: [0.75, 0.88, 0.95], alpha: 0.3 };
   if (material.reflect > 0.5) return { colour: [0.66, 0.7, 0.75], alpha: 1 };
-  return { colour: material.diffuse, alpha: 1 };
+  return { colour: times(material.diffuse, base), alpha: 1 };
 }
 
 function facesOf(object: ObjectData, scene: SceneData): Face[] {
@@ -58,7 +58,7 @@ function wallPieces(object: ObjectData, scene: SceneData, eye: Vec3): Piece[] {
     }
     const center = at(u + wide / 2, v + wide / 2);
     const alpha = Math.min(1, Math.max(0, (1 - sheet.out(center)) / 0.5));
-    const colour = paintAt(center, object, scene).diffuse.map((c, k) => c * CALM[k] * shade) as unknown as Vec3;
+    const colour = times(paintAt(center, object, scene).diffuse, object.base ?? [1, 1, 1]).map((c, k) => c * CALM[k] * shade) as unknown as Vec3;
     if (alpha > 0) pieces.push({ kind: "polygon", points, colour, alpha, depth: Infinity });
   }
   for (let u = 0; u < WALL_CELLS; u++) for (let v = 0; v < WALL_CELLS; v++) patch(u, v, 1);
@@ -86,10 +86,10 @@ export function shapesOf(scene: SceneData) {
       const m = object.transform;
       const center = m.slice(12, 15) as unknown as Vec3;
       const axes = [m.slice(0, 3), m.slice(4, 7), m.slice(8, 11)] as unknown as [Vec3, Vec3, Vec3];
-      solid.push({ kind: "ball", center, axes, ...bodyColour(scene.materials[object.material]), depth: depth(center) });
+      solid.push({ kind: "ball", center, axes, ...bodyColour(scene.materials[object.material], object), depth: depth(center) });
     }
     for (const { object, faces, room } of bodies) {
-      const { colour, alpha } = bodyColour(scene.materials[object.material]);
+      const { colour, alpha } = bodyColour(scene.materials[object.material], object);
       for (const { points, normal, twoSided } of faces) {
         const towards = dot(normal, unit(sub(eye, points[0])));
         const outward = room ? dot(normal, sub(scene.camera.eye, points[0])) * towards < 0 : towards < 0 && !twoSided;

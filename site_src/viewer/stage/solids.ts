@@ -48,10 +48,11 @@ const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneDa
     const geometry = new BufferGeometry();
     const data = mesh ? meshes[mesh] : undefined;
     if (!data) return geometry;
-    const { positions, normals, indices } = meshOf(data);
+    const { positions, normals, colours, indices } = meshOf(data);
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setIndex(new BufferAttribute(indices, 1));
     if (normals) geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+    if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
     return geometry;
   },
 };
@@ -102,8 +103,10 @@ export function createSolids(scene: SceneData, plain: boolean) {
       object.add(createWall(each, scene, looks));
       continue;
     }
-    const geometry = GEOMETRIES[each.type](each, scene);
-    const mesh = new Mesh(geometry, looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal")));
+    const geometry = GEOMETRIES[each.mesh ? "mesh" : each.type](each, scene);
+    const look = looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal"));
+    look.vertexColors = !!geometry.getAttribute("color");
+    const mesh = new Mesh(geometry, look);
     mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));
     mesh.castShadow = !looks.isClear(material);
     mesh.receiveShadow = true;

@@ -7,7 +7,7 @@ import { VISIBILITY, type MaterialData, type SceneData, type Trace, type Vec3 } 
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
 import { childrenIn, originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
-import { add, dot, length, scale, sub, triple, unit } from "./vectors";
+import { add, dot, length, scale, sub, times, triple, unit } from "./vectors";
 import { whyOf } from "./why";
 
 const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
@@ -24,10 +24,8 @@ export function lightShares(trace: Trace, scene: SceneData, ray: number): LightS
 
 type Colours = Pick<MaterialData, "ambient" | "diffuse" | "specular">;
 
-const times = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
-
 /** What ambient and diffuse are multiplied by where a ray ends; null on an object without a base colour. */
-export const baseAt = (trace: Trace, scene: SceneData, ray: number): Vec3 | null => (scene.objects[trace.object[ray]]?.based ? triple(trace.base, ray) : null);
+export const baseAt = (trace: Trace, scene: SceneData, ray: number): Vec3 | null => (scene.objects[trace.object[ray]]?.base ? triple(trace.base, ray) : null);
 
 /** What a ray ends on, its colours as they are there: ambient and diffuse times the base colour. None if it leaves. */
 export function materialAt(trace: Trace, scene: SceneData, ray: number): MaterialData | undefined {

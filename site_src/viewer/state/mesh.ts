@@ -5,6 +5,7 @@ import { onceFor } from "./memo";
 export interface Mesh {
   positions: Float32Array; // three a vertex, the mesh's own coordinates
   normals: Float32Array | null; // null: flat faces
+  colours: Uint8Array | null; // base colours, three a vertex, of 255
   indices: Uint32Array;
 }
 
@@ -47,6 +48,7 @@ export const meshOf = onceFor((data: MeshData): Mesh => {
   return {
     positions: Float32Array.from(summed(data.positions, 2), place),
     normals: data.normals ? Float32Array.from(summed(data.normals, 1), signed) : null,
+    colours: data.colours ? Uint8Array.from(summed(data.colours, 1)) : null,
     indices: indicesOf(data.indices),
   };
 });
