@@ -31,5 +31,5 @@ def test_the_viewer_reads_folder_and_sizes_form_by_form():
 
 def test_a_file_that_nothing_links_is_refused():
     """It would weigh, and nobody would find it."""
-    with pytest.raises(ValueError, match="poster.pdf would be published and never linked"):
+    with pytest.raises(ValueError, match="would be published and never linked"):
         sorted_downloads("04-balls", SIZES | {"slides/04-balls-poster.pdf": 9}, read_words())
