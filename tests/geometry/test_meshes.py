@@ -12,7 +12,7 @@ import trimesh
 from tests.geometry.by_hand import affine, mesh_of, scene_of, unit, write_ply
 
 from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
-from raywalk.geometry.mesh_rays import redo_in_float64
+from raywalk.geometry.mesh_nearest import NONE, settle_all
 from raywalk.geometry.mesh_target import MeshTarget
 from raywalk.scene.model import SceneObject
 
@@ -80,11 +80,12 @@ def brute_force(
 def by_tree(mesh: MeshTarget, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
     """t (n,) by the float64 tree alone."""
     count = len(origin)
-    t, triangle, uv = np.empty(count), np.empty(count, np.int32), np.empty((count, 2))
-    redo_in_float64(
-        mesh.bvh, mesh.corners, mesh.centre, mesh.glass, origin, origin - mesh.centre, direction,
-        np.full(count, np.inf), np.full(count, -1, np.int32), np.zeros(count, bool),
-        np.arange(count), t, triangle, uv,
+    nothing, nowhere = np.full(count, -1, np.int32), np.full(count, np.inf)
+    t = nowhere.copy()
+    settle_all(
+        mesh.tables, origin, direction, nothing, nothing, nowhere, np.zeros(1, int),
+        np.arange(count), np.full(count, NONE, np.int32), t, nothing.copy(), nothing.copy(),
+        np.empty((count, 2)),
     )  # fmt: skip
     return t
 

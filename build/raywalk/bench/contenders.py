@@ -48,11 +48,12 @@ def ours(compiled: CompiledScene) -> Method:
     """The tracer's own door, in its own strips."""
 
     def hits(origin: np.ndarray, direction: np.ndarray) -> Met:
-        starts = range(0, len(origin), STRIP)
-        strips = [rays_from(origin[k : k + STRIP], direction[k : k + STRIP]) for k in starts]
-        parts = [compiled.hits(rays) for rays in strips]
-        columns = ([getattr(part, name) for part in parts] for name in ("t", "point", "geometric"))
-        return Met(*map(np.concatenate, columns))
+        met = Met(np.empty(len(origin)), np.empty(origin.shape), np.empty(origin.shape))
+        for start in range(0, len(origin), STRIP):
+            strip = slice(start, start + STRIP)
+            hits = compiled.hits(rays_from(origin[strip], direction[strip]))
+            met.t[strip], met.point[strip], met.normal[strip] = hits.t, hits.point, hits.geometric
+        return met
 
     return Method("ours, float64", hits, ours=True)
 

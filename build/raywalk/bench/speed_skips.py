@@ -16,6 +16,7 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.geometry.compiled import Hits
+from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.shade import towards_light
 from raywalk.scene.model import Scene
 from raywalk.trace.bounce import Bounced
@@ -62,25 +63,33 @@ def _no_boxes(scene: Scene) -> Tracer:
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     meshes: list[Any] = tracer.compiled.meshes
     for mesh in meshes:
-        mesh.nearest = _asked_by_all(mesh)
+        mesh.meet = _asked_by_all(mesh)
     return tracer
 
 
 def _asked_by_all(mesh: Any) -> Callable[..., Any]:
+    from raywalk.geometry.mesh_nearest import meet_mesh
     from raywalk.geometry.mesh_savings import goes_past_box
 
-    nearest = mesh.nearest
+    meet, endless = mesh.meet, (1e9 * mesh.size,) * 3
+    asked = mesh.tables._replace(low=tuple(-x for x in endless), high=endless)
 
-    def asked(
-        origin: np.ndarray, direction: np.ndarray, t_max: np.ndarray, *rest: Any, **named: Any
-    ) -> Any:
-        local = origin - mesh.centre
-        past = np.flatnonzero(goes_past_box(mesh.bvh, local, direction, t_max))
-        if len(past):
-            mesh._propose((local[past] * mesh.scale).astype(np.float32), direction[past])
-        return nearest(origin, direction, t_max, *rest, **named)
+    def meet_all(
+        origin: np.ndarray, direction: np.ndarray, leaving: np.ndarray, on: np.ndarray,
+        limit: np.ndarray, rank: np.ndarray, t: np.ndarray, *rest: np.ndarray,
+    ) -> None:  # fmt: skip
+        reach = np.minimum(limit, t)
+        past = np.flatnonzero(goes_past_box(mesh.bvh, origin - mesh.centre, direction, reach))
+        if len(past):  # what they are told is not looked at
+            nothing = np.full(len(past), NOWHERE, np.int32)
+            meet_mesh(
+                asked, origin[past], direction[past], nothing, nothing, reach[past], rank,
+                np.full(len(past), np.inf), nothing.copy(), nothing.copy(),
+                np.empty((len(past), 2)),
+            )  # fmt: skip
+        meet(origin, direction, leaving, on, limit, rank, t, *rest)
 
-    return asked
+    return meet_all
 
 
 def _all_highlights(scene: Scene) -> Tracer:

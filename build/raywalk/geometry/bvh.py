@@ -20,7 +20,7 @@ from raywalk.geometry.triangle import (
     triangle_normal,
     vector,
 )
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import inlined, kernel, lean
 
 LEAF = 4  # triangles in a leaf at most
 STACK = 64  # while it is built; median splits halve: 2^64 triangles would fit
@@ -85,7 +85,7 @@ def build_bvh(corners):
     return low[:made], high[:made], skip, first[:made], count[:made], order
 
 
-@kernel
+@lean
 def enclose(corners, members, low, high):
     """Box of some triangles, widened by a few roundings so that its test never cuts a hit off."""
     for m in members:
@@ -99,7 +99,7 @@ def enclose(corners, members, low, high):
         high[k] += slack
 
 
-@kernel
+@lean
 def widest_axis(centroid, members):
     """Axis along which the members' centroids spread most."""
     best, widest = 0, -1.0
@@ -113,7 +113,7 @@ def widest_axis(centroid, members):
     return best
 
 
-@kernel
+@lean
 def box_entry(low, high, node, o, d, t_max):
     """Where a ray enters a node's box (0 if it starts inside); inf if it misses it before t_max.
 
@@ -133,13 +133,13 @@ def box_entry(low, high, node, o, d, t_max):
     return t_in if t_in <= t_out else np.inf
 
 
-@kernel
+@lean
 def start_error(bvh, o, bound):
     """How far a ray's origin and the corners may be off their places in the world, together."""
     return bvh.off + bound + 2.3e-16 * max(abs(o[0]), max(abs(o[1]), abs(o[2])))
 
 
-@kernel
+@lean
 def settled_hit(bvh, k, start, d, known, error):
     """`triangle_hit` of triangle k decided exactly; known, error: as `sided_hit` gave them."""
     a, b, c = bvh.faces[k, 0], bvh.faces[k, 1], bvh.faces[k, 2]
@@ -150,7 +150,7 @@ def settled_hit(bvh, k, start, d, known, error):
     )  # fmt: skip
 
 
-@kernel
+@lean
 def bvh_nearest(bvh, corners, start, o, d, t_max, own, bound):
     """Nearest hit of one ray: (t, triangle, u, v, tests); triangle -1 if none before t_max.
 
@@ -173,23 +173,33 @@ def bvh_nearest(bvh, corners, start, o, d, t_max, own, bound):
                 tests += 1
                 if triangle == own:
                     continue
-                t, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
-                if not sure and own >= 0:
-                    t, a, b = triangle_hit(o, corners, triangle, *sheared)
-                elif not sure:
-                    t, a, b = settled_hit(bvh, triangle, start, d, (t, a, b), error)
-                if not 0.0 < t <= best:
-                    continue
-                if t == best and not (0 <= who and triangle < who):
-                    continue
-                if bound > 0.0 and is_left(corners, triangle, own, o, d, t, bound):
+                t, a, b = met_before(
+                    bvh, corners, triangle, own, start, o, d, sheared, off, bound, best
+                )
+                if t == np.inf or (t == best and not (0 <= who and triangle < who)):
                     continue
                 best, who, u, v = t, triangle, a, b
             node += 1
     return (best if who >= 0 else np.inf), who, u, v, tests
 
 
-@kernel
+@inlined
+def met_before(bvh, corners, triangle, own, start, o, d, sheared, off, bound, best):
+    """(t, u, v) of one ray and one triangle with 0 < t <= best, else t is inf: decided exactly
+    where rounding would decide. Arguments as in `bvh_nearest`; off: what `start_error` gave."""
+    t, u, v, sure, error = sided_hit(o, corners, triangle, sheared, off)
+    if not sure and own >= 0:
+        t, u, v = triangle_hit(o, corners, triangle, *sheared)
+    elif not sure:
+        t, u, v = settled_hit(bvh, triangle, start, d, (t, u, v), error)
+    if not 0.0 < t <= best:
+        return np.inf, 0.0, 0.0
+    if bound > 0.0 and is_left(corners, triangle, own, o, d, t, bound):
+        return np.inf, 0.0, 0.0
+    return t, u, v
+
+
+@lean
 def is_left(corners, triangle, own, o, d, t, bound):
     """Whether a ray that starts at o, on the mesh, starts on this triangle or in its face, and is
     told to meet it at t by rounding only."""
@@ -207,7 +217,7 @@ def is_left(corners, triangle, own, o, d, t, bound):
     return distance_sq_to(met, corners, triangle) > (ON * bound) ** 2
 
 
-@kernel
+@lean
 def bvh_all(bvh, corners, start, o, d, found, entering):
     """All hits of one ray with t > 0, nearest first; returns their number.
 
@@ -234,7 +244,7 @@ def bvh_all(bvh, corners, start, o, d, found, entering):
     return without_repeats(found, entering, filled)
 
 
-@kernel
+@lean
 def insert(found, entering, filled, t, enters):
     """Puts a hit in its place among those found before."""
     place = filled
@@ -244,7 +254,7 @@ def insert(found, entering, filled, t, enters):
     found[place], entering[place] = t, enters
 
 
-@kernel
+@lean
 def without_repeats(found, entering, filled):
     """Drops hits in the same sense as the one before and, but for rounding, in its place."""
     kept = 0

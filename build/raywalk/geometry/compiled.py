@@ -12,8 +12,8 @@ from raywalk.geometry.nearest import all_primitives, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
 from raywalk.geometry.refine import refine_roots
-from raywalk.geometry.roots import NOWHERE, SOMEWHERE
-from raywalk.geometry.sides import primitives_beyond
+from raywalk.geometry.roots import NOWHERE
+from raywalk.geometry.sides import TIE, primitives_beyond
 from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
 from raywalk.optics.heap import keep_freed_memory
@@ -24,9 +24,6 @@ from raywalk.scene.shapes import Mesh, Plane
 if TYPE_CHECKING:
     from raywalk.geometry.base_colour import BaseColours
     from raywalk.geometry.mesh_target import MeshTarget
-
-# A mesh and something else tie where their distances differ by this share, 500 roundings.
-TIE = 1e-13
 
 
 class Rays(NamedTuple):
@@ -118,20 +115,11 @@ class CompiledScene:
         )
         triangle, uv = np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
         for mesh in self.meshes:
-            own = np.where(rays.leaving == mesh.index, rays.triangle, -1).astype(np.int32)
-            # A little beyond what was met before, as a tie may go to the mesh.
-            reach = np.minimum(limit, t * (1.0 + TIE))
-            found, which, where = mesh.nearest(
-                rays.origin, rays.direction, reach, own, rays.leaving != NOWHERE,
-                on_any=bool((rays.leaving == SOMEWHERE).any()),
+            mesh.meet(
+                rays.origin, rays.direction, rays.leaving, rays.triangle, limit, self.rank,
+                t, met, triangle, uv,
             )  # fmt: skip
-            comes_first = (met != NOWHERE) & (self.rank[mesh.index] < self.rank[met])
-            at_least = np.where(comes_first, 1.0 + TIE, 1.0 - TIE) * t
-            closer = (found < at_least) & (found < limit)
-            t, met = np.where(closer, found, t), np.where(closer, mesh.index, met)
-            triangle = np.where(closer, which, triangle)
-            uv = np.where(closer[:, None], where, uv)
-        return t, met.astype(np.int32), triangle.astype(np.int32), uv
+        return t, met, triangle, uv
 
     def hits(self, rays: Rays) -> Hits:
         """The nearest hit of each ray with everything shading needs."""

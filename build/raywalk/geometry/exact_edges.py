@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.along_ray import product_error, sum_error
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import kernel, lean
 
 # Terms of a corner seen from the origin: their difference, its rounding, what the corner lacks.
 SEEN = 3
@@ -23,7 +23,7 @@ TERMS = 6 * SEEN * SEEN * 4
 DOUBLED = 2.5e-30
 
 
-@kernel
+@lean
 def edge_side(o, d, p, p_rest, q, q_rest):
     """d . ((p - o) x (q - o)), its sign exact, its size to a few roundings.
 
@@ -48,14 +48,14 @@ def edge_side(o, d, p, p_rest, q, q_rest):
     return summed(o, d, p, p_rest, q, q_rest)
 
 
-@kernel
+@lean
 def seen(p, rest, o):
     """p + rest - o as a float64 and what that lacks."""
     away = p - o
     return away, sum_error(p, -o, away) + rest
 
 
-@kernel
+@lean
 def across(a, al, b, bl, c, cl, e, el, by):
     """by (a e - b c), what its rounding lost, and the size of its terms: one component of a cross
     product, of numbers that lack al, bl, cl and el."""
@@ -90,7 +90,7 @@ def summed(o, d, p, p_rest, q, q_rest):
     return total
 
 
-@kernel
+@lean
 def add_product(terms, filled, a, b, c):
     """Adds a b c to a sum in place; returns how many terms it has now."""
     if a == 0.0 or b == 0.0 or c == 0.0:
@@ -104,7 +104,7 @@ def add_product(terms, filled, a, b, c):
     return filled
 
 
-@kernel
+@lean
 def add_term(terms, filled, term):
     """Shewchuk's Grow-Expansion without zeros: terms that do not overlap, the largest last, so that
     the last has the sum's sign."""

@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 
 from raywalk.geometry.exact_edges import edge_side
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import lean
 
 
-@kernel
+@lean
 def exact_hit(o, d, a, a_rest, b, b_rest, c, c_rest, known, error):
     """(t, u, v) with point = (1-u-v) a + u b + v c; t is inf where the ray's line misses.
 
@@ -53,19 +53,19 @@ def exact_hit(o, d, a, a_rest, b, b_rest, c, c_rest, known, error):
     return (ahead + v * (c[k] - o[k] + c_rest[k])) / d[k], u, v
 
 
-@kernel
+@lean
 def surely(known, error):
     """Its sign, or 0 if that is not sure."""
     return math.copysign(1.0, known) if abs(known) > error else 0.0
 
 
-@kernel
+@lean
 def farthest(o, p):
     """Largest coordinate of p - o."""
     return max(abs(p[0] - o[0]), max(abs(p[1] - o[1]), abs(p[2] - o[2])))
 
 
-@kernel
+@lean
 def scaled(p, by):
     """Three numbers, each times the same."""
     return by * p[0], by * p[1], by * p[2]

@@ -12,7 +12,7 @@ import numpy as np
 
 from raywalk.geometry.bvh import Bvh
 from raywalk.geometry.triangle import dot, minus
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import kernel, lean
 
 # Lengths in the unit-sized copy. Rounding a ray and a vertex to float32 moves a hit by up to
 # 5e-7 across the ray: start and vertex 1e-7 each, direction 2e-7 after a way of 3.5, the rest
@@ -194,7 +194,7 @@ def crowded(bvh, corners, core, asked, gap):
     return answer
 
 
-@kernel
+@lean
 def apart(a, b, gap):
     """Whether a plane keeps two triangles gap apart: along their normals, or square to an edge.
 
@@ -212,7 +212,7 @@ def apart(a, b, gap):
     return False
 
 
-@kernel
+@lean
 def gap_along(a, b, axis):
     """Distance between two triangles' shadows on an axis; negative where they overlap.
 
@@ -235,12 +235,12 @@ def gap_along(a, b, axis):
     return max(b_low - a_high, a_low - b_high) / length
 
 
-@kernel
+@lean
 def corner_of(triangle, k):
     """Corner k of one triangle (3, 3) as three numbers."""
     return triangle[k, 0], triangle[k, 1], triangle[k, 2]
 
 
-@kernel
+@lean
 def cross(a, b):
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.geometry.bvh import REPEATED, box_entry, is_left, settled_hit, start_error
+from raywalk.geometry.bvh import REPEATED, box_entry, is_left, met_before, start_error
 from raywalk.geometry.triangle import (
     distance_sq_to,
     shear,
-    sided_hit,
     solid_angle,
     triangle_hit,
     triangle_normal,
 )
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import lean
 
 # Hits closer to an edge than this barycentric share are asked whether they tie with a neighbour's.
 AT_EDGE = 1e-6
 
 
-@kernel
+@lean
 def is_near(bvh, corners, o, radius, own):
     """Whether a triangle other than `own` comes as close to a point as this."""
     node = 0
@@ -38,7 +37,7 @@ def is_near(bvh, corners, o, radius, own):
     return False
 
 
-@kernel
+@lean
 def closest_triangle(corners, o):
     """The triangle closest to a point, and its squared distance from it."""
     best, square = -1, np.inf
@@ -49,13 +48,13 @@ def closest_triangle(corners, o):
     return best, square
 
 
-@kernel
+@lean
 def is_around(corners, o):
     """Whether a closed mesh goes round a point."""
     return turns_round(corners, o) > 0.5
 
 
-@kernel
+@lean
 def turns_round(corners, o):
     """How often a closed mesh goes round a point: the sum of its triangles' solid angles."""
     turns = 0.0
@@ -64,27 +63,36 @@ def turns_round(corners, o):
     return turns
 
 
-@kernel
+@lean
 def outline_hit(bvh, corners, glass, start, o, d, own, bound, t, who, u, v):
     """The hit itself, or the one that ties with it at an edge where a front face meets a back
-    face, with the t of the nearer: (t, triangle, u, v).
+    face, with the t of the nearer: (t, triangle, u, v)."""
+    if min(u, min(v, 1.0 - u - v)) > AT_EDGE:
+        return t, who, u, v
+    whose, a, b = tied_across(bvh, corners, start, o, d, own, bound, t, who)
+    return of_two(corners, glass, o, d, t, (who, u, v), (whose, a, b))
+
+
+@lean
+def of_two(corners, glass, o, d, t, one, other):
+    """Of two hits that tie at an outline the one that is seen: (t, triangle, u, v); other may be
+    none, its triangle -1.
 
     Seen from outside an outline shows its front face, from inside its back face. Only glass is
     looked at from inside.
     """
-    if min(u, min(v, 1.0 - u - v)) > AT_EDGE:
-        return t, who, u, v
-    whose, a, b = tied_across(bvh, corners, start, o, d, own, bound, t, who)
-    if whose < 0:
-        return t, who, u, v
+    if other[0] < 0:
+        return t, one[0], one[1], one[2]
     inside = False
     if glass:
         half = 0.5 * t
         inside = is_around(corners, (o[0] + half * d[0], o[1] + half * d[1], o[2] + half * d[2]))
-    return (t, who, u, v) if leaves(corners, who, d) == inside else (t, whose, a, b)
+    if leaves(corners, one[0], d) == inside:
+        return t, one[0], one[1], one[2]
+    return t, other[0], other[1], other[2]
 
 
-@kernel
+@lean
 def tied_across(bvh, corners, start, o, d, own, bound, t, who):
     """Of the triangles that a ray passes in the other sense than `who`, but for rounding in the
     same place, the nearest, then lowest: (triangle, u, v); triangle -1 if there is none."""
@@ -98,32 +106,26 @@ def tied_across(bvh, corners, start, o, d, own, bound, t, who):
         else:
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 triangle = bvh.order[place]
-                distance, a, b, sure, error = sided_hit(o, corners, triangle, sheared, off)
-                if not sure and own >= 0:
-                    distance, a, b = triangle_hit(o, corners, triangle, *sheared)
-                elif not sure:
-                    known = (distance, a, b)
-                    distance, a, b = settled_hit(bvh, triangle, start, d, known, error)
-                if not 0.0 < distance <= best or leaves(corners, triangle, d) == sense:
+                if triangle == own or leaves(corners, triangle, d) == sense:
                     continue
-                if distance == best and 0 <= found <= triangle:
+                distance, a, b = met_before(
+                    bvh, corners, triangle, own, start, o, d, sheared, off, bound, best
+                )
+                if distance == np.inf or (distance == best and 0 <= found <= triangle):
                     continue
-                if bound > 0.0 and is_left(corners, triangle, own, o, d, distance, bound):
-                    continue
-                if triangle != own:
-                    best, found, u, v = distance, triangle, a, b
+                best, found, u, v = distance, triangle, a, b
             node += 1
     return found, u, v
 
 
-@kernel
+@lean
 def leaves(corners, triangle, d):
     """Whether a ray passes a triangle along its normal: out of the mesh."""
     nx, ny, nz = triangle_normal(corners, triangle)
     return nx * d[0] + ny * d[1] + nz * d[2] > 0.0
 
 
-@kernel
+@lean
 def holds_ahead(bvh, corners, o, d, own, bound):
     """Whether a ray is in a mesh just beyond its start whose closed shells lie in one another or
     overlap: it is while it leaves shells more often than it enters them on its way out.

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.triangle import triangle_normal, vector
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import lean
 
 
-@kernel
+@lean
 def mesh_surface(
     corners, rows, normals, centre, direction, met, index, triangle, uv,
     point, normal, geometric, inside,
@@ -38,7 +38,7 @@ def mesh_surface(
         normal[i, 0], normal[i, 1], normal[i, 2] = nx, ny, nz
 
 
-@kernel
+@lean
 def smooth_normal(normals, rows, k, u, v, sign, d, gx, gy, gz):
     """Unit interpolated normal on the ray's side; the geometric one g where that has no length."""
     a, b, c, w = rows[k, 0], rows[k, 1], rows[k, 2], 1.0 - u - v

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import math
 
-from raywalk.optics.compiled import inlined, kernel
+from raywalk.optics.compiled import inlined, lean
 
 
-@kernel
+@lean
 def vector(rows, i):
     """Row i of (n, 3) as three numbers: a view of the row would cost more than the arithmetic."""
     return rows[i, 0], rows[i, 1], rows[i, 2]
 
 
-@kernel
+@lean
 def shear(dx, dy, dz):
     """Axis order and shear constants (kx, ky, kz, sx, sy, sz) of a ray direction."""
     ax, ay, az = abs(dx), abs(dy), abs(dz)
@@ -31,21 +31,28 @@ def shear(dx, dy, dz):
 
 
 @inlined
+def part(o, k):
+    """One of three numbers, chosen without a jump."""
+    return o[0] if k == 0 else (o[1] if k == 1 else o[2])
+
+
+@inlined
 def edge_weights(o, corners, k, kx, ky, kz, sx, sy):
     """Corners a, b, c of row k sheared so that the ray is the z axis, and the ray's edge functions
     (Woop et al. 2013): on which side of the edges opposite to a, b and c it passes."""
-    az, bz, cz = corners[k, 0, kz] - o[kz], corners[k, 1, kz] - o[kz], corners[k, 2, kz] - o[kz]
-    ax = corners[k, 0, kx] - o[kx] - sx * az
-    ay = corners[k, 0, ky] - o[ky] - sy * az
-    bx = corners[k, 1, kx] - o[kx] - sx * bz
-    by = corners[k, 1, ky] - o[ky] - sy * bz
-    cx = corners[k, 2, kx] - o[kx] - sx * cz
-    cy = corners[k, 2, ky] - o[ky] - sy * cz
+    x, y, z = part(o, kx), part(o, ky), part(o, kz)
+    az, bz, cz = corners[k, 0, kz] - z, corners[k, 1, kz] - z, corners[k, 2, kz] - z
+    ax = corners[k, 0, kx] - x - sx * az
+    ay = corners[k, 0, ky] - y - sy * az
+    bx = corners[k, 1, kx] - x - sx * bz
+    by = corners[k, 1, ky] - y - sy * bz
+    cx = corners[k, 2, kx] - x - sx * cz
+    cy = corners[k, 2, ky] - y - sy * cz
     weights = cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax
     return (ax, ay, az), (bx, by, bz), (cx, cy, cz), weights
 
 
-@kernel
+@lean
 def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
     """(t, u, v) with point = (1-u-v) a + u b + v c; t is inf where the ray's line misses.
 
@@ -70,7 +77,7 @@ def triangle_hit(o, corners, k, kx, ky, kz, sx, sy, sz):
 SHEARED = 3.0 * 2.220446049250313e-16
 
 
-@kernel
+@lean
 def sided_hit(o, corners, k, sheared, off):
     """`triangle_hit`, and whether rounding cannot have decided it; if it can, in place of (t, u, v)
     its three edges' d . ((p - o) x (q - o)), and how far these may be off.
@@ -95,7 +102,7 @@ def sided_hit(o, corners, k, sheared, off):
     return sz * (wa * az + wb * bz + wc * cz) / total, wb / total, wc / total, True, 0.0
 
 
-@kernel
+@lean
 def triangle_normal(corners, k):
     """Unit normal of row k of corners (n, 3, 3) by the winding a, b, c (right hand rule)."""
     ux, uy, uz = (
@@ -113,7 +120,7 @@ def triangle_normal(corners, k):
     return nx / length, ny / length, nz / length
 
 
-@kernel
+@lean
 def height_over(o, corners, k):
     """Signed distance of a point from triangle k's plane, positive on the normal's side."""
     nx, ny, nz = triangle_normal(corners, k)
@@ -121,7 +128,7 @@ def height_over(o, corners, k):
     return nx * x + ny * y + nz * z
 
 
-@kernel
+@lean
 def distance_sq_to(o, corners, k):
     """Squared distance of a point from triangle k, edges and corners included.
 
@@ -151,7 +158,7 @@ def distance_sq_to(o, corners, k):
     return height * height
 
 
-@kernel
+@lean
 def solid_angle(o, corners, k):
     """Solid angle of triangle k from a point, in shares of the whole sphere; positive from
     behind its normal.
@@ -171,23 +178,23 @@ def solid_angle(o, corners, k):
     return math.atan2(volume, la * lb * lc + rest) / (2.0 * math.pi)
 
 
-@kernel
+@lean
 def corner(corners, k, c):
     """Corner c of triangle k as three numbers."""
     return corners[k, c, 0], corners[k, c, 1], corners[k, c, 2]
 
 
-@kernel
+@lean
 def minus(a, b):
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
-@kernel
+@lean
 def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@kernel
+@lean
 def off_line_sq(p, along, share):
     """Squared length of p - share * along."""
     x, y, z = p[0] - share * along[0], p[1] - share * along[1], p[2] - share * along[2]

@@ -24,15 +24,25 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     return _compiled(function)
 
 
+def lean(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A kernel that makes no array and returns none. Of those it is handed numba then counts no
+    references: two locked instructions an array and call, more than asking a triangle takes."""
+    return _compiled(function, counts=False)
+
+
 def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
     """A kernel that is always copied into its callers: for the innermost loops, where handing
-    over a table of arrays costs several times the arithmetic done with it."""
-    return _compiled(function, forceinline=True)
+    over a table of arrays costs several times the arithmetic done with it. Makes no array."""
+    return _compiled(function, forceinline=True, counts=False)
 
 
-def _compiled(function: Callable[..., Any], forceinline: bool = False) -> Callable[..., Any]:
-    """Without the second entry that numba makes for C code, which takes a tenth of its time."""
-    options: Any = {"forceinline": forceinline, "no_cfunc_wrapper": True}  # unknown to its types
+def _compiled(
+    function: Callable[..., Any], forceinline: bool = False, counts: bool = True
+) -> Callable[..., Any]:
+    """Without the second entry that numba makes for C code, which takes a tenth of its time.
+    counts: it counts references, as it must where arrays are made."""
+    # Unknown to numba's types.
+    options: Any = {"forceinline": forceinline, "no_cfunc_wrapper": True, "_nrt": counts}
     made: Callable[..., Any] = compiled_once(
         numba.njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     )

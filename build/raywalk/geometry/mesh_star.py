@@ -1,0 +1,144 @@
+"""Hits close to an edge or a vertex, settled among the triangles that share a vertex there.
+
+Embree's hit P is off by GROWN at most, as every triangle of its copy stands out by that. So what a
+ray meets first lies close to P, or Embree would have named what lies before it; and of a triangle
+that stands alone, only those that share a vertex with it come as close. If one of them is met,
+exactly, close to P, that is the hit. If none is (the ray passes an outline), the tree must look on.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raywalk.geometry.bvh import REPEATED, Bvh, met_before
+from raywalk.geometry.float32_copy import apart
+from raywalk.geometry.mesh_sides import AT_EDGE, leaves, of_two
+from raywalk.geometry.triangle import distance_sq_to, height_over, triangle_normal
+from raywalk.optics.compiled import kernel, lean
+
+# In the unit-sized copy. On a triangle that is not grazed P is off by 1e-5 in depth, as STEEPEST
+# has it, and a triangle that is met at Y is named by Embree within 2e-5 of Y: by its grown
+# copy, a wall or a neighbour's grown edge. So Y is not further before P than 3e-5.
+ASIDE = 2e-5  # P at most so far beside its triangle: at a sharp corner a grown copy reaches far
+CLOSE = 4e-5  # the hit at most so far before or behind P
+ALONE = 1e-4  # no other triangle comes so close to one that stands alone: the sum, and room
+
+
+class Star(NamedTuple):
+    """Who shares a vertex with whom."""
+
+    alone: np.ndarray  # (triangles,) bool: only triangles that share a vertex with it come near it
+    first: np.ndarray  # (vertices + 1,) int32: a vertex's first place in `around`
+    around: np.ndarray  # (3 triangles,) int32: the triangles at each vertex
+
+
+def star_of(bvh: Bvh, corners: np.ndarray, scale: float) -> Star:
+    """Of a mesh's triangles (n, 3, 3); scale makes it 1 in size."""
+    corner = bvh.faces.reshape(-1)
+    order = np.argsort(corner, kind="stable")
+    first = np.searchsorted(corner[order], np.arange(len(bvh.world) + 1))
+    around = (order // 3).astype(np.int32)
+    return Star(standing_alone(bvh, corners, ALONE / scale), first.astype(np.int32), around)
+
+
+@kernel
+def standing_alone(bvh: Bvh, corners, gap):
+    """(n,) bool: of which triangles only those with a vertex in common come within the gap."""
+    alone = np.ones(corners.shape[0], np.bool_)
+    low, high = np.empty(3), np.empty(3)
+    for me in range(corners.shape[0]):
+        for k in range(3):
+            low[k] = min(corners[me, 0, k], corners[me, 1, k], corners[me, 2, k]) - gap
+            high[k] = max(corners[me, 0, k], corners[me, 1, k], corners[me, 2, k]) + gap
+        node = 0
+        while node < len(bvh.skip) and alone[me]:
+            misses = False
+            for k in range(3):
+                misses |= bvh.low[node, k] > high[k] or bvh.high[node, k] < low[k]
+            if misses:
+                node = bvh.skip[node]
+                continue
+            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+                other = bvh.order[place]
+                if not shares_vertex(bvh.faces, me, other) and not apart(
+                    corners[me], corners[other], gap
+                ):
+                    alone[me] = False
+            node += 1
+    return alone
+
+
+@lean
+def shares_vertex(faces, one, other):
+    """Whether two triangles have a vertex in common."""
+    p, q, r = faces[one, 0], faces[one, 1], faces[one, 2]
+    return has_vertex(faces, other, p) or has_vertex(faces, other, q) or has_vertex(faces, other, r)
+
+
+@lean
+def has_vertex(faces, triangle, vertex):
+    """Whether a triangle has this vertex."""
+    return (
+        faces[triangle, 0] == vertex or faces[triangle, 1] == vertex or faces[triangle, 2] == vertex
+    )
+
+
+@lean
+def nearest_in_star(bvh, corners, star, k, sense, own, start, o, d, sheared, off, bound, best):
+    """Nearest hit up to t = best, then lowest, of the triangles that share a vertex with k: (t,
+    triangle, u, v), and whether it is the only one there, but for rounding.
+
+    sense: 0, or of those alone that are left (1) or entered (-1).
+    """
+    faces, first, around = bvh.faces, star.first, star.around
+    who, u, v, is_single = -1, 0.0, 0.0, True
+    p, q = faces[k, 0], faces[k, 1]
+    for c in range(3):
+        vertex = faces[k, c]
+        for place in range(first[vertex], first[vertex + 1]):
+            triangle = around[place]
+            if triangle == own or (c > 0 and has_vertex(faces, triangle, p)):
+                continue  # none of them twice
+            if c > 1 and has_vertex(faces, triangle, q):
+                continue
+            if sense != 0 and leaves(corners, triangle, d) != (sense > 0):
+                continue
+            last = best * (1.0 + REPEATED)
+            t, a, b = met_before(
+                bvh, corners, triangle, own, start, o, d, sheared, off, bound, last
+            )
+            if t == np.inf:
+                continue
+            is_single = who < 0
+            if t < best or (t == best and (who < 0 or triangle < who)):
+                best, who, u, v = t, triangle, a, b
+    return (best if who >= 0 else np.inf), who, u, v, is_single
+
+
+@lean
+def settled_in_star(bvh, corners, star, glass, k, own, start, o, d, sheared, off, bound, scale):
+    """(t, triangle, u, v) of the hit that Embree puts on triangle k, which stands alone and is not
+    grazed; triangle -1 if that does not tell. scale: makes the mesh 1 in size."""
+    length = scale * np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    nx, ny, nz = triangle_normal(corners, k)
+    at = -height_over(o, corners, k) / (nx * d[0] + ny * d[1] + nz * d[2])
+    place = (o[0] + at * d[0], o[1] + at * d[1], o[2] + at * d[2])
+    aside = ASIDE / scale
+    if not distance_sq_to(place, corners, k) <= aside * aside:
+        return np.inf, -1, 0.0, 0.0
+    t, who, u, v, is_single = nearest_in_star(
+        bvh, corners, star, k, 0, own, start, o, d, sheared, off, bound, np.inf
+    )
+    if who < 0 or not abs(t - at) * length <= CLOSE:
+        return np.inf, -1, 0.0, 0.0
+    if is_single or min(u, min(v, 1.0 - u - v)) > AT_EDGE:
+        return t, who, u, v
+    if not REPEATED * t * length <= CLOSE:
+        return np.inf, -1, 0.0, 0.0
+    sense = -1 if leaves(corners, who, d) else 1
+    _, other, a, b, _ = nearest_in_star(
+        bvh, corners, star, k, sense, own, start, o, d, sheared, off, bound, t * (1.0 + REPEATED)
+    )
+    return of_two(corners, glass, o, d, t, (who, u, v), (other, a, b))
