@@ -303,3 +303,19 @@ def test_a_corner_with_several_normals_is_drawn_as_a_vertex_for_each(
     a, b, c = vertices[faces].transpose(1, 0, 2)
     facing = np.cross(b - a, c - a)
     assert np.allclose(normals[faces], facing[:, None], rtol=0, atol=1e-12)  # of length 1 already
+
+
+def test_no_part_has_the_name_of_another_object(
+    scene: Callable[[str], Scene], tmp_path: Path
+) -> None:
+    """What a person has named keeps its name, whether it stands before or behind; a part that is
+    called as what is left over is not mixed up with that."""
+    ball = '[[objects]]\nname = "model, red"\ntype = "sphere"\ncenter = [0, 3, 0]\nradius = 1\n'
+    made = scene(ball + 'material = "white"')
+    assert [obj.name for obj in made.objects] == ["model, red 2", "model, green", "model, red"]
+    written(tmp_path / "two.obj", TWO.replace("o left", "o rest"))
+    made = scene('material = "white"\nmaterials = { rest = "mirror" }')
+    assert sorted(dressed(made).items()) == [
+        ("model, rest", ("mirror", (0.0, 0.0, 0.0))), ("model, rest 2", ("white", (1.0, 1.0, 1.0))),
+    ]  # fmt: skip
+    assert len({obj.name for obj in made.objects}) == len(made.objects)

@@ -33,7 +33,7 @@ from raywalk.scene.model import (
     SceneObject,
 )
 from raywalk.scene.models import Models, mesh_file
-from raywalk.scene.names import with_defaults
+from raywalk.scene.names import untaken, with_defaults
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import resolutions_of
 from raywalk.scene.schema import SceneFile, StepTable, ViewTable
@@ -133,12 +133,14 @@ class _Parts:
     problems: Problems
     materials: list[Material] = field(default_factory=list)
     objects: list[SceneObject] = field(default_factory=list)
+    taken: set[str] = field(default_factory=set)  # names of objects
 
     def add_objects(self) -> None:
         known = Materials(self.draft.materials, self.problems)
         tables = self.draft.objects
         names = with_defaults((i, table.name, table.kind) for i, table in tables.items())
         check_names(names.items(), "objects", self.problems)
+        self.taken = set(names.values())
         for i, table in tables.items():
             self._add_object(i, table, names[i], known)
 
@@ -192,7 +194,8 @@ class _Parts:
             return
         for part in dressed_parts(table, shape, name, given, rest, at, self.problems):
             index = self._index(part.material)
-            self.objects.append(SceneObject(part.name, part.mesh, index, transform, base=part.base))
+            called = name if part.name == name else untaken(part.name, self.taken)
+            self.objects.append(SceneObject(called, part.mesh, index, transform, base=part.base))
 
     def _dressed(
         self, dress: str | MaterialTable, name: str, known: Materials, at: Sequence[str | int]

@@ -22,3 +22,13 @@ def with_defaults(items: Iterable[tuple[int, str | None, str]]) -> dict[int, str
         names[place] = name or f"{kind} {number}"
         taken.add(names[place])
     return names
+
+
+def untaken(name: str, taken: set[str]) -> str:
+    """The name, with a number behind it if it is taken; from now on it is."""
+    free, number = name, 1
+    while free in taken:
+        number += 1
+        free = f"{name} {number}"
+    taken.add(free)
+    return free
