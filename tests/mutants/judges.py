@@ -58,9 +58,26 @@ MESHES = Judges(
         "tests/trace/test_boxes.py",
     ),
 )
-FOLDERS = {"scene": SCENE, "optics": OPTICS, "geometry": SHAPES}
+MODELS = Judges(
+    (),
+    (
+        "tests/models",
+        "tests/bench/test_model_memory.py",
+        "tests/commands/test_model.py",
+        "tests/geometry/test_mesh_shells.py",
+        "tests/scene/test_mesh_parts.py",
+    ),
+)
+WARNINGS = Judges((), ("tests/trace/test_scene_warnings.py", "tests/geometry/test_overlap.py"))
+NEIGHBOURS = Judges((), ("tests/trace/test_touching_glass.py", *WARNINGS.compiled))
+FOLDERS = {"scene": SCENE, "optics": OPTICS, "geometry": SHAPES, "models": MODELS}
 # Files of geometry/ that other tests know better.
 FILES = {
+    **{
+        f"geometry/{name}.py": WARNINGS
+        for name in ("coincide", "mesh_points", "overlap", "samples")
+    },
+    **{f"geometry/{name}.py": NEIGHBOURS for name in ("boxes", "neighbours", "sides")},
     **{
         f"geometry/{name}.py": MESHES
         for name in (
@@ -72,6 +89,7 @@ FILES = {
                 "mesh_sides",
                 "mesh_surface",
                 "mesh_target",
+                "mesh_world",
             ),
             *("shallow_boxes", "triangle"),
         )
@@ -87,6 +105,12 @@ FILES = {
             "mesh_section": ("tests/trace/test_sections.py",),
             "savings": ("tests/trace/test_plan.py",),
             "mesh_savings": ("tests/trace/test_plan.py",),
+            "base_colour": ("tests/scene/test_mesh_parts.py",),
+            "texture_lookup": ("tests/scene/test_textures.py", "tests/scene/test_mesh_textures.py"),
+            "texture_places": ("tests/scene/test_textures.py", "tests/scene/test_mesh_textures.py"),
+            "mesh_corners": ("tests/scene/test_mesh_parts.py",),
+            "mesh_normals": ("tests/geometry/test_mesh_normals.py",),
+            "mesh_report": ("tests/commands/test_model.py", "tests/scene/test_mesh_parts.py"),
             "mesh_display": ("tests/site/test_mesh_data.py",),
         }.items()
     },
