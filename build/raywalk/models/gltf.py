@@ -173,6 +173,17 @@ class _Reader:
             if self.json.get(key):
                 told.append(f"{what} are not used: it is shown in its pose at rest"
                             if key == "skins" else f"{what} are not used")  # fmt: skip
+        textures = [
+            surface["baseColorTexture"]
+            for each in self.json.get("materials", [])
+            if "baseColorTexture" in (surface := each.get("pbrMetallicRoughness", {}))
+        ]
+        if any("KHR_texture_transform" in each.get("extensions", {}) for each in textures):
+            told.append(
+                "its KHR_texture_transform is not used: textures lie as if it were not there"
+            )
+        if any(each.get("texCoord", 0) for each in textures):
+            told.append("textures lie by TEXCOORD_0, other coordinates are not used")
         extensions = self.json.get("extensions", {})
         if "KHR_lights_punctual" in extensions:
             told.append("lights are not used: a scene has its own")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
+from warnings import catch_warnings
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from raywalk.scene.wording import joined
 FORMATS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
 MOST = 4096  # pixels across and down: 50 MB in memory
 KEPT = 16
+READ = sorted(set(FORMATS.values()))
 
 
 class PictureFault(ValueError):
@@ -62,7 +64,8 @@ def decoded(data: bytes) -> np.ndarray:
     )  # only here: a scene without a texture needs none of it
 
     try:
-        with Image.open(BytesIO(data), formats=sorted(set(FORMATS.values()))) as opened:
+        # Pillow warns of what it passes over in a damaged file; faults are told below.
+        with catch_warnings(action="ignore"), Image.open(BytesIO(data), formats=READ) as opened:
             if max(opened.size) > MOST:
                 size = f"{opened.width} x {opened.height}"
                 raise PictureFault(
