@@ -253,14 +253,14 @@ def test_a_changed_picture_makes_the_scene_anew_and_goes_to_a_worker(
 def test_what_else_a_gltf_texture_asks_for_is_said(
     scene: Callable[..., Scene], tmp_path: Path
 ) -> None:
-    """Other coordinates, and a transform of them; the picture is shown as if they were not there."""
+    """Other coordinates, and a transform of them; it is shown as if they were not there."""
     told = textured_gltf({"uri": DATA})
     asked = told["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
     asked |= {"texCoord": 1, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}
     written(tmp_path / "card.gltf", json.dumps(told))
     made = scene("card.gltf")
     assert mesh_warnings(made) == [
-        '"card": KHR_texture_transform is not used: textures lie as if it were not there',
+        '"card": its KHR_texture_transform is not used: textures lie as if it were not there',
         '"card": textures lie by TEXCOORD_0, other coordinates are not used',
     ]
     assert seen(made) == [A, B, C, D]
