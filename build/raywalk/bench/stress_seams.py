@@ -21,7 +21,10 @@ KINDS = ("triangle, triangle", "mesh, mesh", "triangle, mesh", "box, triangle", 
 FLAT = ("triangle", "one triangle as a mesh", "flat sheet")
 COSINES = (1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-12)
 PAIRS = 100  # of objects, turned anew each
-THIN_BOUND = 4.0  # of float64's own errors of o + t d
+# Of float64's own errors of o + t d: of shapes as thin as can be; and of those sheared by 30, whose
+# inverse cancels (condition 900), the bound of all hits: one in 160,000 that grazes at a cosine of
+# 0.01 is 4.1 off.
+THIN_BOUND, SHEARED_BOUND = 4.0, 8.0
 HALF = 2.0**-53
 SIDES = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
 
@@ -40,9 +43,13 @@ def cases(count: int, seed: int) -> Iterator[Case]:
         yield Case("seams", name, lost, 0.0, float(measured), many, seed + 10)
     name, measured = "outlines of 20,480 triangles", lost_at_outlines(rays, seed + 20)
     yield Case("seams", name, lost, 0.0, float(measured), rays, seed + 20)
-    metric = f"more than {THIN_BOUND:g} roundings off o + t d, rays"
-    measured, many = lost_at_thin(rays, seed + 30), rays * len(thin_shapes())
-    yield Case("seams", "thin shapes", metric, 0.0, float(measured), many, seed + 30)
+    for name, things, bound in (
+        ("thin shapes", thin_shapes(), THIN_BOUND),
+        ("sheared shapes", sheared_shapes(), SHEARED_BOUND),
+    ):
+        metric = f"more than {bound:g} roundings off o + t d, rays"
+        off, many = off_their_rays(things, bound, rays, seed + 30), rays * len(things)
+        yield Case("seams", name, metric, 0.0, float(off), many, seed + 30)
 
 
 def lost_at_seams(kind: str, count: int, pairs: int, seed: int) -> int:
@@ -153,27 +160,36 @@ def lost_at_outlines(count: int, seed: int) -> int:
 
 
 def thin_shapes() -> list[SceneObject]:
-    """A million times as wide as they are thick, or sheared."""
+    """A million times as wide as they are thick."""
+    return [
+        SceneObject("thin", shape, 0)
+        for shape in (
+            Ellipsoid((0.0, 0.0, 0.0), (1.0, 1.0, 1e-6)),
+            Ellipsoid((0.3, 0.2, 0.1), (1.0, 1.0, 1e-6), (30.0, 40.0, 50.0)),
+            Ellipsoid((0.0, 0.0, 0.0), (1e-6, 1e-6, 1.0)),
+            Cone((0.0, 0.0, 0.0), (0.0, 1e-6, 0.0), 1.0, 0.2),
+        )
+    ]
+
+
+def sheared_shapes() -> list[SceneObject]:
+    """Leaning thirty times as far as they are high; one a million times as flat besides."""
     shear = np.array([[1.0, 30.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     flat = np.diag([1.0, 1e-6, 1.0])
     shapes: list[tuple[Shape, np.ndarray]] = [
-        (Ellipsoid((0.0, 0.0, 0.0), (1.0, 1.0, 1e-6)), np.eye(3)),
-        (Ellipsoid((0.3, 0.2, 0.1), (1.0, 1.0, 1e-6), (30.0, 40.0, 50.0)), np.eye(3)),
-        (Ellipsoid((0.0, 0.0, 0.0), (1e-6, 1e-6, 1.0)), np.eye(3)),
-        (Cone((0.0, 0.0, 0.0), (0.0, 1e-6, 0.0), 1.0, 0.2), np.eye(3)),
         (Sphere((0.0, 0.0, 0.0), 1.0), flat @ shear),
         (Box((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)), shear),
         (Cone((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 1.0, 0.3), shear),
         (Disc((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.0), shear[[2, 0, 1]][:, [2, 0, 1]]),
     ]
-    return [SceneObject("thin", shape, 0, placed(linear)) for shape, linear in shapes]
+    return [SceneObject("sheared", shape, 0, placed(linear)) for shape, linear in shapes]
 
 
-def lost_at_thin(count: int, seed: int) -> int:
-    """Hits on thin shapes further from o + t d than 4 times its own error in float64: half a step
-    for o, two for t d."""
+def off_their_rays(things: list[SceneObject], bound: float, count: int, seed: int) -> int:
+    """Hits further from o + t d than so many times its own error in float64: half a step for o,
+    two for t d."""
     rng, off = np.random.default_rng(seed), 0
-    for thing in thin_shapes():
+    for thing in things:
         compiled = CompiledScene(scene_of([thing]))
         to_world, centre = compiled.primitives.to_world[0], compiled.primitives.centre[0]
         target = rng.uniform(-0.7, 0.7, (count, 3)) @ to_world.T + centre
@@ -186,7 +202,7 @@ def lost_at_thin(count: int, seed: int) -> int:
                 exact = Fraction(o) + Fraction(float(hits.t[k])) * Fraction(d)
                 away.append(float(Fraction(p) - exact))
                 own.append(HALF * (abs(o) + 2.0 * abs(hits.t[k] * d)))
-            off += bool(np.linalg.norm(away) > THIN_BOUND * np.linalg.norm(own))
+            off += bool(np.linalg.norm(away) > bound * np.linalg.norm(own))
     return off
 
 
