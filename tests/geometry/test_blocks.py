@@ -9,15 +9,16 @@ import pytest
 from tests.geometry.by_hand import SHAPES, random_affine, scene_of, unit
 
 from raywalk.geometry.blocks import BLOCK, BLOCK_SIZE, fill_block, list_marked, mark_candidates
-from raywalk.geometry.compiled import CompiledScene, rays_from
+from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
 from raywalk.geometry.faces import is_solid, on_surface
 from raywalk.geometry.nearest import nearest_primitive
 from raywalk.geometry.primitives import Primitives
 from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.roots import NOWHERE, passes_by, settled_roots
+from raywalk.geometry.sphere_tree import MANY
 from raywalk.optics.compiled import kernel
 from raywalk.scene.model import SceneObject
-from raywalk.scene.shapes import Shape
+from raywalk.scene.shapes import Box, Plane, Shape, Sphere
 
 HOW = ["free", "from far", "along axes", "tangent", "leaving it", "leaving another there"]
 
@@ -192,3 +193,33 @@ def test_a_block_lands_hits_where_one_ray_lands(
     away = x[:, None] * m[:, 0] + y[:, None] * m[:, 1] + z[:, None] * m[:, 2]
     assert np.array_equal(found.t, alone[:, 0])
     assert np.array_equal(found.point, table.centre[0] + (table.centre_rest[0] + away))
+
+
+@pytest.mark.parametrize("how", ["free", "leaving"])
+def test_a_tree_over_many_primitives_changes_no_answer(rng: np.random.Generator, how: str) -> None:
+    """Of spheres and boxes that overlap, touch and coincide, with planes between them."""
+    count = MANY + 100
+    shapes: list[Shape] = []
+    for k in range(count):
+        x, y, z = rng.uniform(-2.0, 2.0, 3).round(1).tolist()
+        ball, cube = Sphere((x, y, z), 0.2), Box((x, y, z), (x + 0.2, y + 0.2, z + 0.2))
+        shapes.append(
+            Plane((0.0, y, 0.0), (0.0, 1.0, 0.0)) if k % 200 == 7 else (ball, cube)[k % 2]
+        )
+    compiled = CompiledScene(scene_of(shapes))
+    assert compiled.tree is not None
+    origin = rng.normal(size=(900, 3)) * 3
+    rays = rays_from(origin, unit(rng.normal(size=(900, 3)) - origin))
+    if how == "leaving":
+        hits = compiled.hits(rays)
+        rays = Rays(
+            hits.point, unit(rng.normal(size=(900, 3))), hits.object, hits.inside, hits.triangle
+        )
+        rays = rays.take(hits.object != NOWHERE)
+    limit = np.where(rng.random(len(rays.origin)) < 0.5, np.inf, 2.0)
+    columns = (rays.origin, rays.direction, rays.leaving, rays.inner, limit)
+    t, met = nearest_primitive(compiled.primitives, *columns)
+    found, _, _, _ = compiled.nearest(rays, limit)
+    assert np.array_equal(found, t)
+    assert np.array_equal(compiled.nearest(rays, limit)[1], met)
+    assert np.isfinite(t).mean() > 0.5

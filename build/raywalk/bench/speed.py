@@ -11,6 +11,7 @@ from raywalk.bench import (
     speed_floor,
     speed_many,
     speed_memory,
+    speed_primitives,
     speed_rebuild,
     speed_skips,
     speed_triangles,
@@ -74,6 +75,11 @@ PARTS = {
     "triangles": Part(
         "Time a ray over the triangles of a mesh",
         _triangles, speed_triangles.triangle_cases, speed_triangles.as_table,
+    ),
+    "primitives": Part(
+        "Time a ray over the number of spheres",
+        lambda c: speed_primitives.primitives(3 if c.quick else 9, c.seed),
+        speed_primitives.primitive_cases, speed_primitives.as_table,
     ),
     "rebuild": Part(
         "Building again after a change",

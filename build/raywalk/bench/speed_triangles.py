@@ -100,9 +100,13 @@ def _rays(tracer: Tracer, size: int) -> int:
 
 
 def growth(rows: Sequence[dict[str, Any]]) -> float:
-    """Exponent p of time ~ triangles^p: the slope of the line through their logarithms."""
-    x = [math.log(row["triangles"]) for row in rows]
-    y = [math.log(row["ratio"]) for row in rows]
+    """Exponent p of time ~ triangles^p."""
+    return slope([(row["triangles"], row["ratio"]) for row in rows])
+
+
+def slope(pairs: Sequence[tuple[float, float]]) -> float:
+    """Of the line through the logarithms of x and y."""
+    x, y = zip(*[(math.log(x), math.log(y)) for x, y in pairs], strict=True)
     return statistics.linear_regression(x, y).slope
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 SEED = 20_260
-PARTS = ("skips", "floor", "cores", "memory", "many", "triangles", "rebuild")
+PARTS = ("skips", "floor", "cores", "memory", "many", "triangles", "primitives", "rebuild")
 
 
 def add_to(commands: Any) -> None:

@@ -28,21 +28,22 @@ TABLE = 13 * PITCH
 
 
 @kernel
-def lay_out(table, block, columns, primitives, k):
-    """Fills the table up to ROOT for pairs of these columns (count,) of a block and row k."""
-    c, rest, m = primitives.centre, primitives.centre_rest, primitives.to_local
-    cx, cy, cz, far_sq = c[k, 0], c[k, 1], c[k, 2], FAR_SQ * primitives.reach_sq[k]
-    stretch, who, edged = primitives.stretch[k], primitives.object[k], primitives.is_edged[k]
-    for p in range(columns.shape[0]):
-        j = columns[p]
+def lay_out(table, primitives, block, columns, rows, count):
+    """Fills the table up to ROOT for pairs (count,) of columns and rows of primitives."""
+    centre, rest, m = primitives.centre, primitives.centre_rest, primitives.to_local
+    stretch, reach_sq = primitives.stretch, primitives.reach_sq
+    who, edged = primitives.object, primitives.is_edged
+    for p in range(count):
+        j, k = columns[p], rows[p]
+        cx, cy, cz = centre[k, 0], centre[k, 1], centre[k, 2]
         ox, oy, oz = block[OX + j], block[OY + j], block[OZ + j]
         dx, dy, dz = block[DX + j], block[DY + j], block[DZ + j]
         leaves, bound, shift = block[LEAVES + j], 0.0, 0.0
         x, y, z = ox - cx, oy - cy, oz - cz
         if leaves != NOWHERE:
             reach = abs(ox) + abs(oy) + abs(oz) + abs(cx) + abs(cy) + abs(cz)
-            bound = POINT_ERROR * stretch * reach
-        elif x * x + y * y + z * z > far_sq:
+            bound = POINT_ERROR * stretch[k] * reach
+        elif x * x + y * y + z * z > FAR_SQ * reach_sq[k]:
             # From many sizes away: from the point nearest to the centre, where rounding is a share
             # of the shape's size and not of the way.
             shift = max(0.0, -(x * dx + y * dy + z * dz) / (dx * dx + dy * dy + dz * dz))
@@ -55,17 +56,18 @@ def lay_out(table, block, columns, primitives, k):
         table[RY + p] = m[k, 1, 0] * dx + m[k, 1, 1] * dy + m[k, 1, 2] * dz
         table[RZ + p] = m[k, 2, 0] * dx + m[k, 2, 1] * dy + m[k, 2, 2] * dz
         table[SHIFT + p], table[BOUND + p] = shift, bound
-        table[OWN + p], table[INNER + p] = leaves == who, block[blocks.INNER + j]
-        if edged:
+        table[OWN + p], table[INNER + p] = leaves == who[k], block[blocks.INNER + j]
+        if edged[k]:
             size = max(abs(x), max(abs(y), abs(z))) + max(abs(cx), max(abs(cy), abs(cz)))
-            table[SIZE + p] = stretch * size
-            table[DRIFT + p] = stretch * max(abs(dx), max(abs(dy), abs(dz)))
+            table[SIZE + p] = stretch[k] * size
+            table[DRIFT + p] = stretch[k] * max(abs(dx), max(abs(dy), abs(dz)))
 
 
 @kernel
 def find_roots(table, primitives, block, columns, rows, count):
     """Fills the table's ROOT for pairs (count,) with these rows of primitives, in the order of
     rows: the first parameter t > 0 at which each pair meets, else inf."""
+    lay_out(table, primitives, block, columns, rows, count)
     shape, start = primitives.shape, 0
     while start < count:
         code, end = shape[rows[start]].code, start + 1

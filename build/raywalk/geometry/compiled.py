@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.nearest import all_primitives, nearest_primitive
+from raywalk.geometry.nearest import all_primitives, nearest_among_many, nearest_primitive
 from raywalk.geometry.neighbours import neighbours, outermost_first
 from raywalk.geometry.primitives import Primitives, compile_primitives, exact_at_edges
 from raywalk.geometry.refine import refine_roots
 from raywalk.geometry.roots import NOWHERE
 from raywalk.geometry.sides import TIE, primitives_beyond
+from raywalk.geometry.sphere_tree import MANY, sphere_tree
 from raywalk.geometry.surface import Appearance, primitive_surface
 from raywalk.optics.compiled import kernel
 from raywalk.optics.heap import keep_freed_memory
@@ -85,6 +86,8 @@ class CompiledScene:
         self.meshes = _compile_meshes(scene)
         vertices = [mesh.triangles.world for mesh in self.meshes]
         self.primitives = exact_at_edges(self.primitives, vertices)
+        is_many = len(self.primitives.shape) > MANY
+        self.tree = sphere_tree(self.primitives) if is_many else None
         self.base = _base_of(scene, self.primitives, self.meshes)
         self.is_clear = np.array(
             [scene.materials[obj.material].transmit > 0 for obj in scene.objects], bool
@@ -110,9 +113,7 @@ class CompiledScene:
         self, rays: Rays, t_max: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         limit = np.full(len(rays.origin), np.inf) if t_max is None else t_max
-        t, met = nearest_primitive(
-            self.primitives, rays.origin, rays.direction, rays.leaving, rays.inner, limit
-        )
+        t, met = self._nearest_primitive(rays, limit)
         triangle, uv = np.full(len(t), -1, np.int32), np.zeros((len(t), 2))
         for mesh in self.meshes:
             mesh.meet(
@@ -120,6 +121,16 @@ class CompiledScene:
                 t, met, triangle, uv,
             )  # fmt: skip
         return t, met, triangle, uv
+
+    def _nearest_primitive(self, rays: Rays, limit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """t (n,) and object (n,) of the nearest hit before limit (n,), meshes left out."""
+        columns = rays.origin, rays.direction, rays.leaving, rays.inner, limit
+        if self.tree is None:
+            found = nearest_primitive(self.primitives, *columns)
+        else:
+            endless = np.flatnonzero(np.isinf(self.primitives.reach_sq))
+            found = nearest_among_many(self.primitives, self.tree, endless, *columns)
+        return found[0], found[1]
 
     def hits(self, rays: Rays) -> Hits:
         """The nearest hit of each ray with everything shading needs."""

@@ -21,8 +21,10 @@ from raywalk.geometry.blocks import (
     mark_candidates,
     meet_plane,
 )
-from raywalk.geometry.candidates import MOST, ROOT, TABLE, find_roots, lay_out
+from raywalk.geometry.candidates import MOST, ROOT, TABLE, find_roots
+from raywalk.geometry.faces import PLANE
 from raywalk.geometry.roots import CLOSE, NOWHERE, lies_on, settled_roots
+from raywalk.geometry.sphere_tree import DEPTH, WIDE, candidates_in_tree, put_in_order
 from raywalk.optics.compiled import inlined, kernel
 
 
@@ -50,12 +52,11 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
         fill_block(block, origin, direction, leaving, inner, t_max, first, size)
         for k in range(reach_sq.shape[0] + 1):
             is_last = k == reach_sq.shape[0]
-            is_endless = not is_last and reach_sq[k] == np.inf
-            if listed > MOST - BLOCK or ((is_last or is_endless) and listed > 0):
-                find_roots(table, primitives, block, columns, rows, listed)
+            is_plane = not is_last and primitives.shape[k].code == PLANE
+            if listed > MOST - BLOCK or ((is_last or is_plane) and listed > 0):
                 keep_nearest(primitives, table, block, columns, rows, listed)
                 listed = 0
-            if is_endless:
+            if is_plane:
                 meet_plane(
                     block, k, who[k], c[k, 0], c[k, 1], c[k, 2],
                     m[k, 1, 0], m[k, 1, 1], m[k, 1, 2], stretch[k], marks,
@@ -65,18 +66,48 @@ def nearest_primitive(primitives, origin, direction, leaving, inner, t_max):
                 mark_candidates(block, c[k, 0], c[k, 1], c[k, 2], reach_sq[k], marks)
                 start, listed = listed, list_marked(marks, size, columns, listed)
                 rows[start:listed] = k
-                if listed > start:
-                    lay_out(table[start:], block, columns[start:listed], primitives, k)
-        for j in range(size):
-            if block[MET + j] != NOWHERE:
-                t[first + j], met[first + j] = block[BEST + j], who[int(block[MET + j])]
+        write_nearest(block, size, who, t[first:], met[first:])
     return t, met
 
 
 @kernel
+def nearest_among_many(primitives, tree, endless, origin, direction, leaving, inner, t_max):
+    """The same with a tree over the bounded primitives; endless: (e,) the other rows."""
+    count = origin.shape[0]
+    t, met = np.full(count, np.inf), np.full(count, NOWHERE, np.int32)
+    block, marks, stack = np.empty(BLOCK_SIZE), np.empty(WIDE, np.uint8), np.empty(DEPTH, np.int64)
+    columns, rows, table = np.empty(MOST, np.int64), np.empty(MOST, np.int64), np.empty(TABLE)
+    own = np.empty(primitives.reach_sq.shape[0], np.int64)  # one ray's candidates
+    for first in range(0, count, BLOCK):
+        size, listed = min(BLOCK, count - first), 0
+        fill_block(block, origin, direction, leaving, inner, t_max, first, size)
+        for j in range(size):
+            found = candidates_in_tree(tree, block, j, marks, stack, own)
+            for k in endless:
+                found = put_in_order(own, found, k)
+            for place in range(found):
+                if listed == MOST:
+                    keep_nearest(primitives, table, block, columns, rows, listed)
+                    listed = 0
+                columns[listed], rows[listed], listed = j, own[place], listed + 1
+        keep_nearest(primitives, table, block, columns, rows, listed)
+        write_nearest(block, size, primitives.object, t[first:], met[first:])
+    return t, met
+
+
+@inlined
+def write_nearest(block, size, who, t, met):
+    """What a block met; rows of what met nothing stay as they are."""
+    for j in range(size):
+        if block[MET + j] != NOWHERE:
+            t[j], met[j] = block[BEST + j], who[int(block[MET + j])]
+
+
+@kernel
 def keep_nearest(primitives, table, block, columns, rows, count):
-    """Writes roots of pairs (count,) to BEST, and their rows to MET, of their columns, where they
-    are nearer than what was met before."""
+    """Finds the roots of pairs (count,) and writes them to BEST, and their rows to MET, of their
+    columns, where they are nearer than what was met before. A ray's rows must ascend."""
+    find_roots(table, primitives, block, columns, rows, count)
     for p in range(count):
         near, j = table[ROOT + p], columns[p]
         best, met = block[BEST + j], int(block[MET + j])
