@@ -125,3 +125,15 @@ def test_a_planes_tile_is_its_picture_made_small_where_it_lies(
     assert np.abs(tile - pairs).max() <= 0.5
     # A picture is 1/0.5 own units wide, which is twice as much in the world; its top is at -z.
     assert np.allclose(axes, [[0.25, 0, 0], [0, 0, -4 / 3]], rtol=0, atol=1e-15)
+
+
+def test_a_scan_keeps_its_vertices(tmp_path: Path) -> None:
+    """Each has one colour: none becomes several."""
+    text = "COFF\n4 2 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0 9 8 7\n"
+    mesh = Mesh("scan.off", written(tmp_path / "scan.off", text + "3 0 1 2\n3 0 2 3\n"))
+    obj = SceneObject("it", mesh, 0, base=Base(colours=True))
+    compiled = CompiledScene(scene_of([obj]))
+    assert compiled.base
+    drawn = painted_mesh(obj, compiled.base, compiled.meshes[0].triangles)
+    assert drawn.faces.tolist() == compiled.meshes[0].triangles.faces.tolist()
+    assert sorted(drawn.colours.tolist()) == [[0, 0, 255], [0, 255, 0], [9, 8, 7], [255, 0, 0]]

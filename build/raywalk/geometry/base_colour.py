@@ -43,9 +43,8 @@ class BaseColours:
                 continue
             if k in self._meshes:
                 mesh = self._meshes[k]
-                found = self.on_mesh(
-                    obj, mesh.triangles, hits.triangle[rows], hits.point[rows] - mesh.centre
-                )
+                point, triangle = hits.point[rows] - mesh.centre, hits.triangle[rows]
+                found = self.on_mesh(obj, mesh.triangles, mesh.corners, triangle, point)
             else:
                 found = self.on_shape(obj, self._canonical(k, hits.point[rows]))
             colour[rows] = found
@@ -64,16 +63,18 @@ class BaseColours:
         return looked_up(self._pixels[texture], places, texture.filter, texture.repeat, ends)
 
     def on_mesh(
-        self, obj: SceneObject, triangles: Triangles, triangle: np.ndarray, point: np.ndarray
-    ) -> np.ndarray:
+        self, obj: SceneObject, triangles: Triangles, corners: np.ndarray, triangle: np.ndarray,
+        point: np.ndarray,
+    ) -> np.ndarray:  # fmt: skip
         """(n, 3) at points (n, 3), relative to the mesh's centre, of its triangles (n,).
 
+        corners: triangles.corners, which takes its time to be put together.
         Where the file tells no colour or no place in the picture it is 1.
         """
         from raywalk.geometry.mesh_corners import interpolated
 
         assert obj.base
-        corners, colour = triangles.corners, np.ones((len(point), 3))
+        colour = np.ones((len(point), 3))
         if triangles.colours is not None:
             told = interpolated(corners, triangles.colours, triangle, point)
             colour = np.where(np.isfinite(told), told, 1.0)

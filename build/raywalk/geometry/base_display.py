@@ -36,6 +36,8 @@ class Painted(NamedTuple):
 
 def painted_mesh(obj: SceneObject, base: BaseColours, triangles: Triangles) -> Painted:
     """A mesh's triangles, relative to its centre; cut finer where a picture lies on few of them."""
+    if by_vertex := _colours_by_vertex(obj, triangles):
+        return by_vertex
     corners, source = triangles.corners, np.arange(len(triangles.faces))
     smooth = triangles.normals
     normals = None if smooth is None else smooth[triangles.normal_rows]
@@ -52,8 +54,23 @@ def painted_mesh(obj: SceneObject, base: BaseColours, triangles: Triangles) -> P
     within = (INWARD * corners + (1.0 - INWARD) * corners.mean(axis=1, keepdims=True)).reshape(
         -1, 3
     )
-    found = base.on_mesh(obj, triangles, np.repeat(source, 3), within)
+    found = base.on_mesh(obj, triangles, triangles.corners, np.repeat(source, 3), within)
     return _painted(flat, None if normals is None else normals.reshape(-1, 3), found)
+
+
+def _colours_by_vertex(obj: SceneObject, triangles: Triangles) -> Painted | None:
+    """The triangles as they are, if no picture lies on them and each vertex has one colour and one
+    normal: so have scans, of millions of triangles."""
+    vertices, faces, told = triangles.vertices, triangles.faces, triangles.colours
+    normals = triangles.normals
+    if told is None or (obj.base and obj.base.texture):
+        return None
+    if normals is not None and not np.array_equal(triangles.normal_rows, faces):
+        return None
+    corners = np.rint(255.0 * np.where(np.isfinite(told), told, 1.0)).astype(np.uint8)
+    colours = np.zeros((len(vertices), 3), np.uint8)
+    colours[faces] = corners
+    return Painted(vertices, faces, normals, colours) if (colours[faces] == corners).all() else None
 
 
 def painted_shape(obj: SceneObject, base: BaseColours) -> Painted:
