@@ -13,7 +13,7 @@
   let events = null;
 
   function show(now) {
-    if (now.version > version && !now.trouble && !now.busy) return location.reload();
+    if (now.version > version && !now.trouble) return location.reload(); // while busy, too: a first sight
     panel.className = now.trouble ? "trouble" : now.busy ? "busy" : "";
     title.textContent = now.title;
     text.textContent = now.trouble;

@@ -5,8 +5,10 @@ from __future__ import annotations
 import traceback
 from argparse import Namespace
 from collections.abc import Iterator
+from contextlib import suppress
 from http.server import ThreadingHTTPServer
 from pathlib import Path
+from tempfile import TemporaryDirectory, mkdtemp
 from threading import Thread
 from typing import Any
 
@@ -14,6 +16,7 @@ from raywalk.commands import build_site
 from raywalk.errors import SourceError, SourceErrors, UserError, disk_trouble, shown_path
 from raywalk.site.live import Live
 from raywalk.work.progress import Message
+from raywalk.work.snapshot import one_build
 
 EXTRAS = build_site.SITE_SOURCE / "serve"
 WATCHED = (build_site.SITE_SOURCE, Path("models"))  # besides the scenes
@@ -40,12 +43,13 @@ def run(chosen: Namespace) -> Iterator[str | Message]:
     Thread(target=service.serve_forever, daemon=True).start()
     yield f"http://127.0.0.1:{service.server_port}/  (Ctrl+C stops; saved files show by themselves)"
     try:
-        yield from _follow(chosen, live)
+        with TemporaryDirectory() as scratch:
+            yield from _follow(chosen, live, Path(scratch))
     finally:
         service.shutdown()
 
 
-def _follow(chosen: Namespace, live: Live) -> Iterator[str | Message]:
+def _follow(chosen: Namespace, live: Live, scratch: Path) -> Iterator[str | Message]:
     """Builds pages at once and after each save, slides when their author pauses."""
     from raywalk.work.watch import changes
 
@@ -54,11 +58,24 @@ def _follow(chosen: Namespace, live: Live) -> Iterator[str | Message]:
     for changed in changes([chosen.scenes, *WATCHED], PAUSE):
         if changed:
             yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
+            live.begin()
+            _show_grids(chosen, live, scratch)
         if changed or is_first:
             yield from _built(pages_first, live)
         elif not live.news.trouble:
             yield from _built(chosen, live)
         is_first = False
+
+
+def _show_grids(chosen: Namespace, live: Live, scratch: Path) -> None:
+    """Before a scene is traced as a whole, its grids, which take a moment. What is wrong with it is
+    told by the build that follows."""
+    from raywalk.pipeline.first_sight import first_sight
+
+    folder = Path(mkdtemp(dir=scratch))
+    with suppress(Exception), one_build():
+        if first_sight(chosen, folder):
+            live.first_sight(folder)
 
 
 def _built(chosen: Namespace, live: Live) -> Iterator[str | Message]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, replace
+from pathlib import Path
 from threading import Condition
 
 BUSY = "Building …"
@@ -34,14 +35,22 @@ class Live:
 
     def __init__(self) -> None:
         self.news = News()
+        # Files that pages get instead of the built site's, until the next build is done.
+        self.meanwhile: Path | None = None
         self._changed = Condition()
 
     def begin(self) -> None:
         """A build is under way."""
         self._tell(replace(self.news, busy=True))
 
+    def first_sight(self, folder: Path) -> None:
+        """Some of the site's files are new in a folder; the build goes on."""
+        self.meanwhile = folder
+        self._tell(replace(self.news, version=self.news.version + 1))
+
     def done(self) -> None:
         """The site is new."""
+        self.meanwhile = None
         self._tell(News(version=self.news.version + 1))
 
     def slides_too(self) -> None:
@@ -50,6 +59,7 @@ class Live:
 
     def failed(self, trouble: str) -> None:
         """The site is as it was, and this is why."""
+        self.meanwhile = None
         self._tell(replace(self.news, busy=False, trouble=trouble))
 
     def after(self, seen: News | None, seconds: float) -> News:

@@ -70,6 +70,14 @@ class _Live(_Quiet):
                 time.sleep(SWAP)
             super().do_GET()
 
+    def translate_path(self, path: str) -> str:
+        """Where a file is: the built site's, or what is shown until the next one is there."""
+        place = super().translate_path(path)
+        if self.live.meanwhile:
+            newer = self.live.meanwhile / Path(place).relative_to(self.directory)
+            return str(newer) if newer.is_file() else place
+        return place
+
     def _events(self) -> None:
         """News as they come, until the page goes away."""
         self.send_response(HTTPStatus.OK)

@@ -32,7 +32,7 @@ from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import Recorded, assemble, kept_pixels, record
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tally import Tally, tally_waves
-from raywalk.trace.tree import Kind, RayTree
+from raywalk.trace.tree import Kind, RayTree, level_pixels
 from raywalk.trace.wave import Wave, add_children
 
 Result = TypeVar("Result")
@@ -142,25 +142,53 @@ def trace_picture(
     The result does not depend on the number of threads. report: called with the share traced.
     Only the strips at work are in memory: what grows with the picture is the picture alone.
     """
+    size = tracer.scene.render.size
+    picture = np.empty((size, size, 3), np.uint8)
+    return _trace_into(picture, tracer, np.arange(size * size), threads, report)
+
+
+def trace_grids(
+    tracer: Tracer, threads: Threads = 2, report: Callable[[float], None] | None = None
+) -> Traced:
+    """The ray trees of all frustum resolutions, as `trace_picture` gives them; of the picture only
+    their pixels, each of the rest as the finest tile that it is in. About a sixtieth of its rays.
+    """
+    render = tracer.scene.render
+    size, finest = render.size, max(render.resolutions)
+    pixels = np.flatnonzero(kept_pixels(size, render.resolutions))
+    picture = np.zeros((size, size, 3), np.uint8)
+    traced = _trace_into(picture, tracer, pixels, threads, report)
+    tiles = picture.reshape(-1, 3)[level_pixels(size, finest)].reshape(finest, finest, 3)
+    exact = picture.reshape(-1, 3)[pixels]
+    picture[:] = tiles.repeat(size // finest, axis=0).repeat(size // finest, axis=1)
+    picture.reshape(-1, 3)[pixels] = exact
+    return traced
+
+
+def _trace_into(
+    picture: np.ndarray, tracer: Tracer, chosen: np.ndarray, threads: Threads,
+    report: Callable[[float], None] | None,
+) -> Traced:  # fmt: skip
+    """Traces the chosen pixels (n,), in the order of their numbers, into a picture."""
     render = tracer.scene.render
     size, kept = render.size, kept_pixels(render.size, render.resolutions)
-    count = max(1, -(-size * size // STRIP))
-    ends = np.linspace(0, size * size, count + 1).astype(int)
+    count = max(1, -(-len(chosen) // STRIP))
+    ends = np.linspace(0, len(chosen), count + 1).astype(int)
 
     def trace_strip(strip: int) -> tuple[np.ndarray, Recorded, Tally]:
-        pixels = np.arange(ends[strip], ends[strip + 1])
+        pixels = chosen[ends[strip] : ends[strip + 1]]
         waves = tracer.waves(pixels, size, size)
         tally = tally_waves(tracer.scene, tracer.plan.asked, waves)
         return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept, tally), tally
 
-    picture, records, total = np.empty((size * size, 3), np.uint8), [], Tally()
+    records, total, flat = [], Tally(), picture.reshape(-1, 3)
     for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, threads)):
-        picture[ends[strip] : ends[strip + 1]] = colours
+        flat[chosen[ends[strip] : ends[strip + 1]]] = colours
         records.append(recorded)
         total.add(tally)
         if report:
             report((strip + 1) / count)
-    return Traced(picture.reshape(size, size, 3), assemble(tracer, records, size), total)
+    return Traced(picture, assemble(tracer, records, size), total)
 
 
 def in_order(work: Callable[[int], Result], count: int, threads: Threads) -> Iterator[Result]:

@@ -8,8 +8,8 @@ import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-EVERY = 0.2  # seconds between two scans
-AT_REST = 0.1  # seconds without a change: an editor that saves several files is done
+EVERY = 0.1  # seconds between two scans
+AT_REST = 0.05  # seconds without a change: an editor that saves several files is done
 
 Seen = dict[str, tuple[int, int]]  # path -> time of change, size
 
