@@ -32,7 +32,7 @@ class Screen(io.StringIO):
         return self.is_terminal
 
 
-def told(monkeypatch, is_terminal: bool) -> str:
+def printed(monkeypatch, is_terminal: bool) -> str:
     screen = Screen(is_terminal)
     monkeypatch.setattr("sys.stdout", screen)
     monkeypatch.setenv("TERM", "xterm")
@@ -49,12 +49,12 @@ def told(monkeypatch, is_terminal: bool) -> str:
 def test_into_a_file_or_a_pipe_go_lines_only(monkeypatch):
     """No bar, no colour, no line that is drawn over."""
     lines = [event for event in STORY if isinstance(event, str)]
-    assert told(monkeypatch, is_terminal=False).splitlines() == lines
+    assert printed(monkeypatch, is_terminal=False).splitlines() == lines
 
 
 def test_a_terminal_shows_bars_with_stage_and_time_left_and_keeps_the_lines(monkeypatch):
     """Names are no markup: brackets in them are shown."""
-    screen = told(monkeypatch, is_terminal=True)
+    screen = printed(monkeypatch, is_terminal=True)
     for words in ("2 scenes", "02-[b]box", "grid 105", "50 %", "left"):
         assert words in screen
     for line in (event for event in STORY if isinstance(event, str)):

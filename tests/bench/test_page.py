@@ -86,6 +86,6 @@ def test_being_beaten_is_said() -> None:
     assert not beats(better | {"wrong": 1.0}, ours)
     assert not beats(method("inexact", 50.0, 1e-7), ours)
     holes = {"title": "H", "methods": [ours, better | {"wrong": 7.0}]}
-    told = " ".join(says([{"title": "T", "methods": [ours, better]}, holes]))
-    assert "better is faster than our path" in told
-    assert "7 ppm on h" in told
+    sentences = " ".join(says([{"title": "T", "methods": [ours, better]}, holes]))
+    assert "better is faster than our path" in sentences
+    assert "7 ppm on h" in sentences

@@ -60,10 +60,10 @@ def test_as_json_it_tells_the_same(tmp_path: Path, capsys: pytest.CaptureFixture
     lid = (cube()[triangles()][:, :, 1] == 0.5).all(axis=1)
     path = written(tmp_path / "open.obj", obj_text(cube(), triangles()[~lid]))
     code, out, _ = answer(capsys, path, "--json")
-    told = json.loads(out)
-    assert (code, told["format"], told["triangles"], told["vertices"]) == (0, "OBJ", 10, 8)
-    assert (told["closed"], told["open_edges"]["count"], told["size"]) == (False, 4, [1, 1, 1])
-    assert told["open_edges"]["places"][0] == [0, 0.5, -0.5]
+    facts = json.loads(out)
+    assert (code, facts["format"], facts["triangles"], facts["vertices"]) == (0, "OBJ", 10, 8)
+    assert (facts["closed"], facts["open_edges"]["count"], facts["size"]) == (False, 4, [1, 1, 1])
+    assert facts["open_edges"]["places"][0] == [0, 0.5, -0.5]
 
 
 def test_open_edges_are_red_in_its_picture(

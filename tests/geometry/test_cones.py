@@ -69,7 +69,7 @@ def test_at_the_tip_the_normal_is_the_axis(matrix: np.ndarray) -> None:
 
 def test_rays_aimed_at_the_tip_enter_or_pass(rng: np.random.Generator) -> None:
     """Of 5000 rays aimed at the tip, those within the cone's angle enter and come out again, none
-    is told that it leaves; those flatter than it pass within rounding, or touch."""
+    is said to leave; those flatter than it pass within rounding, or touch."""
     compiled = CompiledScene(scene_of([WHOLE]))
     origin = np.array([0.0, 1.0, 0.0]) + 3.0 * unit(rng.normal(size=(5000, 3)))
     direction = unit([0.0, 1.0, 0.0] - origin)

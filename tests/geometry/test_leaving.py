@@ -82,7 +82,7 @@ def test_a_ray_into_a_solid_always_comes_out(
     inwards = leaving(hits, to_one_side(rng, -hits.normal, 1e-12), across=True)
     out = compiled.hits(inwards)
     assert (out.object == 0).all()
-    # A chord of 1e-12 is shorter than the roundings of its ends: then the side cannot be told.
+    # A chord of 1e-12 is shorter than the roundings of its ends: then the side is not known.
     assert out.inside[out.t > 1e-6].all()
 
 

@@ -1,4 +1,4 @@
-"""Light in a glass mesh of several shells: what is inside is counted, not told by the last face."""
+"""Light in a glass mesh of several shells: what is inside is counted, not the last face's word."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ def test_surfaces_that_are_not_one_keep_their_order(rng: np.random.Generator, ga
 def test_rays_at_an_edge_know_on_which_side_they_are(
     rng: np.random.Generator, kind: str, turned: bool
 ) -> None:
-    """Rays from outside aimed exactly at edges and corners enter: none is told that it leaves,
+    """Rays from outside aimed exactly at edges and corners enter: none is said to leave,
     and the normal is that of a face the ray can have met."""
     matrix = affine(rotation(rng), (0.1, 0.2, 0.3)) if turned else np.eye(4)
     if kind == "box":

@@ -37,8 +37,8 @@ def stl_bytes(corners: np.ndarray, count: int | None = None, head: bytes = b"") 
     records = b"".join(
         struct.pack("<12fH", 0, 0, 0, *corner.reshape(-1).tolist(), 0) for corner in corners
     )
-    told = len(corners) if count is None else count
-    return head.ljust(80, b"\0") + struct.pack("<I", told) + records
+    stated = len(corners) if count is None else count
+    return head.ljust(80, b"\0") + struct.pack("<I", stated) + records
 
 
 def written(path: Path, content: str | bytes) -> Path:

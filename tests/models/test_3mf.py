@@ -45,7 +45,7 @@ def refused(path: Path) -> str:
 
 def test_items_and_components_stand_where_their_transforms_put_them(tmp_path: Path) -> None:
     """A cube twice in an object, which stands in the build twice, once mirrored: four parts of
-    volume 1, the unit told."""
+    volume 1, the unit said."""
     both = (
         '<object id="2" name="pair"><components><component objectid="1"/>'
         '<component objectid="1" transform="1 0 0 0 1 0 0 0 1 2 0 0"/></components></object>'
@@ -94,9 +94,9 @@ def test_what_is_wrong_is_one_sentence(
     tmp_path: Path, change: tuple[str, str], sentence: str
 ) -> None:
     """File, element, value, cause and remedy."""
-    told = refused(package(tmp_path, CUBE.replace(*change, 1)))
-    assert told.startswith("made.3mf" + sentence)
-    assert told.endswith("; it is cut short or damaged: copy or export it again")
+    message = refused(package(tmp_path, CUBE.replace(*change, 1)))
+    assert message.startswith("made.3mf" + sentence)
+    assert message.endswith("; it is cut short or damaged: copy or export it again")
 
 
 def test_a_package_that_is_none_says_so(tmp_path: Path) -> None:

@@ -74,7 +74,7 @@ def test_what_is_closed_is_not_joined(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_triangles_that_face_the_other_way_are_turned(tmp_path: Path, seed: int) -> None:
-    """Whichever, and however many: the cube is closed, of volume 1, and what was turned is told."""
+    """Whichever, and however many: the cube is closed, of volume 1, and what was turned is said."""
     rng = np.random.default_rng(seed)
     chosen = np.flatnonzero(rng.random(12) < rng.uniform(0.1, 0.9))
     fit = of_obj(tmp_path, (cube(), flipped(triangles(), chosen.tolist())))

@@ -41,11 +41,11 @@ def document(**more: Any) -> dict[str, Any]:
     }
 
 
-def glb(told: dict[str, Any], cut: int = 0) -> bytes:
+def glb(made_of: dict[str, Any], cut: int = 0) -> bytes:
     """The same as one binary file."""
-    body = base64.b64decode(told["buffers"][0]["uri"].split(",")[1])
-    told = told | {"buffers": [{"byteLength": len(body)}]}
-    text = json.dumps(told).encode()
+    body = base64.b64decode(made_of["buffers"][0]["uri"].split(",")[1])
+    made_of = made_of | {"buffers": [{"byteLength": len(body)}]}
+    text = json.dumps(made_of).encode()
     text += b" " * (-len(text) % 4)
     size = 12 + 8 + len(text) + 8 + len(body)
     head = b"glTF" + struct.pack("<II", 2, size)
@@ -54,8 +54,8 @@ def glb(told: dict[str, Any], cut: int = 0) -> bytes:
     return whole[: len(whole) - cut]
 
 
-def read(folder: Path, told: dict[str, Any]) -> Model:
-    return read_model(written(folder / "made.gltf", json.dumps(told)))
+def read(folder: Path, made_of: dict[str, Any]) -> Model:
+    return read_model(written(folder / "made.gltf", json.dumps(made_of)))
 
 
 def refused(path: Path) -> str:
@@ -106,20 +106,20 @@ def test_base_colours_and_colours_of_vertices_are_read(tmp_path: Path) -> None:
     """Factors of materials, shares of normalised bytes."""
     body = cube().astype("<f4").tobytes() + triangles().astype("<u2").tobytes()
     body += np.tile(np.array([255, 51, 0, 255], np.uint8), 8).tobytes()
-    told = document(
+    made_of = document(
         materials=[
             {"name": "red", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.5]}},
             {"pbrMetallicRoughness": {}},
         ],
         buffers=[{"byteLength": 200, "uri": "data:;base64," + base64.b64encode(body).decode()}],
     )
-    told["meshes"][0]["primitives"][0] |= {"material": 0}
-    told["meshes"][0]["primitives"][0]["attributes"] |= {"COLOR_0": 2}
-    told["bufferViews"].append({"buffer": 0, "byteOffset": 168, "byteLength": 32})
-    told["accessors"].append(
+    made_of["meshes"][0]["primitives"][0] |= {"material": 0}
+    made_of["meshes"][0]["primitives"][0]["attributes"] |= {"COLOR_0": 2}
+    made_of["bufferViews"].append({"buffer": 0, "byteOffset": 168, "byteLength": 32})
+    made_of["accessors"].append(
         {"bufferView": 2, "componentType": 5121, "count": 8, "type": "VEC4", "normalized": True}
     )
-    model = read(tmp_path, told)
+    model = read(tmp_path, made_of)
     assert [(m.name, m.diffuse, m.opacity) for m in model.materials] == [
         ("red", (1, 0, 0), 0.5), ("material 2", (1, 1, 1), 1),
     ]  # fmt: skip
@@ -136,20 +136,20 @@ def test_strides_sparse_values_and_strips_are_read(tmp_path: Path) -> None:
     given = struct.pack("<H", 3) + b"\0\0" + struct.pack("<3f", -0.5, 0.5, 0.25)
     body = apart + strip + given
     uri = "data:;base64," + base64.b64encode(body).decode()
-    told = document(buffers=[{"byteLength": len(body), "uri": uri}])
-    told["bufferViews"] = [
+    made_of = document(buffers=[{"byteLength": len(body), "uri": uri}])
+    made_of["bufferViews"] = [
         {"buffer": 0, "byteLength": 160, "byteStride": 20},
         {"buffer": 0, "byteOffset": 160, "byteLength": 8},
         {"buffer": 0, "byteOffset": 168, "byteLength": 16},
     ]
-    told["accessors"][0]["sparse"] = {
+    made_of["accessors"][0]["sparse"] = {
         "count": 1,
         "indices": {"bufferView": 2, "componentType": 5123},
         "values": {"bufferView": 2, "byteOffset": 4},
     }
-    told["accessors"][1]["count"] = 4
-    told["meshes"][0]["primitives"][0]["mode"] = 5
-    model = read(tmp_path, told)
+    made_of["accessors"][1]["count"] = 4
+    made_of["meshes"][0]["primitives"][0]["mode"] = 5
+    model = read(tmp_path, made_of)
     assert model.vertices[3].tolist() == [-0.5, 0.5, 0.25]
     assert model.vertices[:3].tolist() == (places * [1, 1, 0])[:3].tolist()
     assert model.faces.tolist() == [[0, 1, 2], [2, 1, 3]]
@@ -157,22 +157,22 @@ def test_strides_sparse_values_and_strips_are_read(tmp_path: Path) -> None:
 
 def test_what_is_left_out_is_named(tmp_path: Path) -> None:
     """Skins, animations, Draco and what is not known."""
-    told = document(
+    made_of = document(
         skins=[{}], animations=[{}], extensionsRequired=["KHR_draco_mesh_compression", "X_y"]
     )
     packed = {"POSITION": 2}
-    told["accessors"].append({"componentType": 5126, "count": 8, "type": "VEC3"})
-    told["meshes"][0]["primitives"].append(
+    made_of["accessors"].append({"componentType": 5126, "count": 8, "type": "VEC3"})
+    made_of["meshes"][0]["primitives"].append(
         {"attributes": packed, "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0}}}
     )
-    assert read(tmp_path, told).ignored == (
+    assert read(tmp_path, made_of).ignored == (
         "triangles compressed by Draco are left out",
         "skins are not used: it is shown in its pose at rest",
         "animations are not used",
         'the extension "X_y" is not known',
     )
-    del told["meshes"][0]["primitives"][0]
-    path = written(tmp_path / "made.gltf", json.dumps(told))
+    del made_of["meshes"][0]["primitives"][0]
+    path = written(tmp_path / "made.gltf", json.dumps(made_of))
     assert refused(path) == (
         "made.gltf: its scene holds no triangle that is read (triangles compressed by Draco); "
         "export it uncompressed, as triangles"
@@ -211,13 +211,13 @@ def test_counts_that_lie_are_told_before_anything_is_made_for_them(
     tmp_path: Path, count: int
 ) -> None:
     """Of an accessor; an index beyond the vertices too."""
-    told = document()
-    told["accessors"][0]["count"] = count
-    path = written(tmp_path / "made.gltf", json.dumps(told))
+    made_of = document()
+    made_of["accessors"][0]["count"] = count
+    path = written(tmp_path / "made.gltf", json.dumps(made_of))
     assert refused(path).startswith(f"made.gltf, accessor 0: its {count} values do not fit")
-    told = document()
-    told["accessors"][0]["count"] = 4
-    path = written(tmp_path / "made.gltf", json.dumps(told))
+    made_of = document()
+    made_of["accessors"][0]["count"] = 4
+    path = written(tmp_path / "made.gltf", json.dumps(made_of))
     assert "it names vertex 4, and there are 0 to 3" in refused(path)
 
 

@@ -128,8 +128,8 @@ def test_a_cube_is_a_cube_however_it_is_written(tmp_path: Path, content: str | b
 
 def test_what_is_not_used_is_named(tmp_path: Path) -> None:
     """Lines, faces of two corners, normals of which a line is broken."""
-    told = read(tmp_path, CUBE + "l 1 2\nf 1 2\nvn 0 0\nf 1//1 2//1 3//1\n").ignored
-    assert told == (
+    notes = read(tmp_path, CUBE + "l 1 2\nf 1 2\nvn 0 0\nf 1//1 2//1 3//1\n").ignored
+    assert notes == (
         "lines are not read",
         "1 faces with fewer than three corners are left out",
         "own normals are not used: line 17 is broken",
@@ -231,7 +231,7 @@ def test_own_normals_and_smoothing_groups_are_read(tmp_path: Path) -> None:
 
 
 def test_materials_are_those_of_the_library_or_a_name(tmp_path: Path) -> None:
-    """Colours by name, also from a library with spaces in its name; one that is missing is told."""
+    """Colours by name, also from a library with spaces in its name; a missing one is named."""
     written(
         tmp_path / "my colours.mtl",
         "newmtl red\r\nKd 0.9 0.1 0.1\r\nNs 50\r\nKs 0.5\r\nd 0.5\r\n"

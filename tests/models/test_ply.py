@@ -105,7 +105,7 @@ def test_strips_are_cut_into_triangles_of_one_sense(tmp_path: Path) -> None:
     assert ((np.cross(b - a, c - a) * (a + b + c)).sum(axis=1) > 0).all()  # all outward
 
 
-def test_other_elements_are_passed_over_and_told(tmp_path: Path) -> None:
+def test_other_elements_are_passed_over_and_named(tmp_path: Path) -> None:
     """Edges behind the faces, and a list between the columns of a face."""
     content = ply("binary_big_endian", cube(), MIXED)
     content = content.replace(b"end_header", b"element edge 1\nproperty int a\nend_header")

@@ -55,14 +55,14 @@ def test_a_cube_is_a_cube(tmp_path: Path, content: str | bytes) -> None:
     assert is_the_cube(read(tmp_path, content))
 
 
-@pytest.mark.parametrize("told", [0, 2**32 - 1, 13])
+@pytest.mark.parametrize("stated", [0, 2**32 - 1, 13])
 def test_a_wrong_count_over_whole_triangles_is_told_and_not_believed(
-    tmp_path: Path, told: int
+    tmp_path: Path, stated: int
 ) -> None:
     """Some programs write the count first and do not come back to it."""
-    model = read(tmp_path, stl_bytes(CORNERS, told))
+    model = read(tmp_path, stl_bytes(CORNERS, stated))
     assert is_the_cube(model)
-    assert model.ignored == (f"the count in its header, {told}, is wrong: 12 triangles follow",)
+    assert model.ignored == (f"the count in its header, {stated}, is wrong: 12 triangles follow",)
 
 
 def test_what_follows_the_triangles_is_left_out(tmp_path: Path) -> None:

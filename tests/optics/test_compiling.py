@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Compiles what the words on its command line say, as soon as it is told to by a line on its input;
+# Compiles what the words on its command line say, as soon as a line asks it to on its input;
 # prints how many of these kernels it compiled itself, and what they gave.
 WANTS = """
 import json, sys
@@ -57,22 +57,22 @@ def together(folder: Path, *wanted: list[str]) -> list[list]:
     for each in running:
         assert each.stdout
         assert each.stdout.readline() == "ready\n"
-    told = []
+    counts = []
     for each in running:
         assert each.stdin
         each.stdin.write("\n")
         each.stdin.flush()
     for each in running:
-        told.append(json.loads(each.communicate()[0]))
+        counts.append(json.loads(each.communicate()[0]))
         assert each.returncode == 0
-    return told
+    return counts
 
 
 def test_processes_share_what_one_of_them_compiles(tmp_path):
     """Two that want the same kernel at the same moment compile it once, and both can run it."""
-    told = together(tmp_path, ["float64"], ["float64"])
-    assert sum(count for count, _ in told) == 2  # outer and inner, each by one of the two
-    assert [given for _, given in told] == [[8.0], [8.0]]
+    counts = together(tmp_path, ["float64"], ["float64"])
+    assert sum(count for count, _ in counts) == 2  # outer and inner, each by one of the two
+    assert [given for _, given in counts] == [[8.0], [8.0]]
 
 
 def test_no_signature_gets_the_code_of_another(tmp_path):

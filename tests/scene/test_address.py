@@ -49,7 +49,7 @@ def test_names_that_differ_in_what_does_not_fit_have_different_ids():
     )
 
 
-def test_two_folders_of_one_address_are_told(
+def test_two_folders_of_one_address_are_named(
     tmp_path,
 ):
     text = Path("scenes/01-shading/scene.toml").read_text().replace('key = "1"', "")

@@ -132,8 +132,8 @@ def test_a_formula_that_cannot_be_read_is_an_error_of_its_step(tmp_path):
     bad = text[:first] + text[first:].replace('text = """', 'text = """$\\\\foo$ ', 1)
     assert bad != text
     (tmp_path / "scene.toml").write_text(bad)
-    with pytest.raises(SourceErrors) as told:
+    with pytest.raises(SourceErrors) as caught:
         read_scene(tmp_path)
-    said = str(told.value)
+    said = str(caught.value)
     assert r"lesson[0].text: the formula $\foo$ cannot be read: \foo is not known" in said
     assert r"a dollar sign without a formula: \$" in said

@@ -68,9 +68,9 @@ def test_its_file_is_found(tmp_path, name):
 def test_a_picture_that_cannot_be_shown_is_an_error_of_its_step(tmp_path, content, said):
     name = "Sketch.PNG" if content is None else "sketch.png"
     (tmp_path / name).write_bytes(content or (PNG if content is None else b""))
-    with pytest.raises(SourceErrors) as told:
+    with pytest.raises(SourceErrors) as caught:
         scene_with(tmp_path, "![a ray](sketch.png)")
-    assert "lesson[0].text" in str(told.value) and said in str(told.value)
+    assert "lesson[0].text" in str(caught.value) and said in str(caught.value)
 
 
 def test_code_and_links_name_no_picture():

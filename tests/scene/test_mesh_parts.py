@@ -102,9 +102,9 @@ def test_a_name_that_the_file_does_not_have_is_refused_with_those_it_has(
     """With the nearest one; and a file without materials wants one."""
     with pytest.raises(SourceErrors) as caught:
         scene('materials = { rde = "glass" }')
-    told = str(caught.value)
-    assert "objects[0].materials.rde: two.obj has no part or material of that name" in told
-    assert 'did you mean "red"?  known: red, green, left, right' in told
+    message = str(caught.value)
+    assert "objects[0].materials.rde: two.obj has no part or material of that name" in message
+    assert 'did you mean "red"?  known: red, green, left, right' in message
 
 
 def test_a_file_without_materials_wants_one_of_the_scene(
@@ -114,8 +114,8 @@ def test_a_file_without_materials_wants_one_of_the_scene(
     written(tmp_path / "bare.obj", obj_text(cube(), QUADS))
     with pytest.raises(SourceErrors) as caught:
         scene_from('[[objects]]\ntype = "mesh"\nfile = "bare.obj"\n')
-    told = str(caught.value)
-    assert "objects[0].material: missing: bare.obj tells no material of its own" in told
+    message = str(caught.value)
+    assert "objects[0].material: missing: bare.obj tells no material of its own" in message
 
 
 def test_a_broken_file_is_told_where_it_is_read(
@@ -173,8 +173,8 @@ def coloured_ply(colours: list[str], of: str = "face") -> str:
     head += f"property list uchar int vertex_indices\n{ends[1]}end_header\n"
     rows = [" ".join(map(str, row)) for row in cube().tolist()]
     faces = [f"4 {' '.join(map(str, quad))}" for quad in QUADS.tolist()]
-    told = rows if of == "vertex" else faces
-    told[:] = [f"{row} {colour}" for row, colour in zip(told, colours, strict=True)]
+    message = rows if of == "vertex" else faces
+    message[:] = [f"{row} {colour}" for row, colour in zip(message, colours, strict=True)]
     return head + "\n".join([*rows, *faces]) + "\n"
 
 

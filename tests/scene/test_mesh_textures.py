@@ -97,7 +97,7 @@ def test_black_does_not_hide_a_texture_nor_does_the_folder_of_another_machine(
 
 
 @pytest.mark.parametrize(
-    ("file", "told"),
+    ("file", "document"),
     [
         ("gone.png", "the texture gone.png is not there: paint is shown without it"),
         ("card.obj", "the texture card.obj ends in .obj, and is no picture that is read: paint is"),
@@ -105,7 +105,7 @@ def test_black_does_not_hide_a_texture_nor_does_the_folder_of_another_machine(
     ],
 )
 def test_a_texture_that_cannot_be_had_is_a_warning_and_the_colour_stays(
-    scene: Callable[..., Scene], tmp_path: Path, file: str, told: str
+    scene: Callable[..., Scene], tmp_path: Path, file: str, document: str
 ) -> None:
     Image.fromarray(FOUR).save(tmp_path.parent / "up.png")
     written(tmp_path / "card.obj", OBJ)
@@ -114,7 +114,7 @@ def test_a_texture_that_cannot_be_had_is_a_warning_and_the_colour_stays(
     assert made.materials[0].diffuse == (0.5, 0.4, 0.3)
     assert made.objects[0].base is None
     (warning,) = mesh_warnings(made)
-    assert warning.startswith(f'"card": {told}')
+    assert warning.startswith(f'"card": {document}')
 
 
 def test_without_coordinates_a_texture_is_nowhere_and_that_is_said(
@@ -149,7 +149,7 @@ def textured_gltf(image: dict[str, Any], sampler: int | None = None) -> dict[str
     places = PLACES * [1, -1] + [0, 1]
     body = CORNERS.astype("<f4").tobytes() + places.astype("<f4").tobytes()
     body += np.array([0, 1, 2, 0, 2, 3], "<u2").tobytes()
-    told: dict[str, Any] = {
+    document: dict[str, Any] = {
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
         "meshes": [{"primitives": [{
             "attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0,
@@ -171,16 +171,16 @@ def textured_gltf(image: dict[str, Any], sampler: int | None = None) -> dict[str
         "images": [image],
     }  # fmt: skip
     if sampler is not None:
-        told |= {"samplers": [{"magFilter": sampler}]}
-        told["textures"][0]["sampler"] = 0
+        document |= {"samplers": [{"magFilter": sampler}]}
+        document["textures"][0]["sampler"] = 0
     data = png_bytes()
     if image.get("bufferView") == 3:
-        told["bufferViews"].append(
+        document["bufferViews"].append(
             {"buffer": 0, "byteOffset": len(body), "byteLength": len(data)}
         )  # fmt: skip
         body += data
     uri = "data:application/octet-stream;base64," + base64.b64encode(body).decode()
-    return told | {"buffers": [{"byteLength": len(body), "uri": uri}]}
+    return document | {"buffers": [{"byteLength": len(body), "uri": uri}]}
 
 
 def png_bytes() -> bytes:
@@ -202,9 +202,9 @@ def test_a_gltf_file_brings_its_texture(
     scene: Callable[..., Scene], tmp_path: Path, name: str, image: dict[str, Any]
 ) -> None:
     """Beside it or within, right side up, times its base colour's factor."""
-    told = textured_gltf(image)
+    document = textured_gltf(image)
     path = tmp_path / name
-    path.write_bytes(glb(told) if name.endswith("glb") else json.dumps(told).encode())
+    path.write_bytes(glb(document) if name.endswith("glb") else json.dumps(document).encode())
     made = scene(name)
     assert seen(made) == [A, B, C, D]
     assert seen(made, [(0, 0.5)]) == [[128, 128, 0]]
@@ -254,10 +254,10 @@ def test_what_else_a_gltf_texture_asks_for_is_said(
     scene: Callable[..., Scene], tmp_path: Path
 ) -> None:
     """Other coordinates, and a transform of them; it is shown as if they were not there."""
-    told = textured_gltf({"uri": DATA})
-    asked = told["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+    document = textured_gltf({"uri": DATA})
+    asked = document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
     asked |= {"texCoord": 1, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}
-    written(tmp_path / "card.gltf", json.dumps(told))
+    written(tmp_path / "card.gltf", json.dumps(document))
     made = scene("card.gltf")
     assert mesh_warnings(made) == [
         '"card": its KHR_texture_transform is not used: textures lie as if it were not there',

@@ -132,11 +132,12 @@ def test_what_is_wrong_with_a_picture_is_said(
     (tmp_path / "cut.png").write_bytes((tmp_path / "wood.png").read_bytes()[:45])
     Image.new("L", (4097, 1)).save(tmp_path / "wide.png")
     Image.fromarray(FOUR).save(tmp_path.parent / "outside.png")
-    told = refused(scene_from, '{ file = "wod.png" }')
+    message = refused(scene_from, '{ file = "wod.png" }')
     assert (
-        'materials.wood.texture.file: the picture "wod.png" is not in the scene\'s folder' in told
+        'materials.wood.texture.file: the picture "wod.png" is not in the scene\'s folder'
+        in message
     )
-    assert 'did you mean "wood.png"?  there are cut.png, wide.png, wood.png, words.png' in told
+    assert 'did you mean "wood.png"?  there are cut.png, wide.png, wood.png, words.png' in message
     said = {
         "words.png": "is no picture that is read\n  save it as one of .png, .jpg, .jpeg, .webp",
         "cut.png": "is a damaged picture",
@@ -148,9 +149,9 @@ def test_what_is_wrong_with_a_picture_is_said(
     }
     for name, words in said.items():
         assert words in refused(scene_from, f'{{ file = "{name}" }}'), name
-    told = refused(scene_from, '{ file = "wood.png", filter = "linear", repeat = [1, 0] }')
-    assert 'texture.filter: "linear" is not one of "bilinear", "nearest"' in told
-    assert "texture.repeat[1]: 0 is not a number above 0" in told
+    message = refused(scene_from, '{ file = "wood.png", filter = "linear", repeat = [1, 0] }')
+    assert 'texture.filter: "linear" is not one of "bilinear", "nearest"' in message
+    assert "texture.repeat[1]: 0 is not a number above 0" in message
     assert "texture.file: missing" in refused(scene_from, "{}")
     assert 'did you mean "texture"?' in refused(scene_from, "1\ntextur = { }")
 

@@ -54,9 +54,9 @@ def spoken(folder: Path, translation: str | None, scene: str = SCENE):
 @pytest.mark.parametrize("code", OTHERS)
 def test_every_scene_is_told_in_every_language(code: str) -> None:
     """Title, lesson, names: nothing is left in English."""
-    told = read_spoken(read_scenes(SCENES), code)
-    assert not missing_translations(told, code)
-    for own, each in zip(read_scenes(SCENES), told, strict=True):
+    in_german = read_spoken(read_scenes(SCENES), code)
+    assert not missing_translations(in_german, code)
+    for own, each in zip(read_scenes(SCENES), in_german, strict=True):
         assert each.scene.teaches != own.teaches
         lamps = {re.sub(r" \d+/\d+$", "", light.name) for light in each.scene.lights}
         for step, said in zip(own.lesson, each.scene.lesson, strict=True):
@@ -70,8 +70,8 @@ def test_what_the_viewer_reads_in_a_language_switches_lights_by_their_names(tmp_
     """Once a German page's step left the light on that its English one puts out."""
     view = 'view = { resolution = 7, switches = { lights = { "lamp" = 0 } } }'
     scene = SCENE.replace('text = "Look."', f'text = "Look."\n{view}')
-    [told] = spoken(tmp_path, HEAD + NAMES + FIRST + SECOND, scene)
-    words = scene_words(told.scene)
+    [in_german] = spoken(tmp_path, HEAD + NAMES + FIRST + SECOND, scene)
+    words = scene_words(in_german.scene)
     assert words["lights"] == ["Lampe"]
     assert words["lesson"][0]["view"]["switches"]["lights"] == {"Lampe": 0}
 
@@ -87,9 +87,9 @@ def test_a_scene_in_another_language_has_its_words_and_keeps_all_else(tmp_path: 
 
 
 def test_a_scene_without_a_translation_stays_as_it_is_and_is_named(tmp_path: Path) -> None:
-    told = spoken(tmp_path, None)
-    assert told[0].scene.teaches == "Something."
-    assert missing_translations(told, "de") == [
+    in_german = spoken(tmp_path, None)
+    assert in_german[0].scene.teaches == "Something."
+    assert missing_translations(in_german, "de") == [
         "01-ball: not translated: lesson.de.toml is missing, so its words stay as in scene.toml"
     ]
 

@@ -1,4 +1,4 @@
-"""What word processors, web pages and other keyboards put into a scene: each told by its cause."""
+"""What word processors, web pages and other keyboards put into a scene: each named by its cause."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ position = [-3, 5, 4]
 def said_of(tmp_path, before, after):
     assert before in SCENE
     (tmp_path / "scene.toml").write_text(SCENE.replace(before, after), encoding="utf-8")
-    with pytest.raises(SourceErrors) as told:
+    with pytest.raises(SourceErrors) as caught:
         read_scene(tmp_path)
-    return str(told.value)
+    return str(caught.value)
 
 
 def test_the_scene_without_slips_is_in_order(tmp_path):
@@ -75,9 +75,9 @@ def test_a_slip_is_told_by_its_cause_and_with_what_to_type(tmp_path, before, aft
 def test_all_slips_of_a_file_are_told_at_once(tmp_path):
     text = SCENE.replace('"ball"', "„ball“").replace("-1", "−1").replace("0.5\n", ".5\n")
     (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
-    with pytest.raises(SourceErrors) as told:
+    with pytest.raises(SourceErrors) as caught:
         read_scene(tmp_path)
-    assert [error.message.partition(":")[0] for error in told.value.errors] == [
+    assert [error.message.partition(":")[0] for error in caught.value.errors] == [
         "line 10, column 8", "line 12, column 14", "line 13, column 10",
     ]  # fmt: skip
 

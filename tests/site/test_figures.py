@@ -33,7 +33,7 @@ def test_every_scene_with_glass_names_its_shadow_model_as_a_simplification(key):
         assert "a simplification" in figures["Shadow rays at glass"]
 
 
-def test_triangles_that_were_left_out_are_told():
+def test_triangles_that_were_left_out_are_named():
     """By object, reason and count."""
     facts = FACTS | {"dropped": {"bunny": {"without area": 2, "not finite": 1}}}
     figures = dict(scene_figures(SCENES["6"], facts, read_words()))

@@ -24,7 +24,7 @@ LICENCES = (DIST / "LICENSES.txt").read_text("utf-8") if DIST.is_dir() else ""
 
 
 def build() -> dict:
-    """What the worker was told of this build."""
+    """What the worker was said of this build."""
     line = (DIST / "sw.js").read_text("utf-8").partition("\n")[0]
     return json.loads(line.removeprefix("const BUILD = ").removesuffix(";"))
 
@@ -38,10 +38,10 @@ class Addresses(HTMLParser):
         self.feed(page)
 
     def handle_starttag(self, tag, attrs):
-        told = dict(attrs)
-        self.found += [told[name] for name in ("href", "src", "poster") if told.get(name)]
-        if told.get("property") == "og:image":
-            self.found.append(told["content"])
+        said = dict(attrs)
+        self.found += [said[name] for name in ("href", "src", "poster") if said.get(name)]
+        if said.get("property") == "og:image":
+            self.found.append(said["content"])
 
 
 def test_every_address_in_every_page_is_relative_and_leads_to_a_file():
@@ -82,17 +82,17 @@ def test_assets_are_named_by_their_content():
 
 def test_the_worker_knows_every_file_that_pages_need_as_it_is():
     """Hashes and sizes are the files' own; what comes first is small."""
-    told = build()
-    for name, (digest, size) in told["files"].items():
+    said = build()
+    for name, (digest, size) in said["files"].items():
         content = (DIST / name).read_bytes()
         assert (hashlib.sha256(content).hexdigest()[:16], len(content)) == (digest, size), name
     for needed in ("index.html", "de/index.html", "scenes/01-shading/15.js", "LICENSES.txt"):
-        assert needed in told["files"]
-    assert not any(name.endswith((".pdf", ".pptx", ".json.gz")) for name in told["files"])
-    assert set(told["first"]) <= set(told["files"])
-    first = sum(told["files"][name][1] for name in told["first"])
+        assert needed in said["files"]
+    assert not any(name.endswith((".pdf", ".pptx", ".json.gz")) for name in said["files"])
+    assert set(said["first"]) <= set(said["files"])
+    first = sum(said["files"][name][1] for name in said["first"])
     assert first < 2_500_000, "bytes: both languages, thumbnails, icons; half of it gzipped"
-    assert not any(name.startswith("scenes/") and "thumb" not in name for name in told["first"])
+    assert not any(name.startswith("scenes/") and "thumb" not in name for name in said["first"])
 
 
 @pytest.mark.parametrize("home", ["", "de/"])

@@ -181,9 +181,9 @@ def run_set_lines(script: str, known: dict[str, str]) -> dict[str, str]:
         line = re.sub(r"%%|%\d|%[^%\d][^%]*%", percents, line.replace("%~1", known["1"]))
         if delayed:
             line = re.sub(r"!([^!]+)!", lambda found: look_up(found[1]), line)
-        told = re.fullmatch(r'(?:if (not )?"(.*)"=="(.*)" )?set "(\w+)=(.*)"', line)
-        if told and (told[3] is None or (told[2] == told[3]) != bool(told[1])):
-            known[told[4]] = told[5]
+        setting = re.fullmatch(r'(?:if (not )?"(.*)"=="(.*)" )?set "(\w+)=(.*)"', line)
+        if setting and (setting[3] is None or (setting[2] == setting[3]) != bool(setting[1])):
+            known[setting[4]] = setting[5]
     return known
 
 

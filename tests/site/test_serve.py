@@ -25,14 +25,14 @@ def test_the_site_is_served_on_this_machine_and_never_cached(tmp_path):
         service.shutdown()
 
 
-def test_nothing_built_is_told(tmp_path, capsys):
+def test_nothing_built_is_said(tmp_path, capsys):
     """With what to do about it."""
     assert main(["serve", "--site", str(tmp_path)]) == 1
     assert "run make" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("port", ["-1", "99999"])
-def test_a_port_that_cannot_be_is_told(tmp_path, capsys, port):
+def test_a_port_that_cannot_be_is_named(tmp_path, capsys, port):
     """Without a traceback."""
     (tmp_path / "index.html").write_text("hello", encoding="utf-8")
     assert main(["serve", "--site", str(tmp_path), "--port", port]) == 1

@@ -40,9 +40,9 @@ def test_text_counts_gzipped_and_packed_files_as_they_are(tmp_path: Path) -> Non
 def test_files_over_their_budget_are_named_all_at_once_with_size_budget_and_reason() -> None:
     weights = [Size("picture", "a.png", 100), Size("picture", "b.png", 101)]
     weights += [Size("picture", "c.png", 1234)]
-    with pytest.raises(OverBudget) as told:
+    with pytest.raises(OverBudget) as caught:
         check(Path("dist"), weights, [EACH])
-    said = str(told.value)
+    said = str(caught.value)
     assert "dist/b.png: 101.00 bytes of pictures; the budget is 100.00 bytes" in said
     assert "dist/c.png: 1,234 bytes" in said and "a reason" in said
     assert "a.png" not in said and "not changed" in said

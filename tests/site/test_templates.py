@@ -42,9 +42,9 @@ def render(tmp_path, change):
 )
 def test_any_mistake_names_file_and_line(tmp_path, mistake, said):
     """What jinja2 says of it behind; nothing of ours, and no traceback."""
-    with pytest.raises(SourceErrors) as told:
+    with pytest.raises(SourceErrors) as caught:
         render(tmp_path, lambda text: text.replace("</main>", f"{mistake}\n</main>"))
     line = (TEMPLATES / "sizes.html").read_text().partition("</main>")[0].count("\n") + 1
-    [error] = told.value.errors
+    [error] = caught.value.errors
     assert error.file.name == "sizes.html" and error.key == f"line {line}"
     assert said in error.message

@@ -97,11 +97,11 @@ class Made:
         return scene_deck(self.sources(aspect), LAYOUTS[aspect])
 
 
-def last(told: Generator[str, None, Result]) -> Result:
+def last(steps: Generator[str, None, Result]) -> Result:
     """What work that tells how it goes returns at its end."""
     while True:
         try:
-            next(told)
+            next(steps)
         except StopIteration as end:
             return cast(Result, end.value)
 

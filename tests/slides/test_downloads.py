@@ -16,17 +16,17 @@ SIZES = {
 
 
 def test_files_come_in_the_panels_order_with_sizes_in_words():
-    told = sorted_downloads("04-balls", SIZES, read_words())
-    assert [(file["word"], file["size"]) for file in told["files"]] == [
+    panel = sorted_downloads("04-balls", SIZES, read_words())
+    assert [(file["word"], file["size"]) for file in panel["files"]] == [
         ("html", "143 KB"), ("pdf", "1.2 MB"), ("worksheet", "1 KB"),
     ]  # fmt: skip
-    assert told["figures"] == ["slides/04-balls-figure-01.svg"]
+    assert panel["figures"] == ["slides/04-balls-figure-01.svg"]
 
 
 def test_the_viewer_reads_folder_and_sizes_form_by_form():
     """A form that is not there has no number; a language's comma does not part the list."""
-    told = sorted_downloads("04-balls", SIZES, read_words("de"))
-    assert told["compact"] == "slides/|143 KB|1,2 MB|-|-|-|-|1 KB|-"
+    panel = sorted_downloads("04-balls", SIZES, read_words("de"))
+    assert panel["compact"] == "slides/|143 KB|1,2 MB|-|-|-|-|1 KB|-"
 
 
 def test_a_file_that_nothing_links_is_refused():

@@ -125,8 +125,8 @@ def test_a_worksheet_of_several_sheets_numbers_them(balls):
     sheets = worksheet(balls.lesson(), with_answers=False).slides
     assert len(sheets) > 1
     for k, sheet in enumerate(sheets, start=1):
-        told = [item.words for item in sheet.items if isinstance(item, Text)]
-        assert told[-2:] == [sheet.title, f"{k} / {len(sheets)}"]
+        said = [item.words for item in sheet.items if isinstance(item, Text)]
+        assert said[-2:] == [sheet.title, f"{k} / {len(sheets)}"]
     alone = Slide("Alone", ())
     assert _numbered([alone]) == [alone]
 

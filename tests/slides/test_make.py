@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 )
 def test_make_slides_hands_on_what_is_asked_for(wanted, command):
     """Only printed, not run; each shape and palette has a folder of its own, outside the site."""
-    told = subprocess.run(
+    ended = subprocess.run(
         ["make", "-n", "slides", *wanted], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    words = " ".join(told.stdout.split())
+    words = " ".join(ended.stdout.split())
     assert command in words

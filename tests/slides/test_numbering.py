@@ -24,17 +24,17 @@ def place(slide: Slide) -> str:
 
 def test_steps_and_rays_are_numbered(deck: Deck, balls):
     """The steps in order; of a step's rays those that its figure shows, of the whole tree."""
-    told = [place(s) for s in deck.slides if s.kind in ("step", "ray", "question", "answer")]
+    places = [place(s) for s in deck.slides if s.kind in ("step", "ray", "question", "answer")]
     count = [len(stop.rows) for stop in balls.lesson().stops]
     assert count[0] == 0 and count[1] == 2
-    assert told[:5] == [
+    assert places[:5] == [
         "step 1 of 4",
         "step 2 of 4 · rays 1 to 2 of 2",
         f"step 3 of 4 · {'ray 1' if count[2] == 1 else f'rays 1 to {count[2]}'} of {count[2]}",
         "step 2 of 4 · ray 1 of 2",
         "step 2 of 4 · ray 2 of 2",
     ]
-    assert told[5:] == ["step 4 of 4 · ray 1 of 1"] * 2
+    assert places[5:] == ["step 4 of 4 · ray 1 of 1"] * 2
 
 
 def test_a_rays_number_is_the_one_in_figure_and_table(deck: Deck):
@@ -58,12 +58,12 @@ def test_the_number_is_in_every_format_and_in_the_notes(deck: Deck):
     for slide, page, made, section in zip(deck.slides, pages, shown, sections, strict=True):
         if slide.kind not in ("step", "ray", "question", "answer"):
             continue
-        told = place(slide)
-        assert PLACE.fullmatch(told)
-        numbered += "ray" in told
-        assert told in page.extract_text()
-        assert told in [s.text_frame.text for s in made.shapes if s.has_text_frame]
-        assert section.count(told) == 2  # drawn, and in the notes
-        assert slide.notes[0] == told
-        assert made.notes_slide.notes_text_frame.text.startswith(told)
+        places = place(slide)
+        assert PLACE.fullmatch(places)
+        numbered += "ray" in places
+        assert places in page.extract_text()
+        assert places in [s.text_frame.text for s in made.shapes if s.has_text_frame]
+        assert section.count(places) == 2  # drawn, and in the notes
+        assert slide.notes[0] == places
+        assert made.notes_slide.notes_text_frame.text.startswith(places)
     assert numbered >= 5

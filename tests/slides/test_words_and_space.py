@@ -46,7 +46,7 @@ def texts(slide: Slide) -> list[Text]:
     return [item for item in flat(slide.items) if isinstance(item, Text)]
 
 
-def told(slides: list[Slide]) -> str:
+def words_on(slides: list[Slide]) -> str:
     """Title and body of a step's slides, without what is said again on a continued one."""
     parts = []
     for slide in slides:
@@ -64,7 +64,7 @@ def test_the_slides_of_a_step_say_what_the_lesson_says(balls, aspect):
     stops = balls.lesson(aspect).stops
     assert len(slides) == len(stops)
     for slide, stop in zip(slides, stops, strict=True):
-        assert told([slide]) == plain_text(stop.text(balls.scene))
+        assert words_on([slide]) == plain_text(stop.text(balls.scene))
         assert slide.kind == stop.kind
         assert slide.notes[1] == plain_text(stop.text(balls.scene))
 
@@ -77,7 +77,7 @@ def test_the_longest_first_sentence_that_is_a_title_is_not_cut(made, aspect):
     text = f"{sentence} And the rest."
     deck = made(f'[[lesson]]\ntext = "{text}"\nview = {{ resolution = 7 }}').deck(aspect)
     [step] = [s for s in deck.slides if s.kind == "step"]
-    assert told([step]) == text and step.title == sentence
+    assert words_on([step]) == text and step.title == sentence
 
 
 @pytest.mark.parametrize("aspect", ["16:9", "4:3"])
@@ -131,8 +131,8 @@ def test_every_light_that_is_drawn_is_named(deck: Deck, balls):
         if not slide.figure:
             continue
         drawn = {i.name for i in flat(slide.figure.items) if isinstance(i, Dot)} & names
-        told = {i.words for i in flat(slide.figure.items) if isinstance(i, Text)}
-        assert drawn <= told, slide.title
+        words_on = {i.words for i in flat(slide.figure.items) if isinstance(i, Text)}
+        assert drawn <= words_on, slide.title
         seen += len(drawn)
     assert seen
 
@@ -217,7 +217,7 @@ def test_very_long_words_go_on_on_the_next_slides(made):
     deck = made(lesson).deck()
     steps = [s for s in deck.slides if s.kind == "step"]
     assert len(steps) > 2 and [s.is_continued for s in steps] == [False] + [True] * (len(steps) - 1)
-    assert told(steps) == LONG
+    assert words_on(steps) == LONG
     page = Box(0, 0, deck.width, deck.height)
     assert all(page.holds(tight(t)) for s in steps for t in texts(s))
 

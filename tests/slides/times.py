@@ -20,7 +20,7 @@ from raywalk.work.store import Store
 
 
 def main(id: str) -> None:
-    """All is done twice; the second time is told: fonts and modules are there by then."""
+    """All is done twice; the second time is printed: fonts and modules are there by then."""
     sources = Made(read_scene(Path("scenes") / id), Store(Path(".work"))).sources()
     for _ in range(2):
         begun = time.process_time()

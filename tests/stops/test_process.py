@@ -33,9 +33,9 @@ def test_without_its_packages_it_says_so_too(tmp_path: Path, monkeypatch: pytest
     monkeypatch.setattr(process, "SCRIPT", lost)
     with Stops() as stops, pytest.raises(SourceErrors) as raised:
         stops.ask({})
-    told = str(raised.value)
-    assert "Cannot find package 'esbuild'" in told and "npm ci" in told
-    assert len(told.splitlines()) <= 3
+    message = str(raised.value)
+    assert "Cannot find package 'esbuild'" in message and "npm ci" in message
+    assert len(message.splitlines()) <= 3
 
 
 def test_a_process_that_is_not_asked_is_not_started():

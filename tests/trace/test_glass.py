@@ -158,7 +158,7 @@ def test_light_goes_the_same_way_back(rng: np.random.Generator, shape: Shape) ->
     """Helmholtz: the ray that came straight through, sent back, arrives where the first started,
     with the same share of the light."""
     scene = glassy(shape, material=CLEAR, depth=2)
-    told = 0
+    compared = 0
     for _ in range(60):
         start = 4 * unit(rng.normal(size=3))
         direction = unit(0.5 * rng.normal(size=3) - start)
@@ -172,8 +172,8 @@ def test_light_goes_the_same_way_back(rng: np.random.Generator, shape: Shape) ->
         assert back == pytest.approx(share, abs=1e-12)
         assert np.abs(home + direction).max() < 1e-11
         assert np.linalg.norm(np.cross(start - end, direction)) < 1e-11
-        told += 1
-    assert told > 10
+        compared += 1
+    assert compared > 10
 
 
 def through(waves: list[Wave]) -> tuple[float, np.ndarray, np.ndarray] | None:

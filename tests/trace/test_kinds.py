@@ -1,4 +1,4 @@
-"""The table of ray kinds: Python's names agree with it; its lines can be told apart and read."""
+"""The table of ray kinds: Python's names agree with it; its lines can be distinguished and read."""
 
 from __future__ import annotations
 

@@ -112,7 +112,7 @@ MANY = 1_500
 
 
 def test_of_many_objects_everything_is_asked_too() -> None:
-    """And told by `check` as by a build: a rug among 1,500 balls, a lamp in one of them, the eye
+    """And said by `check` as by a build: a rug among 1,500 balls, a lamp in one of them, the eye
     on another, and one behind it; of many sentences of a kind the first, and how many more."""
     crowd = [
         thing(str(k), Sphere((3.0 * (k % 40) - 60.0, 0.0, -3.0 * (k // 40)), 1.0))

@@ -164,7 +164,7 @@ def test_at_an_outline_a_mesh_shows_its_front(
     rng: np.random.Generator, kind: str, clear: bool, tmp_path: Path
 ) -> None:
     """Rays from outside at corners and edges of outlines, where a front and a back face tie: none
-    is told that it comes from inside. From inside glass none is told that it comes from outside,
+    is said to come from inside. From inside glass none is said to come from outside,
     at the inner edge of an L neither."""
     one = body(kind, tmp_path)
     glass = SceneObject("glass", one.shape, 0)

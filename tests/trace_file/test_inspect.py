@@ -18,9 +18,9 @@ def rays_in(node: dict) -> list[dict]:
 @pytest.mark.parametrize("pixel", [(0, 0), (7, 9), (10, 10), (20, 20)])
 def test_json_holds_every_number_of_every_ray(encoded: Encoded, pixel: tuple[int, int]) -> None:
     trace = encoded.trace
-    told = json.loads(json.dumps(as_json(trace, pixel), allow_nan=False))
+    as_read = json.loads(json.dumps(as_json(trace, pixel), allow_nan=False))
     rows = np.flatnonzero(trace.pixel == pixel[1] * trace.n + pixel[0])
-    rays = rays_in(told["tree"])
+    rays = rays_in(as_read["tree"])
     assert sorted(ray["row"] for ray in rays) == rows.tolist()
     for ray in rays:
         k = ray["row"]

@@ -1,4 +1,4 @@
-/** Base colours in the viewer: told with every hit, kept by every switch; it is given colours, no picture to look them up in. */
+/** Base colours in the viewer: shown with every hit, kept by every switch; it is given colours, no picture to look them up in. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -29,13 +29,13 @@ const first = (name) => pixels.find((pixel) => scene.objects[trace.object[pixel]
 
 test("of three objects with base colours many rays have one of their own, all others 1; no picture is shipped", () => {
   assert.deepEqual(scene.objects.filter(({ base }) => base).map(({ name }) => name), ["ball", "floor", "tetra"]);
-  const told = new Set();
+  const found = new Set();
   for (let ray = 0; ray < trace.count; ray++) {
     const base = [...trace.base.subarray(3 * ray, 3 * ray + 3)];
-    if (scene.objects[trace.object[ray]]?.base) told.add(base.join());
+    if (scene.objects[trace.object[ray]]?.base) found.add(base.join());
     else assert.deepEqual(base, [1, 1, 1]);
   }
-  assert.ok(told.size > 150, `${told.size} different`);
+  assert.ok(found.size > 150, `${found.size} different`);
   assert.ok(!JSON.stringify(scene).includes("noise"));
 });
 

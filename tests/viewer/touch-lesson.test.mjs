@@ -63,7 +63,7 @@ const fits = async (step, revealed) => {
   const now = await state(page);
   assert.deepEqual([now.step, now.revealed], [step, revealed]);
   const stop = revealed ? lesson[step].answer : lesson[step];
-  assert.ok((await page.locator(".lesson-text").innerText()).replace(/\s+/g, " ").trim().startsWith(words(stop.html).slice(0, 50)), `step ${step + 1} is told`);
+  assert.ok((await page.locator(".lesson-text").innerText()).replace(/\s+/g, " ").trim().startsWith(words(stop.html).slice(0, 50)), `step ${step + 1} is shown`);
 };
 
 test(`${id} by touch alone: ${lesson.length} steps, each question revealed, the view turned and a pixel picked`, async () => {

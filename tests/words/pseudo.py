@@ -102,14 +102,14 @@ def write_site(dist: Path, out: Path, scenes_folder: Path) -> None:
             (out / "scenes" / scene.id / path.name).symlink_to(path.resolve())
     for code in PSEUDO:
         words = words_from(pseudo_tree(code))
-        told = [pseudo_scene(scene, code) for scene in scenes]
-        for scene in told:
+        translated = [pseudo_scene(scene, code) for scene in scenes]
+        for scene in translated:
             text = json.dumps(scene_words(scene)).encode()
             place = out / "scenes" / scene.id / f"words-{code}.js"
             write_script(place, f"{scene.id}/words-{code}", text)
-        figures = {scene.id: scene_figures(scene, FACTS, words) for scene in told}
+        figures = {scene.id: scene_figures(scene, FACTS, words) for scene in translated}
         named = assets | write_words(out, words)
-        write_pages(out, Path("site_src/templates"), told, figures, named, words)
+        write_pages(out, Path("site_src/templates"), translated, figures, named, words)
 
 
 if __name__ == "__main__":

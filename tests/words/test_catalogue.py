@@ -1,4 +1,4 @@
-"""Every sentence stands once, in site_src/words/, and each one is told by something."""
+"""Every sentence stands once, in site_src/words/, and each one is spoken by something."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def source() -> str:
 
 
 @cache
-def told() -> list[re.Pattern[str]]:
+def keys_said() -> list[re.Pattern[str]]:
     """What is said, as patterns of keys: a part put in may be any word."""
     patterns = []
     for is_f, quote, key, joined in CALL.findall(source()):
@@ -41,21 +41,21 @@ def told() -> list[re.Pattern[str]]:
     return patterns
 
 
-def test_every_key_is_told_by_something() -> None:
+def test_every_key_is_spoken_by_something() -> None:
     """A sentence that nobody says is dead weight in a translator's work."""
     english = dict(entries(read_words("en").tree))
     spoken = [key for key in english if not key.startswith("language.")]
     named = set(re.findall(r"[\"`]([a-z]\w*(?:\.\w+)+)[\"`]", source()))
     unused = [
-        key for key in spoken if key not in named and not any(p.fullmatch(key) for p in told())
+        key for key in spoken if key not in named and not any(p.fullmatch(key) for p in keys_said())
     ]
     assert not unused
 
 
-def test_every_key_that_is_told_is_there() -> None:
+def test_every_key_that_is_spoken_is_there() -> None:
     """Templates and Python are not compiled: a misspelt key is found here."""
     english = [key for key, _ in entries(read_words("en").tree)]
-    for pattern in told():
+    for pattern in keys_said():
         assert any(pattern.fullmatch(key) for key in english), pattern.pattern
 
 

@@ -102,11 +102,11 @@ def work(request, tmp_path_factory):
     }
 
 
-def last(told):
+def last(steps):
     """What work that tells how it goes returns at its end."""
     while True:
         try:
-            next(told)
+            next(steps)
         except StopIteration as end:
             return end.value
 

@@ -96,7 +96,7 @@ def _off() -> str:
 def _gltf() -> tuple[bytes, bytes]:
     """As text with its buffer within, and as GLB."""
     body = np.array(CORNERS, "<f4").tobytes() + np.array(TRIANGLES, "<u2").tobytes()
-    told = {
+    document = {
         "asset": {"version": "2.0"},
         "scene": 0,
         "scenes": [{"nodes": [0, 2]}],
@@ -118,8 +118,8 @@ def _gltf() -> tuple[bytes, bytes]:
         "skins": [{"joints": [0]}],
     }
     uri = "data:application/octet-stream;base64," + base64.b64encode(body).decode()
-    text = json.dumps(told | {"buffers": [{"byteLength": 168, "uri": uri}]}).encode()
-    packed = json.dumps(told | {"buffers": [{"byteLength": 168}]}).encode()
+    text = json.dumps(document | {"buffers": [{"byteLength": 168, "uri": uri}]}).encode()
+    packed = json.dumps(document | {"buffers": [{"byteLength": 168}]}).encode()
     packed += b" " * (-len(packed) % 4)
     size = 28 + len(packed) + len(body)
     head = b"glTF" + struct.pack("<III", 2, size, len(packed)) + b"JSON" + packed

@@ -134,9 +134,9 @@ def _too_long(number: int, frame: FrameType | None) -> None:
 def _try(path: Path, found: Found, named: str, is_traced: bool) -> None:
     found.files += 1
     try:
-        told = report(read_cleaned(path))
-        json.dumps(told, allow_nan=False)
-        list(in_full(told))
+        facts = report(read_cleaned(path))
+        json.dumps(facts, allow_nan=False)
+        list(in_full(facts))
         scene = _scene(path)
         load_triangles(scene, scene.objects[0])
         if is_traced:

@@ -80,7 +80,7 @@ def _asked_by_all(mesh: Any) -> Callable[..., Any]:
     ) -> None:  # fmt: skip
         reach = np.minimum(limit, t)
         past = np.flatnonzero(goes_past_box(mesh.bvh, origin - mesh.centre, direction, reach))
-        if len(past):  # what they are told is not looked at
+        if len(past):  # what they are given is not looked at
             nothing = np.full(len(past), NOWHERE, np.int32)
             meet_mesh(
                 asked, origin[past], direction[past], nothing, nothing, reach[past], rank,

@@ -19,11 +19,11 @@ def cases(count: int, seed: int) -> Iterator[Case]:
     for name in BYTES:
         asked = max(1.0, MEGABYTES * count / 1_000_000)
         command = [sys.executable, "-m", "raywalk.bench.model_memory", name, str(asked)]
-        told = json.loads(
+        figures = json.loads(
             subprocess.run(command, check=True, capture_output=True, text=True).stdout
         )
-        size = told["bytes"] / 1e6
+        size = figures["bytes"] / 1e6
         yield Case(
-            "large models", f"{name}, {size:.0f} MB, {told['triangles']:,} triangles",
-            "memory, MB", TIMES * size + MORE, told["grown"] / 1e6, told["triangles"], seed,
+            "large models", f"{name}, {size:.0f} MB, {figures['triangles']:,} triangles",
+            "memory, MB", TIMES * size + MORE, figures["grown"] / 1e6, figures["triangles"], seed,
         )  # fmt: skip

@@ -18,14 +18,14 @@ def cases(count: int, seed: int) -> Iterator[Case]:
     """A hundredth of the rays in files."""
     files = max(11, count * FILES // 1_000_000)
     command = [sys.executable, "-m", "raywalk.bench.model_fuzz", str(files), str(seed)]
-    told = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-    name = f"{told['files']:,} damaged, {told['read']:,} read, {told['refused']:,} refused"
-    first = {key: (told[key] or [""])[0] for key in ("tracebacks", "hangs", "unclear")}
+    figures = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    name = f"{figures['files']:,} damaged, {figures['read']:,} read, {figures['refused']:,} refused"
+    first = {key: (figures[key] or [""])[0] for key in ("tracebacks", "hangs", "unclear")}
     for metric, key in (
         ("tracebacks", "tracebacks"), (f"hangs over {PATIENCE} s", "hangs"),
         ("refusals that do not name the file", "unclear"),
     ):  # fmt: skip
         yield Case(
-            "model files", name, metric, 0.0, float(len(told[key])), files, seed, note=first[key]
+            "model files", name, metric, 0.0, float(len(figures[key])), files, seed, note=first[key]
         )
-    yield Case("model files", name, "memory, MB", MEMORY, told["megabytes"], files, seed)
+    yield Case("model files", name, "memory, MB", MEMORY, figures["megabytes"], files, seed)

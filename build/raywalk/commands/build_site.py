@@ -27,7 +27,7 @@ def add_to(commands: Any) -> None:
 
 
 def add_options(parser: Any) -> None:
-    """What every build can be told, also one by `serve`."""
+    """What every build takes, also one by `serve`."""
     parser.add_argument("--out", type=Path, default=Path("dist"), help="where the site goes")
     parser.add_argument("--work", type=Path, default=Path(".work"), help="where traces are kept")
     parser.add_argument("--sizes", action="store_true", help="tell what files weigh, by budget")
@@ -79,13 +79,13 @@ def _run(chosen: Namespace) -> Iterator[str | Message]:
                 last.keep(inputs, done.also_read, done.said)
         traced, size = done.traced, done.said["size"]
     if chosen.sizes or chosen.budgets != BUDGETS:
-        yield from told_sizes(chosen)
+        yield from listed_sizes(chosen)
     if chosen.times:
         yield from times.table(chosen.times)
     yield f"{traced}; {size / 1e6:.1f} MB in {chosen.out}/, {time.monotonic() - started:.1f} s"
 
 
-def told_sizes(chosen: Namespace) -> Iterator[str]:
+def listed_sizes(chosen: Namespace) -> Iterator[str]:
     """What the files weigh, if asked; raises OverBudget, also where nothing was built anew."""
     from raywalk.site import sizes
 

@@ -39,11 +39,11 @@ def run(chosen: Namespace) -> Iterator[str]:
         cleaned = clean(read_model(chosen.file), chosen.weld)
     except ModelFault as fault:
         raise UserError(str(fault)) from None
-    told = report(cleaned)
+    facts = report(cleaned)
     if chosen.json:
-        yield json.dumps(told, allow_nan=False)
+        yield json.dumps(facts, allow_nan=False)
     else:
-        yield from in_full(told)
+        yield from in_full(facts)
     if chosen.picture:
         from raywalk.models.picture import draw
 

@@ -84,9 +84,9 @@ def _built(chosen: Namespace, live: Live) -> Iterator[str | Message]:
     try:
         yield from build_site.run(chosen)
     except (UserError, OSError) as problems:
-        told = disk_trouble(problems) if isinstance(problems, OSError) else str(problems)
-        live.failed(told)
-        yield told
+        trouble = disk_trouble(problems) if isinstance(problems, OSError) else str(problems)
+        live.failed(trouble)
+        yield trouble
     except Exception:  # a fault of ours: seen where the author looks, and the next save may do
         live.failed(traceback.format_exc())
         yield traceback.format_exc()

@@ -49,7 +49,7 @@ def run(chosen: Namespace) -> Iterator[str]:
     """Names each file that was written. Raises SourceErrors."""
     scenes = _scenes(chosen)
     _refuse_steps(chosen, scenes)
-    # Only now: what is wrong is told before anything heavy is imported.
+    # Only now: what is wrong is said before anything heavy is imported.
     from raywalk.pipeline.slide_products import missing_letters, write_files
     from raywalk.slides.deck import course_of, lesson_slides, scene_deck
     from raywalk.slides.pdf import MissingGlyphs

@@ -76,8 +76,8 @@ class BaseColours:
         assert obj.base
         colour = np.ones((len(point), 3))
         if triangles.colours is not None:
-            told = interpolated(corners, triangles.colours, triangle, point)
-            colour = np.where(np.isfinite(told), told, 1.0)
+            given = interpolated(corners, triangles.colours, triangle, point)
+            colour = np.where(np.isfinite(given), given, 1.0)
         texture, places = obj.base.texture, triangles.places
         if texture and places is not None:
             at = interpolated(corners, places, triangle, point)

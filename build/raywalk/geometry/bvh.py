@@ -202,7 +202,7 @@ def met_before(bvh, corners, triangle, own, start, o, d, sheared, off, bound, be
 @lean
 def is_left(corners, triangle, own, o, d, t, bound):
     """Whether a ray that starts at o, on the mesh, starts on this triangle or in its face, and is
-    told to meet it at t by rounding only."""
+    said to meet it at t by rounding only."""
     if abs(height_over(o, corners, triangle)) > bound:
         return False
     if own >= 0:

@@ -1,7 +1,7 @@
 """Embree's library, as kernels call it (`mesh_packets.py`): float32 triangles in its own tree.
 
 The wheel of embreex carries Intel's library; embreex itself asks it for one ray after the other.
-Asked for 16 at a time, and told when these run close together, it answers three times as fast.
+Asked for 16 at a time, with a hint when these run close together, it is three times as fast.
 So the few C functions that this takes are named here (Embree's API reference, version 4).
 """
 

@@ -15,7 +15,7 @@ from raywalk.scene import shapes
 
 NAMES = ("sphere", "box", "cylinder", "tube", "plane", "disc", "triangle")
 SPHERE, BOX, CYLINDER, TUBE, PLANE, DISC, TRIANGLE = range(len(NAMES))
-# What a kernel is told of a shape.
+# What a kernel knows of a shape.
 SHAPE = np.dtype([("code", np.int64), ("tip", np.float64)])
 # Canonical coordinates above this belong to an edge's neighbourhood, also for a far camera
 # (1e7 away, a hit point is off by 1e-9).
@@ -147,7 +147,7 @@ def passed_face(shape, x, y, z, dx, dy, dz, leaves):
     """face_normal where faces of a box or capped cylinder meet: of those a ray can pass.
 
     leaves: the ray comes out of the solid. At an edge rounding may put the neighbour first,
-    and a ray that enters would be told that it leaves.
+    and a ray that enters would be taken to leave.
     """
     sense = 1.0 if leaves else -1.0
     if shape.code == CYLINDER:

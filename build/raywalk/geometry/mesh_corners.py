@@ -10,18 +10,18 @@ from raywalk.models.model import PerCorner
 
 
 def at_corners(
-    cleaned: Cleaned, rounds: int, chosen: np.ndarray, mirrored: bool, told: PerCorner | None
+    cleaned: Cleaned, rounds: int, chosen: np.ndarray, mirrored: bool, given: PerCorner | None
 ) -> np.ndarray | None:
     """(f, 3, k) float64 of the corners of these triangles; NaN where the file says nothing.
 
     rounds: of subdivision; chosen: (f,) int which of the subdivided triangles; mirrored: their
     corners run the other way round than the cleaned ones'.
     """
-    if told is None:
+    if given is None:
         return None
-    rows = told.row[cleaned.source]
+    rows = given.row[cleaned.source]
     rows = np.where(cleaned.turned[:, None], rows[:, ::-1], rows)
-    values = np.where((rows >= 0)[:, :, None], told.table[rows], np.nan)
+    values = np.where((rows >= 0)[:, :, None], given.table[rows], np.nan)
     for _ in range(rounds):
         values = of_quarters(values)
     values = values[chosen]

@@ -53,7 +53,9 @@ def load_triangles(scene: Scene, obj: SceneObject) -> Triangles:
         return _placed(obj, shape, read_cleaned(shape.path, shape.weld))
     except ModelFault as fault:
         key = f'objects "{obj.name}".{"file" if shape.model == fault.path.name else "model"}'
-        raise SourceErrors([SourceError(scene.path, key, fault.told, hint=fault.remedy)]) from None
+        raise SourceErrors(
+            [SourceError(scene.path, key, fault.message, hint=fault.remedy)]
+        ) from None
 
 
 @np.errstate(over="ignore", invalid="ignore")  # places near the end of all numbers
@@ -86,7 +88,7 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     centre, rest = _centre(linear, middle, offset)
     world, world_rest = in_world(linear, offset, vertices)
     base = obj.base or Base()
-    told = partial(at_corners, cleaned, shape.subdivide, child, mirrored)
+    values_of = partial(at_corners, cleaned, shape.subdivide, child, mirrored)
     normals, rows = _normals(shape, cleaned, placed, faces, row, linear)
     return Triangles(
         centre=centre,
@@ -94,8 +96,8 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
         faces=np.ascontiguousarray(faces),
         normals=normals,
         normal_rows=np.ascontiguousarray(rows),
-        colours=told(cleaned.model.colours) if base.colours else None,
-        places=told(cleaned.model.texture_places) if base.texture else None,
+        colours=values_of(cleaned.model.colours) if base.colours else None,
+        places=values_of(cleaned.model.texture_places) if base.texture else None,
         closed=closed and not flattened,
         layered=cleaned.shape.layered,
         dropped={**dropped, **flattened},
@@ -183,5 +185,5 @@ def where_open(triangles: Triangles) -> str:
         return "its triangles do not agree on which side is outside"
     place = triangles.vertices[ends].mean(axis=1) + triangles.centre
     first = place[np.lexsort(place.T)[0]]
-    told = ", ".join(f"{value:.6g}" for value in np.round(first, 9) + 0.0)
-    return f"{len(ends)} open edge{'s' if len(ends) > 1 else ''}, the first at [{told}]"
+    place = ", ".join(f"{value:.6g}" for value in np.round(first, 9) + 0.0)
+    return f"{len(ends)} open edge{'s' if len(ends) > 1 else ''}, the first at [{place}]"

@@ -89,8 +89,8 @@ def _not_used(objects: list[SceneObject], cleaned: Cleaned) -> Iterator[str]:
         yield from _looks_not_used(model, report(cleaned), labels)
 
 
-def _looks_not_used(model: Model, told: dict[str, Any], labels: list[str]) -> Iterator[str]:
-    for each in told["materials"]:
+def _looks_not_used(model: Model, facts: dict[str, Any], labels: list[str]) -> Iterator[str]:
+    for each in facts["materials"]:
         if each["name"] not in labels:
             continue
         material = material_named(model, each["name"])

@@ -1,7 +1,7 @@
 """Where one ray meets one primitive.
 
 Leaving a surface needs no epsilon. A ray that starts on a primitive, by identity or
-because its origin lies on that surface within the error bound of a hit point, is told
+because its origin lies on that surface within the error bound of a hit point, is kept
 apart by the side it leaves to: flat shapes and outward rays of convex ones cannot meet
 it again, inward rays meet it at t_out (Waechter and Binder, Ray Tracing Gems, 2019,
 ch. 6, and pbrt-v4 sec. 6.8 bound the error; identity makes the bound matter only

@@ -196,7 +196,7 @@ def faces_of(primitives):
     return planes, number
 
 
-# Levels of one plane, told by two objects far from the origin, as a share of their sizes.
+# Levels of one plane, by two objects far from the origin, as a share of their sizes.
 ONE_PLANE = 1e-6
 
 

@@ -1,1 +1,1 @@
-"""Files of triangles that other programs wrote: read, cleaned, told about. Knows no scene."""
+"""Files of triangles that other programs wrote: read, cleaned, reported. Knows no scene."""

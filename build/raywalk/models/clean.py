@@ -89,7 +89,7 @@ def within_reach(
     source = source[near]
     faces, used = _used_only(faces[source], len(vertices))
     dropped = {"not finite": int((~finite).sum()), "too far out": int((~near).sum())}
-    return vertices[used], faces, source, _told(dropped)
+    return vertices[used], faces, source, _counted(dropped)
 
 
 def _used_only(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +105,7 @@ def worth_tracing(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, 
     order, is_first = sorted_rows(np.sort(faces[keep], axis=1))
     first = order[is_first]
     dropped = {"without area": len(faces) - len(keep), "duplicates": len(keep) - len(first)}
-    return keep[np.sort(first)], _told(dropped)
+    return keep[np.sort(first)], _counted(dropped)
 
 
 def have_area(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -121,5 +121,5 @@ def _have_area(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return np.asarray(area > FLATTEST * longest**2)
 
 
-def _told(dropped: dict[str, int]) -> dict[str, int]:
+def _counted(dropped: dict[str, int]) -> dict[str, int]:
     return {reason: count for reason, count in dropped.items() if count}

@@ -18,13 +18,13 @@ class ModelFault(Exception):
         return ModelFault, (self.path, self.place, self.cause, self.remedy)
 
     @property
-    def told(self) -> str:
+    def message(self) -> str:
         """The sentence without its remedy."""
         where = ", ".join(part for part in (shown(self.path.name), self.place) if part)
         return f"{where}{' ' if self.cause.startswith('holds') else ': '}{self.cause}"
 
     def __str__(self) -> str:
-        return f"{self.told}; {self.remedy}"
+        return f"{self.message}; {self.remedy}"
 
 
 def shown(value: bytes | str) -> str:

@@ -168,10 +168,10 @@ class _Reader:
 
     def _ignored(self) -> list[str]:
         """What would be seen in another program."""
-        told = [f"{what} are left out" for what in self.left_out]
+        ignored = [f"{what} are left out" for what in self.left_out]
         for key, what in (("skins", "skins"), ("animations", "animations"), ("cameras", "cameras")):
             if self.json.get(key):
-                told.append(f"{what} are not used: it is shown in its pose at rest"
+                ignored.append(f"{what} are not used: it is shown in its pose at rest"
                             if key == "skins" else f"{what} are not used")  # fmt: skip
         textures = [
             surface["baseColorTexture"]
@@ -179,19 +179,19 @@ class _Reader:
             if "baseColorTexture" in (surface := each.get("pbrMetallicRoughness", {}))
         ]
         if any("KHR_texture_transform" in each.get("extensions", {}) for each in textures):
-            told.append(
+            ignored.append(
                 "its KHR_texture_transform is not used: textures lie as if it were not there"
             )
         if any(each.get("texCoord", 0) for each in textures):
-            told.append("textures lie by TEXCOORD_0, other coordinates are not used")
+            ignored.append("textures lie by TEXCOORD_0, other coordinates are not used")
         extensions = self.json.get("extensions", {})
         if "KHR_lights_punctual" in extensions:
-            told.append("lights are not used: a scene has its own")
+            ignored.append("lights are not used: a scene has its own")
         unknown = [
             each for each in self.json.get("extensionsRequired", [])
             if each not in COMPRESSED and each != "KHR_lights_punctual"
         ]  # fmt: skip
-        return told + [f"the extension {quoted(str(each))} is not known" for each in unknown]
+        return ignored + [f"the extension {quoted(str(each))} is not known" for each in unknown]
 
 
 def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
@@ -229,9 +229,9 @@ def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
 
 
 def _material(path: Path, document: dict[str, Any], index: int) -> FileMaterial:
-    told = document["materials"][index]
-    name = str(told.get("name") or f"material {index + 1}")
-    surface = told.get("pbrMetallicRoughness", {})
+    entry = document["materials"][index]
+    name = str(entry.get("name") or f"material {index + 1}")
+    surface = entry.get("pbrMetallicRoughness", {})
     r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in surface.get("baseColorFactor", [1] * 4))
     return FileMaterial(name, (r, g, b), opacity=a, **_texture(path, document, surface))
 

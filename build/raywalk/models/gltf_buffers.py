@@ -27,38 +27,38 @@ class Buffers:
 
     def accessor(self, index: int, wide: tuple[int, ...]) -> np.ndarray:
         """(n, w) float64, w one of those wanted. Raises ModelFault."""
-        told = self.json["accessors"][whole(index)]
-        kind, size = KINDS.get(told["componentType"]), WIDE.get(told["type"])
-        count = whole(told["count"])
+        entry = self.json["accessors"][whole(index)]
+        kind, size = KINDS.get(entry["componentType"]), WIDE.get(entry["type"])
+        count = whole(entry["count"])
         if kind is None or size not in wide:
-            raise self._fault(index, f"it holds {told['type']} of {told['componentType']}")
-        if "bufferView" in told:
+            raise self._fault(index, f"it holds {entry['type']} of {entry['componentType']}")
+        if "bufferView" in entry:
             values = self._view(
-                index, told["bufferView"], told.get("byteOffset", 0), kind, count, size
+                index, entry["bufferView"], entry.get("byteOffset", 0), kind, count, size
             )
-        elif "sparse" in told and count <= 64 * len(self.chunk) + 1_000_000:
+        elif "sparse" in entry and count <= 64 * len(self.chunk) + 1_000_000:
             values = np.zeros((count, size), kind)
         else:
             raise self._fault(index, f"its {count} values stand in no buffer")
-        values = self._sparse(index, told, values, kind, size)
+        values = self._sparse(index, entry, values, kind, size)
         found = values.astype(float)
-        if told.get("normalized") and kind[0] in "iu":
+        if entry.get("normalized") and kind[0] in "iu":
             found = np.maximum(found / np.iinfo(kind).max, -1.0)
         return found
 
     def view(self, index: int) -> bytes:
         """The bytes of a view of a buffer, as far as they are there. Raises ModelFault."""
-        told = self.json["bufferViews"][index]
-        begin = whole(told.get("byteOffset", 0))
-        return self._buffer(whole(told["buffer"]))[begin : begin + whole(told["byteLength"])]
+        entry = self.json["bufferViews"][index]
+        begin = whole(entry.get("byteOffset", 0))
+        return self._buffer(whole(entry["buffer"]))[begin : begin + whole(entry["byteLength"])]
 
     def _sparse(
-        self, index: int, told: dict[str, Any], values: np.ndarray, kind: str, size: int
+        self, index: int, entry: dict[str, Any], values: np.ndarray, kind: str, size: int
     ) -> np.ndarray:
         """With the values that are given one by one."""
-        if "sparse" not in told:
+        if "sparse" not in entry:
             return values
-        sparse = told["sparse"]
+        sparse = entry["sparse"]
         count, places = whole(sparse["count"]), sparse["indices"]
         rows = self._view(
             index, places["bufferView"], places.get("byteOffset", 0),
@@ -75,11 +75,11 @@ class Buffers:
     def _view(
         self, index: int, view: int, offset: int, kind: str, count: int, size: int
     ) -> np.ndarray:
-        told = self.json["bufferViews"][whole(view)]
-        data = self._buffer(whole(told["buffer"]))
-        begin, length = whole(told.get("byteOffset", 0)), whole(told["byteLength"])
+        entry = self.json["bufferViews"][whole(view)]
+        data = self._buffer(whole(entry["buffer"]))
+        begin, length = whole(entry.get("byteOffset", 0)), whole(entry["byteLength"])
         item = np.dtype(kind).itemsize * size
-        step = whole(told.get("byteStride", 0)) or item
+        step = whole(entry.get("byteStride", 0)) or item
         end = whole(offset) + (count - 1) * step + item if count else 0
         if step < item or end > length or begin + length > len(data) or count < 0:
             raise self._fault(index, f"its {count} values do not fit into their buffer")

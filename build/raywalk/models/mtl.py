@@ -32,11 +32,13 @@ def read_mtl(path: Path, folder: Path) -> dict[str, FileMaterial]:
             name = name_of(b" ".join(words[1:]))
             found[name] = FileMaterial(name)
         elif name in found:
-            found[name] = _told(found[name], words, line, folder)
+            found[name] = _with_line(found[name], words, line, folder)
     return found
 
 
-def _told(material: FileMaterial, words: list[bytes], line: bytes, folder: Path) -> FileMaterial:
+def _with_line(
+    material: FileMaterial, words: list[bytes], line: bytes, folder: Path
+) -> FileMaterial:
     match words[0]:
         case b"Kd" if colour := _colour(words[1:]):
             return replace(material, diffuse=colour)

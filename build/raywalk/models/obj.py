@@ -216,11 +216,11 @@ class _Reader:
         self.libraries += [whole] if is_one else several
 
     def _group_of_smoothing(self, words: list[bytes], line: bytes) -> None:
-        told = words[1] if len(words) > 1 else b"off"
+        switch = words[1] if len(words) > 1 else b"off"
         try:
-            group = 0 if told.lower() in (b"off", b"null") else int(told) & 0x7FFFFFFF
+            group = 0 if switch.lower() in (b"off", b"null") else int(switch) & 0x7FFFFFFF
         except ValueError:
-            group = 1 if told.lower() == b"on" else 0
+            group = 1 if switch.lower() == b"on" else 0
         self.now = (*self.now[:2], group)
 
     def model(self) -> Model:
@@ -308,7 +308,7 @@ class _Reader:
 
     def _materials(self) -> tuple[list[FileMaterial], list[Path]]:
         """Of each name that faces use; what no library tells is a name alone."""
-        told: dict[str, FileMaterial] = {}
+        known: dict[str, FileMaterial] = {}
         found = []
         for library in dict.fromkeys(self.libraries):
             path = self.path.parent / library.replace("\\", "/")
@@ -316,23 +316,23 @@ class _Reader:
                 self.missing.append(f"the material file {quoted(library)} is not there")
                 continue
             found.append(path)
-            told |= read_mtl(path, self.path.parent)
-        return [told.get(name, FileMaterial(name)) for name in self.named], found
+            known |= read_mtl(path, self.path.parent)
+        return [known.get(name, FileMaterial(name)) for name in self.named], found
 
     def _ignored(self) -> list[str]:
-        told = [f"{what} are not read" for what in dict.fromkeys(NOT_READ.values())
-                if self.skipped[what]]  # fmt: skip
+        ignored = [f"{what} are not read" for what in dict.fromkeys(NOT_READ.values())
+                   if self.skipped[what]]  # fmt: skip
         few = self.skipped["faces with fewer than three corners"]
         if few:
-            told.append(f"{few} faces with fewer than three corners are left out")
+            ignored.append(f"{few} faces with fewer than three corners are left out")
         if self.skipped["colours"]:
-            told.append(
+            ignored.append(
                 f"colours stand at {self.skipped['colours']} vertices only and are not used"
             )
-        told += [
+        ignored += [
             f"{what} are not used: line {line} is broken" for what, line in self.broken.items()
         ]
-        return told + self.missing
+        return ignored + self.missing
 
 
 def is_file(path: Path) -> bool:

@@ -119,9 +119,9 @@ class _Reader:
                     self._fault(f"a face names vertex {index}, and there are 0 to {vertices - 1}")
                 corners.append(index)
             counts.append(size)
-            told = row[1 + size :]
-            if len(told) >= 3:
-                colours.extend(a_number(word, self.path, self.line) for word in told[:3])
+            channels = row[1 + size :]
+            if len(channels) >= 3:
+                colours.extend(a_number(word, self.path, self.line) for word in channels[:3])
         if not counts:
             self._fault("no face has three corners", "export a mesh of polygons")
         painted = np.frombuffer(colours).reshape(-1, 3) if len(colours) == 3 * len(counts) else None

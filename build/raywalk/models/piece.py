@@ -12,5 +12,5 @@ class Piece:
     of: str  # what the whole is called in its scene
     label: str
     dressed: tuple[str, ...] = ()  # names that the scene gives a material
-    by_material: bool = False  # the others are told apart by the file's materials
+    by_material: bool = False  # the others are kept apart by the file's materials
     first: bool = True  # it speaks for the whole

@@ -24,7 +24,7 @@ def labels(
 ) -> tuple[list[str], np.ndarray]:
     """The labels that occur, in the order of the file, and which (f,) int64 a triangle has.
 
-    A part that is named goes before a material that is; what neither names is told apart by its
+    A part that is named goes before a material that is; what neither names is kept apart by its
     material, or is the rest.
     """
     model, named = cleaned.model, set(dressed)

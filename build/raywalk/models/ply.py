@@ -63,7 +63,7 @@ def _polygons(
     )
     whose: np.ndarray | None = None
     if listed is not None and len(listed.counts):
-        with np.errstate(invalid="ignore"):  # what is no number becomes no vertex, told below
+        with np.errstate(invalid="ignore"):  # what is no number becomes no vertex, refused below
             counts, corners = listed.counts, listed.values.astype(np.int64)
         keep = counts >= 3
         whose = np.flatnonzero(keep)

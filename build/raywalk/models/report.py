@@ -9,7 +9,7 @@ import numpy as np
 from raywalk.models.clean import Cleaned
 from raywalk.models.model import FileMaterial
 
-PLACES = 20  # of open edges that are told
+PLACES = 20  # of open edges that are reported
 # What files of a format mostly are measured in, where they do not say it.
 USUAL = {"STL": "millimetre", "3MF": "millimetre"}
 
@@ -42,7 +42,7 @@ def report(cleaned: Cleaned) -> dict[str, Any]:
             "hollows": sum(shell.is_hollow for shell in shape.shells),
             "within_another": sum(s.within >= 0 and not s.is_hollow for s in shape.shells),
             "overlapping": len(shape.overlapping),
-            "too_many_to_tell": shape.is_untold,
+            "too_many_to_tell": shape.is_unknown,
         },
         "joined": cleaned.joined,
         "turned": int(cleaned.turned.sum()),

@@ -37,7 +37,7 @@ class Turned:
     turned: np.ndarray  # (f,) bool: against the file
     shells: tuple[Shell, ...]
     overlapping: tuple[tuple[int, int], ...]  # shells of which a part lies in the other
-    is_untold: bool  # too many shells to tell which lie in which
+    is_unknown: bool  # too many shells to tell which lie in which
     open_ends: np.ndarray  # (k, 2) vertices of edges at which the surface ends
 
     @property
@@ -48,7 +48,7 @@ class Turned:
     def layered(self) -> bool:
         """Whether a place may lie in several shells at once: what is inside must be counted."""
         nested = any(shell.within >= 0 and not shell.is_hollow for shell in self.shells)
-        return nested or bool(self.overlapping) or self.is_untold
+        return nested or bool(self.overlapping) or self.is_unknown
 
 
 def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> Turned:
@@ -61,7 +61,7 @@ def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> 
     groups = _groups(label)
     is_closed = _closed(edges, label, against, groups, faulty)
     shells = _shells(vertices, faces, groups, is_closed)
-    within, overlapping, is_untold = _nested(vertices, faces, shells)
+    within, overlapping, is_unknown = _nested(vertices, faces, shells)
     senses = _senses(shells, within, part)
     wrong = [s.triangles for s, sense in zip(shells, senses, strict=True) if sense * s.volume < 0]
     if wrong:
@@ -72,7 +72,7 @@ def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> 
         Shell(s.triangles, s.closed, s.volume, s.box, within[k], senses[k] < 0)
         for k, s in enumerate(shells)
     )
-    return Turned(faces, turned, made, tuple(overlapping), is_untold, open_edges(edges))
+    return Turned(faces, turned, made, tuple(overlapping), is_unknown, open_edges(edges))
 
 
 def _wound_alike(edges: Edges, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -32,13 +32,13 @@ def _is_binary(data: bytes) -> bool:
     """Some binary files begin with "solid" too: their length tells them, or bytes of no text."""
     if len(data) < HEADER:
         return False
-    if len(data) == HEADER + TRIANGLE * _told(data):
+    if len(data) == HEADER + TRIANGLE * _stated_count(data):
         return True
     head = data[:4096]
     return b"\x00" in head and b"facet" not in head.lower()
 
 
-def _told(data: bytes) -> int:
+def _stated_count(data: bytes) -> int:
     return int.from_bytes(data[80:HEADER], "little")
 
 
@@ -48,16 +48,16 @@ def _binary(path: Path, data: bytes) -> Model:
             path, "", f"it has {len(data)} bytes, and an STL of one triangle has 134",
             "it is cut short, or no STL file: export the model again",
         )  # fmt: skip
-    told, (there, rest) = _told(data), divmod(len(data) - HEADER, TRIANGLE)
+    stated, (there, rest) = _stated_count(data), divmod(len(data) - HEADER, TRIANGLE)
     ignored = []
-    if told > there and rest:
+    if stated > there and rest:
         raise ModelFault(
-            path, f"triangle {there + 1} of {told}", "the file ends in it",
+            path, f"triangle {there + 1} of {stated}", "the file ends in it",
             "it is cut short: copy or export it again",
         )  # fmt: skip
-    count = told if 0 < told <= there else there
-    if told != there:
-        ignored.append(f"the count in its header, {told}, is wrong: {there} triangles follow")
+    count = stated if 0 < stated <= there else there
+    if stated != there:
+        ignored.append(f"the count in its header, {stated}, is wrong: {there} triangles follow")
         ignored += [f"what follows triangle {count} is not read"] if count < there else []
     records = np.frombuffer(data, RECORD, count, HEADER)
     with np.errstate(invalid="ignore"):
@@ -70,20 +70,20 @@ def _binary(path: Path, data: bytes) -> Model:
     )  # fmt: skip
 
 
-def _colours(header: bytes, told: np.ndarray) -> PerCorner | None:
+def _colours(header: bytes, attributes: np.ndarray) -> PerCorner | None:
     """5 bits a channel. VisCAM: blue lowest, the top bit says that there is one. Magics: red
     lowest, the top bit says that the header's colour holds."""
     is_magics = b"COLOR=" in header
-    has_own = (told >> 15 == 1) != is_magics
+    has_own = (attributes >> 15 == 1) != is_magics
     if not has_own.any() or (not is_magics and not has_own.all()):
         return None
-    channels = np.column_stack([(told >> shift) & 31 for shift in (0, 5, 10)]) / 31.0
+    channels = np.column_stack([(attributes >> shift) & 31 for shift in (0, 5, 10)]) / 31.0
     if not is_magics:
         channels = channels[:, ::-1]
     else:
         rgb = np.frombuffer(header.split(b"COLOR=")[1][:3].ljust(3, b"\xff"), np.uint8) / 255.0
         channels = np.where(has_own[:, None], channels, rgb)
-    row = np.repeat(np.arange(len(told))[:, None], 3, axis=1)
+    row = np.repeat(np.arange(len(attributes))[:, None], 3, axis=1)
     return PerCorner(np.ascontiguousarray(channels), row)
 
 

@@ -13,27 +13,27 @@ CENTIMETRE = {"millimetre": 0.1, "millimeter": 0.1, "metre": 100.0, "meter": 100
               "centimeter": 1.0, "foot": 30.48, "micron": 1e-4}  # fmt: skip
 
 
-def in_short(told: dict[str, Any]) -> str:
+def in_short(facts: dict[str, Any]) -> str:
     """A line: "two.obj, OBJ: 24 triangles, 16 corners, 2 parts, closed; 4 triangles turned"."""
-    holds = [_count(told["triangles"], "triangle"), _count(told["vertices"], "corner")]
+    holds = [_count(facts["triangles"], "triangle"), _count(facts["vertices"], "corner")]
     for key in ("part", "material"):
-        if len(told[f"{key}s"]) > 1:
-            holds.append(_count(len(told[f"{key}s"]), key))
-    edges = told["open_edges"]["count"]
-    holds.append("closed" if told["closed"] else f"open at {_count(edges, 'edge')}")
-    done = list(_done(told))
-    return f"{shown(told['file'])}, {told['format']}: {', '.join(holds)}" + (
+        if len(facts[f"{key}s"]) > 1:
+            holds.append(_count(len(facts[f"{key}s"]), key))
+    edges = facts["open_edges"]["count"]
+    holds.append("closed" if facts["closed"] else f"open at {_count(edges, 'edge')}")
+    done = list(_done(facts))
+    return f"{shown(facts['file'])}, {facts['format']}: {', '.join(holds)}" + (
         f"; {', '.join(done)}" if done else ""
     )
 
 
-def _done(told: dict[str, Any]) -> Iterator[str]:
-    if told["joined"]:
-        yield f"{_count(told['joined'], 'corner')} joined with near ones"
-    if told["turned"]:
-        yield f"{_count(told['turned'], 'triangle')} turned to face outwards"
-    if told["dropped"]:
-        yield f"left out: triangles {dropped_in_words(told['dropped'])}"
+def _done(facts: dict[str, Any]) -> Iterator[str]:
+    if facts["joined"]:
+        yield f"{_count(facts['joined'], 'corner')} joined with near ones"
+    if facts["turned"]:
+        yield f"{_count(facts['turned'], 'triangle')} turned to face outwards"
+    if facts["dropped"]:
+        yield f"left out: triangles {dropped_in_words(facts['dropped'])}"
 
 
 def dropped_in_words(dropped: dict[str, int]) -> str:
@@ -49,10 +49,10 @@ def listed(names: Iterable[str]) -> str:
     return " and ".join(part for part in (", ".join(every[:-1]), *every[-1:]) if part)
 
 
-def warnings(told: dict[str, Any]) -> list[str]:
+def warnings(facts: dict[str, Any]) -> list[str]:
     """What a person should know who put the model into a scene."""
-    shells = told["shells"]
-    found = list(told["ignored"])
+    shells = facts["shells"]
+    found = list(facts["ignored"])
     if shells["overlapping"]:
         found.append(
             f"{_count(shells['overlapping'], 'pair')} of its shells overlap, and count as one body"
@@ -65,42 +65,42 @@ def warnings(told: dict[str, Any]) -> list[str]:
     return found
 
 
-def in_full(told: dict[str, Any]) -> Iterator[str]:
+def in_full(facts: dict[str, Any]) -> Iterator[str]:
     """Line by line, all that `raywalk model` prints."""
-    yield f"{shown(told['file'])}: {told['format']}"
-    yield f"  triangles: {told['triangles']:,}, on {_count(told['vertices'], 'corner')}"
-    yield f"  box: {_point(told['box'][0])} to {_point(told['box'][1])}"
-    yield f"  size: {_sized(told)}"
-    yield from _named(told)
-    yield f"  normals: {_normals(told)}"
-    if told["colours"]:
-        yield f"  colours: of its {told['colours']}"
-    yield f"  surface: {_surface(told)}"
-    for place in told["open_edges"]["places"][:MOST]:
+    yield f"{shown(facts['file'])}: {facts['format']}"
+    yield f"  triangles: {facts['triangles']:,}, on {_count(facts['vertices'], 'corner')}"
+    yield f"  box: {_point(facts['box'][0])} to {_point(facts['box'][1])}"
+    yield f"  size: {_sized(facts)}"
+    yield from _named(facts)
+    yield f"  normals: {_normals(facts)}"
+    if facts["colours"]:
+        yield f"  colours: of its {facts['colours']}"
+    yield f"  surface: {_surface(facts)}"
+    for place in facts["open_edges"]["places"][:MOST]:
         yield f"    open at {_point(place)}"
-    more = told["open_edges"]["count"] - MOST
+    more = facts["open_edges"]["count"] - MOST
     if more > 0:
         yield f"    and at {more} more places; --picture FILE.png draws them all"
-    yield f"  cleaned: {', '.join(_done(told)) or 'nothing was to be done'}"
-    yield from (f"  note: {line}" for line in warnings(told))
-    yield from _for_a_scene(told)
+    yield f"  cleaned: {', '.join(_done(facts)) or 'nothing was to be done'}"
+    yield from (f"  note: {line}" for line in warnings(facts))
+    yield from _for_a_scene(facts)
 
 
-def _sized(told: dict[str, Any]) -> str:
-    across = " x ".join(f"{side:.6g}" for side in told["size"])
-    unit = told["likely_unit"]
+def _sized(facts: dict[str, Any]) -> str:
+    across = " x ".join(f"{side:.6g}" for side in facts["size"])
+    unit = facts["likely_unit"]
     if not unit:
         return f"{across} of its units (the file does not say which)"
-    how = "as the file says" if told["unit"] else "as such files mostly are"
+    how = "as the file says" if facts["unit"] else "as such files mostly are"
     if unit not in CENTIMETRE:
         return f"{across} {unit} ({how})"
-    largest = max(told["size"]) * CENTIMETRE[unit]
+    largest = max(facts["size"]) * CENTIMETRE[unit]
     return f"{across} {unit} ({how}), {largest:.4g} cm at its longest"
 
 
-def _named(told: dict[str, Any]) -> Iterator[str]:
+def _named(facts: dict[str, Any]) -> Iterator[str]:
     for key in ("part", "material"):
-        found = [each for each in told[f"{key}s"] if each["name"]]
+        found = [each for each in facts[f"{key}s"] if each["name"]]
         if found:
             yield f"  {key}s: {len(found)}"
         for each in found[:MOST]:
@@ -111,27 +111,27 @@ def _named(told: dict[str, Any]) -> Iterator[str]:
 
 
 def _looks(each: dict[str, Any]) -> str:
-    told = ""
+    looks = ""
     if each.get("colour"):
-        told += f", colour {_point(each['colour'])}"
+        looks += f", colour {_point(each['colour'])}"
     if each.get("texture"):
-        told += f", texture {shown(each['texture'])}"
+        looks += f", texture {shown(each['texture'])}"
     if each.get("opacity", 1.0) < 1.0:
-        told += f", opacity {each['opacity']:.4g}"
-    return told
+        looks += f", opacity {each['opacity']:.4g}"
+    return looks
 
 
-def _normals(told: dict[str, Any]) -> str:
+def _normals(facts: dict[str, Any]) -> str:
     return {
         "own": "its own are used (smooth = false: flat faces)",
         "smoothing groups": "by its smoothing groups (smooth = false: flat faces)",
         "": "it has none: averaged at each corner (smooth = false: flat faces)",
-    }[told["normals"]]
+    }[facts["normals"]]
 
 
-def _surface(told: dict[str, Any]) -> str:
-    shells, edges = told["shells"], told["open_edges"]["count"]
-    said = ["closed: it may be of glass"] if told["closed"] else [
+def _surface(facts: dict[str, Any]) -> str:
+    shells, edges = facts["shells"], facts["open_edges"]["count"]
+    said = ["closed: it may be of glass"] if facts["closed"] else [
         f"open at {_count(edges, 'edge')}: it cannot be of glass" if edges
         else "its triangles do not agree on which side is outside: it cannot be of glass"
     ]  # fmt: skip
@@ -145,20 +145,20 @@ def _surface(told: dict[str, Any]) -> str:
     return ", ".join(said)
 
 
-def _for_a_scene(told: dict[str, Any]) -> Iterator[str]:
+def _for_a_scene(facts: dict[str, Any]) -> Iterator[str]:
     """What to write."""
     yield "  in a scene:"
     yield "    [[objects]]"
     yield '    type = "mesh"'
-    yield f"    file = {_text(told['file'])}"
-    names = [each["name"] for each in (*told["materials"], *told["parts"]) if each["name"]]
-    if told["materials"]:
+    yield f"    file = {_text(facts['file'])}"
+    names = [each["name"] for each in (*facts["materials"], *facts["parts"]) if each["name"]]
+    if facts["materials"]:
         yield "    # without `material` it is shown in the file's own materials, or dress some:"
-    elif told["colours"]:
-        yield f"    # without `material` it is shown in the colours of its {told['colours']}"
+    elif facts["colours"]:
+        yield f"    # without `material` it is shown in the colours of its {facts['colours']}"
     else:
         yield '    material = "white"' + (
-            '   # or "glass", as it is closed' if told["closed"] else ""
+            '   # or "glass", as it is closed' if facts["closed"] else ""
         )
     if names:
         yield f'    # materials = {{ {_key(names[0])} = "mirror" }}'

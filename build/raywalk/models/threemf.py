@@ -130,9 +130,9 @@ class _Reader:
             case "item":
                 self.items.append((element.get("objectid", ""), self._matrix(element)))
             case "base" | "color" if group:
-                told = element.get("displaycolor") or element.get("color") or ""
-                name = element.get("name") or f"colour {told}"
-                self.materials.append(FileMaterial(name, _colour(told)))
+                text = element.get("displaycolor") or element.get("color") or ""
+                name = element.get("name") or f"colour {text}"
+                self.materials.append(FileMaterial(name, _colour(text)))
                 self.sizes[group] += 1
             case "texture2d" | "beamlattice" | "slicestack":
                 self.left_out[{"texture2d": "textures"}.get(kind, kind)] = None
@@ -150,10 +150,10 @@ class _Reader:
             self._fault(element, f"{key} is {quoted(element.attrib[key])}, which is not a number")
 
     def _index(self, element: Element, key: str) -> int:
-        told = element.get(key, "")
-        if not (told.isascii() and told.isdigit() and len(told) < 18):
-            self._fault(element, f"{key} is {quoted(told)}, which is no vertex")
-        return int(told)
+        text = element.get(key, "")
+        if not (text.isascii() and text.isdigit() and len(text) < 18):
+            self._fault(element, f"{key} is {quoted(text)}, which is no vertex")
+        return int(text)
 
     def _row(self, group: str | None, place: str | None) -> int:
         """Of a material by its group and place; -1 for none that is known."""
@@ -163,15 +163,15 @@ class _Reader:
 
     def _matrix(self, element: Element) -> np.ndarray:
         """(4, 3): a row vector's last is its place."""
-        told = element.get("transform")
-        if told is None:
+        text = element.get("transform")
+        if text is None:
             return np.eye(4, 3)
         try:
-            matrix = np.array([float(word) for word in told.split()]).reshape(4, 3)
+            matrix = np.array([float(word) for word in text.split()]).reshape(4, 3)
         except ValueError:
             matrix = np.full((4, 3), np.nan)
         if not (np.abs(matrix) < HUGE).all():
-            self._fault(element, f"{quoted(told)} is not a transform of 12 numbers")
+            self._fault(element, f"{quoted(text)} is not a transform of 12 numbers")
         return matrix
 
     def model(self) -> Model:
@@ -233,9 +233,9 @@ class _Reader:
                 waiting.append((name, part, whole, depth + 1))
 
 
-def _colour(told: str) -> Colour | None:
+def _colour(text: str) -> Colour | None:
     try:
-        r, g, b = bytes.fromhex(told.lstrip("#")[:6])
+        r, g, b = bytes.fromhex(text.lstrip("#")[:6])
     except ValueError:
         return None
     return (r / 255.0, g / 255.0, b / 255.0)

@@ -33,8 +33,8 @@ def address_of(folder: str) -> str:
     """
     likeness = "".join(_spelt(character) for character in _as_typed(folder).replace(" ", "-"))
     plain = re.sub(r"-{2,}", "-", re.sub(r"[^A-Za-z0-9._-]+", "-", likeness)).strip("-.")
-    is_told = plain == likeness and SAFE.fullmatch(plain) and not TAKEN.fullmatch(plain)
-    if is_told and len(plain) <= LONGEST:
+    is_plain = plain == likeness and SAFE.fullmatch(plain) and not TAKEN.fullmatch(plain)
+    if is_plain and len(plain) <= LONGEST:
         return plain
     hash = hashlib.sha256(os.fsencode(folder)).hexdigest()[:6]
     return f"{plain[:LONGEST].strip('-.') or 'scene'}-{hash}"

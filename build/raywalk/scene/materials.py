@@ -35,7 +35,7 @@ BUILT_IN: dict[str, MaterialTable] = {
 
 # Likenesses are sought for so many unknown names: each is compared with all that are known.
 MOST_HINTS = 10
-CIRCLE = 12  # names that are told of a circle
+CIRCLE = 12  # names that are listed of a circle
 
 
 class Dressed(NamedTuple):

@@ -22,7 +22,7 @@ from raywalk.scene.shapes import Mesh, Triple
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 # A material that a file names without telling its colour is grey, as most programs show it.
-UNTOLD: Triple = (0.8, 0.8, 0.8)
+UNKNOWN: Triple = (0.8, 0.8, 0.8)
 # What leaves the colours of a file's vertices as they are.
 UNCHANGED: Triple = (1.0, 1.0, 1.0)
 # Of a file's colour the share that is there without any lamp, as the built-in materials have it.
@@ -56,7 +56,7 @@ def dressed_parts(
     try:
         cleaned = read_cleaned(mesh.path, mesh.weld)
     except ModelFault as fault:
-        problems.add((*at, key), fault.told, hint=fault.remedy)
+        problems.add((*at, key), fault.message, hint=fault.remedy)
         return
     model = cleaned.model
     known = names_in(model)
@@ -81,7 +81,7 @@ def dressed_parts(
         piece = Piece(name, label, tuple(given), by_material, label == found[0])
         dressed = given[label] if label in given else rest or own_material(model, label)
         if dressed is None:
-            continue  # told where it was read
+            continue  # reported where it was read
         is_own = label not in given and rest is None
         base = Base(is_own and model.colours is not None, dressed.texture)
         some = base if base.colours or base.texture else None
@@ -90,44 +90,44 @@ def dressed_parts(
 
 def own_material(model: Model, label: str) -> Dressed:
     """A file's material of that name as one of ours, and its texture if that can be read."""
-    told = material_named(model, label) or FileMaterial(label or quoted(model.path.name))
-    texture = own_texture(model, told)
-    shown = texture if not texture_fault(model, told) else None
-    r, g, b = diffuse = _diffuse(model, told, shown is not None)
+    in_file = material_named(model, label) or FileMaterial(label or quoted(model.path.name))
+    texture = own_texture(model, in_file)
+    shown = texture if not texture_fault(model, in_file) else None
+    r, g, b = diffuse = _diffuse(model, in_file, shown is not None)
     material = Material(
-        told.name,
+        in_file.name,
         ambient=(AMBIENT * r, AMBIENT * g, AMBIENT * b),
         diffuse=diffuse,
-        specular=told.specular or (0.0, 0.0, 0.0),
-        shininess=max(1.0, told.shininess or 1.0),
+        specular=in_file.specular or (0.0, 0.0, 0.0),
+        shininess=max(1.0, in_file.shininess or 1.0),
     )
     return Dressed(material, shown)
 
 
-def _diffuse(model: Model, told: FileMaterial, is_textured: bool) -> Triple:
+def _diffuse(model: Model, in_file: FileMaterial, is_textured: bool) -> Triple:
     """What the file's colours and texture multiply. In glTF they multiply the material's colour,
     and a texture does in MTL, but for a black that would hide it; colours of vertices stand in its
     place elsewhere."""
     if model.colours and not model.format.startswith(("glTF", "GLB")):
         return UNCHANGED
-    if is_textured and not any(told.diffuse or ()):
+    if is_textured and not any(in_file.diffuse or ()):
         return UNCHANGED
-    return told.diffuse or (UNCHANGED if model.colours else UNTOLD)
+    return in_file.diffuse or (UNCHANGED if model.colours else UNKNOWN)
 
 
-def own_texture(model: Model, told: FileMaterial) -> Texture | None:
+def own_texture(model: Model, in_file: FileMaterial) -> Texture | None:
     """The texture of a file's material, whether or not it is there. A name of another machine's
     folder is looked for beside the model."""
-    if told.texture is None:
+    if in_file.texture is None:
         return None
-    path, beside = told.texture, model.path.parent / PureWindowsPath(told.texture).name
+    path, beside = in_file.texture, model.path.parent / PureWindowsPath(in_file.texture).name
     found = path if _is_file(path) or not _is_file(beside) else beside
-    return Texture(found, told.texture_filter, inside=told.texture_inside)
+    return Texture(found, in_file.texture_filter, inside=in_file.texture_inside)
 
 
-def texture_fault(model: Model, told: FileMaterial) -> str:
+def texture_fault(model: Model, in_file: FileMaterial) -> str:
     """Why the texture of a file's material is not shown, as in "wood.png is not there"; ""."""
-    texture = own_texture(model, told)
+    texture = own_texture(model, in_file)
     if texture is None:
         return ""
     name = shown(texture.path.name)

@@ -64,7 +64,7 @@ def decoded(data: bytes) -> np.ndarray:
     )  # only here: a scene without a texture needs none of it
 
     try:
-        # Pillow warns of what it passes over in a damaged file; faults are told below.
+        # Pillow warns of what it passes over in a damaged file; faults are named below.
         with catch_warnings(action="ignore"), Image.open(BytesIO(data), formats=READ) as opened:
             if max(opened.size) > MOST:
                 size = f"{opened.width} x {opened.height}"

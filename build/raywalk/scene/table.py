@@ -73,7 +73,7 @@ def _purpose(table: type[Table], key: str) -> str:
 
 
 def by_form(value: Any) -> str:
-    """Which member of a union is meant: told by whether a table, list or single value is given."""
+    """Which member of a union is meant: by whether a table, list or single value is given."""
     if isinstance(value, dict | Table):
         return TAG + "table"
     return TAG + ("list" if isinstance(value, list | tuple) else "single")

@@ -43,7 +43,7 @@ class Shown(NamedTuple):
 
 def words_and_pictures(markdown: str) -> tuple[list[Paragraph], list[Shown]]:
     """The same, where pictures are shown: of one that stands by itself no word is left.
-    An SVG is told in words."""
+    An SVG is put in words."""
     reader = _Reader()
     reader.feed(lesson_html(markdown, "here"))
     reader.close()

@@ -11,7 +11,7 @@ from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.step_figure import step_figure
 from raywalk.slides.step_slide import Lesson, legend, step_place, where
 from raywalk.slides.stops import Event, Row, Stop
-from raywalk.slides.sum_slide import told_pixel
+from raywalk.slides.sum_slide import summed_pixel
 from raywalk.slides.words import kind_word, say
 
 FEWEST = 2  # rays: the walk along a single one is the step itself
@@ -22,7 +22,7 @@ GATHERED = ("gather", "pixel")  # what comes back stands on the slide of the sum
 
 def ray_slides(lesson: Lesson) -> list[Slide]:
     """The rays of the pixel whose sum is shown, one after the other; [] where there is only one."""
-    stop = told_pixel(lesson)
+    stop = summed_pixel(lesson)
     if stop is None or len(stop.rows) < FEWEST:
         return []
     return [slide for ray in stop.rows for slide in _ray(lesson, stop, ray)]
@@ -53,13 +53,13 @@ def _fitting(events: list[Event], box: Box) -> Flow:
     """The events in the box: smaller where they are many, and then without the longest numbers,
     which stand on the slide of the sum."""
     for size, most in ((SIZE, None), (SMALLEST, None), (SMALLEST, LONG_NUMBERS)):
-        words = flow([_told(each, most) for each in events], size, box.width)
+        words = flow([_as_paragraph(each, most) for each in events], size, box.width)
         if words.height() <= box.height:
             break
     return words
 
 
-def _told(event: Event, most: int | None) -> Paragraph:
+def _as_paragraph(event: Event, most: int | None) -> Paragraph:
     """most: numbers of more letters are left out; None: of none."""
     says = tuple(Run(text, mark is not None) for text, mark in event.phrases)
     shown = event.numbers if most is None or len(event.numbers) <= most else ""

@@ -15,7 +15,7 @@ from pydantic.alias_generators import to_camel
 from raywalk.scene.model import Scene
 
 
-class Told:
+class FromNode:
     """TypeScript's names are Python's but for their capitals; every one must be known."""
 
     __pydantic_config__ = ConfigDict(
@@ -40,7 +40,7 @@ Matrix = Annotated[np.ndarray, BeforeValidator(np.array)]
 
 
 @dataclass(frozen=True)
-class Piece(Told):
+class Piece(FromNode):
     """A stretch of a line before the observer, as far as it is all seen or all hidden."""
 
     ends: Ends
@@ -49,7 +49,7 @@ class Piece(Told):
 
 
 @dataclass(frozen=True)
-class ThinLine(Told):
+class ThinLine(FromNode):
     """A ray or shadow ray of a pixel that is not the selected one."""
 
     kind: str
@@ -70,14 +70,14 @@ class ChosenLine(ThinLine):
 
 
 @dataclass(frozen=True)
-class Lamp(Told):
+class Lamp(FromNode):
     name: str
     at: Point | None
     off: bool
 
 
 @dataclass(frozen=True, eq=False)
-class Figure(Told):
+class Figure(FromNode):
     """The picture plane, the ray-tracing camera and the lights from where the observer stands."""
 
     grid: Matrix  # (3, 3): (column, row, 1) -> (x w, y w, w), w the depth
@@ -95,7 +95,7 @@ class Figure(Told):
 
 
 @dataclass(frozen=True)
-class Row(Told):
+class Row(FromNode):
     """One of the selected pixel's rays, as the card has it."""
 
     number: int
@@ -113,7 +113,7 @@ class Row(Told):
 
 
 @dataclass(frozen=True)
-class Event(Told):
+class Event(FromNode):
     """One thing that happens to a ray, in words and numbers."""
 
     what: str
@@ -128,7 +128,7 @@ class Event(Told):
 
 
 @dataclass(frozen=True)
-class Switches(Told):
+class Switches(FromNode):
     """What is not as traced."""
 
     bounces: int | None
@@ -138,7 +138,7 @@ class Switches(Told):
 
 
 @dataclass(frozen=True)
-class Picture(Told):
+class Picture(FromNode):
     """A grid's tiles, (3 n n,) 8-bit."""
 
     n: int
@@ -146,7 +146,7 @@ class Picture(Told):
 
 
 @dataclass(frozen=True, eq=False)
-class Stop(Told):
+class Stop(FromNode):
     """A step of the lesson, or the answer to its question: what a slide of it shows."""
 
     step: int  # of the lesson, from 0
@@ -178,7 +178,7 @@ class Stop(Told):
 
 
 @dataclass(frozen=True)
-class Question(Told):
+class Question(FromNode):
     """Of a worksheet: one whose answer the trace knows."""
 
     asks: str
@@ -186,7 +186,7 @@ class Question(Told):
 
 
 @dataclass(frozen=True, eq=False)
-class Lesson(Told):
+class Lesson(FromNode):
     """As there."""
 
     stops: tuple[Stop, ...]
@@ -198,5 +198,5 @@ LESSON = TypeAdapter(Lesson)
 
 def read_stops(file: Path) -> tuple[list[Stop], list[Question]]:
     """The lesson's stops, and what its worksheet asks of the trace."""
-    told = LESSON.validate_json(file.read_bytes())
-    return list(told.stops), list(told.questions)
+    lesson = LESSON.validate_json(file.read_bytes())
+    return list(lesson.stops), list(lesson.questions)

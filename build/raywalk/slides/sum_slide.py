@@ -19,7 +19,7 @@ LITTLE = 0.002  # of a colour, its channels together: three decimals hardly show
 MOST_RAYS = 5  # a longer sum takes more than one slide
 
 
-def told_pixel(lesson: Lesson) -> Stop | None:
+def summed_pixel(lesson: Lesson) -> Stop | None:
     """The stop whose pixel has most to tell of its sum; None if no step walks one pixel's rays."""
     walked = [
         stop for stop in lesson.stops
@@ -31,7 +31,7 @@ def told_pixel(lesson: Lesson) -> Stop | None:
 
 def sum_slides(lesson: Lesson) -> list[Slide]:
     """How that pixel's colour adds up; none if no step walks one pixel's rays."""
-    stop = told_pixel(lesson)
+    stop = summed_pixel(lesson)
     return [] if stop is None else _slides(lesson, stop)
 
 

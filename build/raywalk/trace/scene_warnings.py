@@ -68,8 +68,8 @@ def _pixels_across(scene: Scene) -> int:
 
 def no_lamp(scene: Scene) -> list[str]:
     """What needs no tracer to be known."""
-    told = "there is no lamp: only ambient light, mirrors and glass are seen"
-    return [] if scene.lights else [told]
+    warning = "there is no lamp: only ambient light, mirrors and glass are seen"
+    return [] if scene.lights else [warning]
 
 
 def _is_clear(scene: Scene, obj: SceneObject) -> bool:

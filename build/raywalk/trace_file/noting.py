@@ -1,4 +1,4 @@
-"""The coder: is told every column's true numbers and notes the residuals."""
+"""The coder: is given every column's true numbers and notes the residuals."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def read_words(code: str = DEFAULT) -> Words:
     return _words(*(text_of(FOLDER / f"{each}.json") for each in (DEFAULT, code)))
 
 
-@lru_cache(maxsize=8)  # by the texts themselves: a file that is saved anew is told anew
+@lru_cache(maxsize=8)  # by the texts themselves: a file that is saved anew is read anew
 def _words(below: str, own: str) -> Words:
     return words_from(_over(json.loads(below), json.loads(own)))
 
