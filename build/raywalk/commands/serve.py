@@ -69,7 +69,7 @@ def _follow(chosen: Namespace, live: Live, scratch: Path) -> Iterator[str | Mess
 
 def _show_grids(chosen: Namespace, live: Live, scratch: Path) -> None:
     """Before a scene is traced as a whole, its grids, which take a moment. What is wrong with it is
-    told by the build that follows."""
+    said by the build that follows."""
     from raywalk.pipeline.first_sight import first_sight
 
     folder = Path(mkdtemp(dir=scratch))

@@ -61,13 +61,13 @@ def painted_mesh(obj: SceneObject, base: BaseColours, triangles: Triangles) -> P
 def _colours_by_vertex(obj: SceneObject, triangles: Triangles) -> Painted | None:
     """The triangles as they are, if no picture lies on them and each vertex has one colour and one
     normal: so have scans, of millions of triangles."""
-    vertices, faces, told = triangles.vertices, triangles.faces, triangles.colours
+    vertices, faces, given = triangles.vertices, triangles.faces, triangles.colours
     normals = triangles.normals
-    if told is None or (obj.base and obj.base.texture):
+    if given is None or (obj.base and obj.base.texture):
         return None
     if normals is not None and not np.array_equal(triangles.normal_rows, faces):
         return None
-    corners = np.rint(255.0 * np.where(np.isfinite(told), told, 1.0)).astype(np.uint8)
+    corners = np.rint(255.0 * np.where(np.isfinite(given), given, 1.0)).astype(np.uint8)
     colours = np.zeros((len(vertices), 3), np.uint8)
     colours[faces] = corners
     return Painted(vertices, faces, normals, colours) if (colours[faces] == corners).all() else None
