@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from raywalk.bench import speed
+from raywalk.bench.bench import TIMES, time_bounds
 from raywalk.bench.made_scenes import icosphere, write_ply
 from raywalk.bench.speed_many import write_scenes
+from raywalk.bench.speed_primitives import primitive_cases
 from raywalk.bench.speed_rebuild import rebuild_cases, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, quarter, skip_cases
 from raywalk.bench.speed_triangles import Fineness, triangle_cases, triangles
@@ -106,3 +108,23 @@ def test_time_that_grows_with_the_triangles_breaks_its_bound(exponent, holds):
     (case,) = triangle_cases(rows, 0)
     assert case.measured == pytest.approx(exponent)
     assert case.holds is holds
+
+
+def test_primitives_that_take_as_long_as_asking_all_break_the_bounds():
+    """In proportion to their number, and with the tree: both are said."""
+    slow = [{"spheres": n, "ratio": n / 100.0, "of all": 1.0} for n in (100, 1_000, 10_000)]
+    assert [case.holds for case in primitive_cases(slow, 0)] == [False, False]
+    quick = [{"spheres": n, "ratio": n**0.4, "of all": 0.2} for n in (100, 1_000, 10_000)]
+    assert [case.holds for case in primitive_cases(quick, 0)] == [True, True]
+
+
+def test_a_path_slower_than_its_peer_breaks_the_bound_of_time():
+    """And nothing is claimed where the peer is not installed."""
+    ours = {"name": "ours, float64", "ours": True, "nanoseconds": 40.0}
+    peer = {"name": TIMES["spheres-coherent"][0], "ours": False, "nanoseconds": 50.0}
+    task = {"key": "spheres-coherent", "title": "Spheres", "methods": [ours, peer]}
+    assert [case.holds for case in time_bounds(task, 0, 1)] == [True]
+    task["methods"] = [ours, peer | {"nanoseconds": 30.0}]
+    assert [case.holds for case in time_bounds(task, 0, 1)] == [False]
+    task["methods"] = [ours]
+    assert list(time_bounds(task, 0, 1)) == []

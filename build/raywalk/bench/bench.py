@@ -23,6 +23,15 @@ ROUNDS = 9
 SAMPLE = 1000  # rays of each task that mpmath judges
 # Of our path, where the mesh stands near the origin.
 BOUND = {"median": 1e-15, "largest": 1e-12, "wrong": 0.0}
+# Of our path's time, over that of the peer that the goal was set by.
+TIMES = {
+    "spheres-coherent": ("Mitsuba 3, llvm (its own spheres)", 1.0),
+    "spheres-incoherent": ("Mitsuba 3, llvm (its own spheres)", 1.0),
+    "mesh-coherent": ("Embree float32, as is", 1.2),
+    "mesh-incoherent": ("Embree float32, as is", 1.2),
+    "mesh-vertices": ("Embree float32, as is", 4.0),
+    "mesh-far": ("Embree float32, as is", 1.2),
+}
 FAR = 1e6  # where the moved mesh stands, in its own sizes
 # Errors of t smaller than float64's own rounding count as equal.
 ROUNDING = 2.0**-53
@@ -152,6 +161,17 @@ def bounds(task: dict[str, Any], seed: int) -> Iterator[Case]:
             "time against error", task["title"], words[which], bound, ours[which], SAMPLE, seed,
             floor[which], floor["name"],
         )  # fmt: skip
+
+
+def time_bounds(task: dict[str, Any], seed: int, rays: int) -> Iterator[Case]:
+    """How long our path takes beside the task's peer, where that is installed."""
+    name, bound = TIMES[task["key"]]
+    ours = next(method for method in task["methods"] if method["ours"])
+    for peer in task["methods"]:
+        if peer["name"] == name:
+            ratio = ours["nanoseconds"] / peer["nanoseconds"]
+            metric = f"time over that of {name}"
+            yield Case("time", task["title"], metric, bound, ratio, rays, seed)
 
 
 def beats(method: dict[str, Any], ours: dict[str, Any]) -> bool:

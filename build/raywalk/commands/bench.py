@@ -65,6 +65,8 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
     for task in bench.tasks(side, rounds, chosen.seed):
         measured["tasks"].append(task)
         cases += bench.bounds(task, chosen.seed)
+        if not chosen.quick:  # so few rays say little about time
+            cases += bench.time_bounds(task, chosen.seed, side * side)
         yield f"{task['title']} (time by {task['floor']})"
         yield from map(bench.as_line, task["methods"])
     measured["says"] = list(bench.says(measured["tasks"]))
