@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from http.server import ThreadingHTTPServer
 from pathlib import Path
-from tempfile import TemporaryDirectory, mkdtemp
+from shutil import rmtree
+from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import Any
 
@@ -72,7 +73,8 @@ def _show_grids(chosen: Namespace, live: Live, scratch: Path) -> None:
     said by the build that follows."""
     from raywalk.pipeline.first_sight import first_sight
 
-    folder = Path(mkdtemp(dir=scratch))
+    folder = scratch / "sight"
+    rmtree(folder, ignore_errors=True)  # the last one's, which no page gets since its build ended
     with suppress(Exception), one_build():
         if first_sight(chosen, folder):
             live.first_sight(folder)
