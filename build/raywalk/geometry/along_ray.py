@@ -2,28 +2,20 @@
 
 A point o + t d seen from a centre c is small where the ray passes the shape, however far
 away it starts; computed as it stands, it would keep the rounding of the way. Each
-product and sum is carried together with its error instead (Dekker, "A floating-point
-technique for extending the available precision", Numerische Mathematik 18, 1971; Knuth, The
-Art of Computer Programming, vol. 2, sec. 4.2.2), and only the result is rounded.
+product and sum is carried together with its error instead (Knuth, The Art of Computer Programming,
+vol. 2, sec. 4.2.2; of a product one fused operation gives it), and only the result is rounded.
 """
 
 from __future__ import annotations
 
 from raywalk.optics.compiled import kernel
-
-SPLITTER = 134217729.0  # 2^27 + 1, cuts a float64 into halves whose products are exact
+from raywalk.optics.fused import fused
 
 
 @kernel
 def product_error(a, b, product):
-    """a b - product exactly, product being a b rounded. No fma: numba has none to offer."""
-    cut = SPLITTER * a
-    ah = cut - (cut - a)
-    al = a - ah
-    cut = SPLITTER * b
-    bh = cut - (cut - b)
-    bl = b - bh
-    return ((ah * bh - product) + ah * bl + al * bh) + al * bl
+    """a b - product exactly, product being a b rounded."""
+    return fused(a, b, -product)
 
 
 @kernel

@@ -10,6 +10,10 @@ import math
 from raywalk.geometry.exact_edges import edge_side
 from raywalk.optics.compiled import lean
 
+# Places of sizes between this and its inverse need no scaling: their cubes, errors of errors of
+# these included, are in range.
+FINE = 1e-30
+
 
 @lean
 def exact_hit(o, d, a, a_rest, b, b_rest, c, c_rest, known, error):
@@ -21,9 +25,9 @@ def exact_hit(o, d, a, a_rest, b, b_rest, c, c_rest, known, error):
     those that are larger are not worked out again.
     """
     # By a power of two, which rounds nothing: products of three must not leave float64's range.
-    scale = math.ldexp(
-        1.0, -math.frexp(max(farthest(o, a), max(farthest(o, b), farthest(o, c))))[1]
-    )
+    away, scale = max(farthest(o, a), max(farthest(o, b), farthest(o, c))), 1.0
+    if not FINE < away < 1.0 / FINE:
+        scale = math.ldexp(1.0, -math.frexp(away)[1])
     wa, wb, wc = scaled(scaled(known, scale), scale)
     if abs(known[0]) <= error or abs(known[1]) <= error or abs(known[2]) <= error:
         start, p, p_rest = scaled(o, scale), scaled(a, scale), scaled(a_rest, scale)

@@ -184,7 +184,7 @@ def settle_all(
             t[i], met[i], triangle[i], uv[i, 0], uv[i, 1] = found, mesh.object, who, u, v
 
 
-@lean
+@inlined
 def settle(mesh, start, d, own, reach, named):
     """(t, triangle, u, v) of an open ray, for certain; triangle -1 if it meets none before `reach`.
 
@@ -196,7 +196,7 @@ def settle(mesh, start, d, own, reach, named):
         o = onto_plane(o, corners, own, triangle_normal(corners, own))
     bound = origin_bound(o, mesh.centre) if own >= 0 or named == UNASKED else 0.0
     is_clear_start = own < 0 or starts_clear(corners, mesh.trusted, own, o)
-    is_known = named >= 0 and named != own and star.alone[named]
+    is_known = named >= 0 and named != own
     if is_clear_start and is_known and not is_grazed(corners, named, d):
         sheared, off = shear(d[0], d[1], d[2]), start_error(bvh, o, bound)
         t, who, u, v = settled_in_star(

@@ -8,6 +8,7 @@ exactly, close to P, that is the hit. If none is (the ray passes an outline), th
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -15,8 +16,15 @@ import numpy as np
 from raywalk.geometry.bvh import REPEATED, Bvh, met_before
 from raywalk.geometry.float32_copy import apart
 from raywalk.geometry.mesh_sides import AT_EDGE, leaves, of_two
-from raywalk.geometry.triangle import distance_sq_to, height_over, triangle_normal
-from raywalk.optics.compiled import kernel, lean
+from raywalk.geometry.triangle import (
+    corner,
+    distance_sq_to,
+    dot,
+    height_over,
+    minus,
+    triangle_normal,
+)
+from raywalk.optics.compiled import inlined, kernel, lean
 
 # In the unit-sized copy. On a triangle that is not grazed P is off by 1e-5 in depth, as STEEPEST
 # has it, and a triangle that is met at Y is named by Embree within 2e-5 of Y: by its grown
@@ -29,7 +37,10 @@ ALONE = 1e-4  # no other triangle comes so close to one that stands alone: the s
 class Star(NamedTuple):
     """Who shares a vertex with whom."""
 
-    alone: np.ndarray  # (triangles,) bool: only triangles that share a vertex with it come near it
+    # (triangles,) bool: only triangles that share a vertex with it come near it; (vertices,) bool:
+    # only triangles that have it do.
+    alone: np.ndarray
+    vertex_alone: np.ndarray
     first: np.ndarray  # (vertices + 1,) int32: a vertex's first place in `around`
     around: np.ndarray  # (3 triangles,) int32: the triangles at each vertex
 
@@ -40,7 +51,11 @@ def star_of(bvh: Bvh, corners: np.ndarray, scale: float) -> Star:
     order = np.argsort(corner, kind="stable")
     first = np.searchsorted(corner[order], np.arange(len(bvh.world) + 1))
     around = (order // 3).astype(np.int32)
-    return Star(standing_alone(bvh, corners, ALONE / scale), first.astype(np.int32), around)
+    gap = ALONE / scale
+    return Star(
+        standing_alone(bvh, corners, gap), vertices_alone(bvh, corners, gap),
+        first.astype(np.int32), around,
+    )  # fmt: skip
 
 
 @kernel
@@ -70,6 +85,42 @@ def standing_alone(bvh: Bvh, corners, gap):
     return alone
 
 
+@kernel
+def vertices_alone(bvh: Bvh, corners, gap):
+    """(v,) bool: to which vertices only their own triangles come within the gap."""
+    alone = np.zeros(bvh.world.shape[0], np.bool_)
+    asked = np.zeros(bvh.world.shape[0], np.bool_)
+    for me in range(corners.shape[0]):
+        for c in range(3):
+            vertex = bvh.faces[me, c]
+            if not asked[vertex]:
+                asked[vertex] = True
+                alone[vertex] = is_vertex_alone(bvh, corners, vertex, corner(corners, me, c), gap)
+    return alone
+
+
+@lean
+def is_vertex_alone(bvh, corners, vertex, place, gap):
+    """Whether only triangles with this vertex come within the gap of its place."""
+    node = 0
+    while node < len(bvh.skip):
+        misses = False
+        for k in range(3):
+            x = place[k]
+            misses |= bvh.low[node, k] - gap > x or bvh.high[node, k] + gap < x
+        if misses:
+            node = bvh.skip[node]
+            continue
+        for spot in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
+            other = bvh.order[spot]
+            if has_vertex(bvh.faces, other, vertex):
+                continue
+            if distance_sq_to(place, corners, other) <= gap * gap:
+                return False
+        node += 1
+    return True
+
+
 @lean
 def shares_vertex(faces, one, other):
     """Whether two triangles have a vertex in common."""
@@ -86,22 +137,25 @@ def has_vertex(faces, triangle, vertex):
 
 
 @lean
-def nearest_in_star(bvh, corners, star, k, sense, own, start, o, d, sheared, off, bound, best):
+def nearest_in_star(bvh, corners, star, k, one, sense, own, start, o, d, sheared, off, bound, best):
     """Nearest hit up to t = best, then lowest, of the triangles that share a vertex with k: (t,
     triangle, u, v), and whether it is the only one there, but for rounding.
 
-    sense: 0, or of those alone that are left (1) or entered (-1).
+    one: the corner of k that they have, -1 if any; sense: 0, or of those alone that are left (1)
+    or entered (-1).
     """
     faces, first, around = bvh.faces, star.first, star.around
     who, u, v, is_single = -1, 0.0, 0.0, True
     p, q = faces[k, 0], faces[k, 1]
-    for c in range(3):
+    for c in range(max(one, 0), 3 if one < 0 else one + 1):
         vertex = faces[k, c]
         for place in range(first[vertex], first[vertex + 1]):
             triangle = around[place]
-            if triangle == own or (c > 0 and has_vertex(faces, triangle, p)):
+            if triangle == own:
+                continue
+            if one < 0 and c > 0 and has_vertex(faces, triangle, p):
                 continue  # none of them twice
-            if c > 1 and has_vertex(faces, triangle, q):
+            if one < 0 and c > 1 and has_vertex(faces, triangle, q):
                 continue
             if sense != 0 and leaves(corners, triangle, d) != (sense > 0):
                 continue
@@ -117,19 +171,20 @@ def nearest_in_star(bvh, corners, star, k, sense, own, start, o, d, sheared, off
     return (best if who >= 0 else np.inf), who, u, v, is_single
 
 
-@lean
+@inlined
 def settled_in_star(bvh, corners, star, glass, k, own, start, o, d, sheared, off, bound, scale):
-    """(t, triangle, u, v) of the hit that Embree puts on triangle k, which stands alone and is not
-    grazed; triangle -1 if that does not tell. scale: makes the mesh 1 in size."""
-    length = scale * np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+    """(t, triangle, u, v) of the hit that Embree puts on triangle k, which is not grazed; triangle
+    -1 if that does not tell. scale: makes the mesh 1 in size."""
+    length = scale * math.sqrt(dot(d, d))
     nx, ny, nz = triangle_normal(corners, k)
     at = -height_over(o, corners, k) / (nx * d[0] + ny * d[1] + nz * d[2])
     place = (o[0] + at * d[0], o[1] + at * d[1], o[2] + at * d[2])
+    one = lone_corner(bvh.faces, corners, star, k, place, CLOSE / scale)
     aside = ASIDE / scale
-    if not distance_sq_to(place, corners, k) <= aside * aside:
+    if one < 0 and not (star.alone[k] and distance_sq_to(place, corners, k) <= aside * aside):
         return np.inf, -1, 0.0, 0.0
     t, who, u, v, is_single = nearest_in_star(
-        bvh, corners, star, k, 0, own, start, o, d, sheared, off, bound, np.inf
+        bvh, corners, star, k, one, 0, own, start, o, d, sheared, off, bound, np.inf
     )
     if who < 0 or not abs(t - at) * length <= CLOSE:
         return np.inf, -1, 0.0, 0.0
@@ -139,6 +194,17 @@ def settled_in_star(bvh, corners, star, glass, k, own, start, o, d, sheared, off
         return np.inf, -1, 0.0, 0.0
     sense = -1 if leaves(corners, who, d) else 1
     _, other, a, b, _ = nearest_in_star(
-        bvh, corners, star, k, sense, own, start, o, d, sheared, off, bound, t * (1.0 + REPEATED)
-    )
+        bvh, corners, star, k, one, sense, own, start, o, d, sheared, off, bound,
+        t * (1.0 + REPEATED),
+    )  # fmt: skip
     return of_two(corners, glass, o, d, t, (who, u, v), (other, a, b))
+
+
+@lean
+def lone_corner(faces, corners, star, k, place, close):
+    """The corner of k that a place is this close to, if only triangles that have it are; or -1."""
+    for c in range(3):
+        away = minus(place, corner(corners, k, c))
+        if dot(away, away) <= close * close:
+            return c if star.vertex_alone[faces[k, c]] else -1
+    return -1

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from raywalk.geometry.along_ray import product_error, sum_error
+from raywalk.geometry.along_ray import sum_error
+
+SPLITTER = 134217729.0  # 2^27 + 1, cuts a float64 into halves whose products are exact
 
 
 def in_world(
@@ -23,17 +25,28 @@ def in_world(
     world, rest = np.empty_like(vertices), np.empty_like(vertices)
     # As numpy has them: compiling them for arrays would take longer.
     total_of = getattr(sum_error, "py_func", sum_error)
-    error_of = getattr(product_error, "py_func", product_error)
     for row in range(3):
         total, error = np.full(len(vertices), offset[row]), np.zeros(len(vertices))
         for k in range(3):
             product = linear[row, k] * vertices[:, k]
-            error += error_of(linear[row, k], vertices[:, k], product)
+            error += _product_error(linear[row, k], vertices[:, k], product)
             before, total = total, total + product
             error += total_of(before, product, total)
         world[:, row] = total + error
         rest[:, row] = error - (world[:, row] - total)
     return world, rest
+
+
+def _product_error(a: np.ndarray, b: np.ndarray, product: np.ndarray) -> np.ndarray:
+    """a b - product exactly, product being a b rounded. numpy has no fused operation: Dekker, "A
+    floating-point technique for extending the available precision", Numer. Math. 18, 1971."""
+    cut = SPLITTER * a
+    ah = cut - (cut - a)
+    al = a - ah
+    cut = SPLITTER * b
+    bh = cut - (cut - b)
+    bl = b - bh
+    return np.asarray(((ah * bh - product) + ah * bl + al * bh) + al * bl)
 
 
 def off_world(
