@@ -34,17 +34,20 @@ THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any den
 
 def write_products(
     scene: Scene, folder: Path, threads: Threads, report: Report = say_nothing,
-    trace: Callable[..., Traced] = trace_picture,
+    trace: Callable[..., Traced] | None = None,
 ) -> None:  # fmt: skip
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
     boxes.js where there is a mesh, facts.json, display.npz into a folder.
 
-    report: called with the stage and the share that is done. trace: trace_picture or trace_grids.
+    report: called with the stage and the share that is done. trace: trace_grids, or by default
+    trace_picture.
     """
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     report("reading", 0.0)  # it is done, as said of every other stage
-    traced = trace(tracer, threads, lambda share: report("tracing", TRACING * share))
+    traced = (trace or trace_picture)(
+        tracer, threads, lambda share: report("tracing", TRACING * share)
+    )
     # The longest first, or a thread waits at the end.
     grids = sorted(scene.render.resolutions, reverse=True)
     stages = ["picture", "sections", *(f"grid {n}" for n in grids)]

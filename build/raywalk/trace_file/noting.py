@@ -9,6 +9,7 @@ import numpy as np
 
 from raywalk.trace_file import residuals
 from raywalk.trace_file.fit_predictor import Predictor, affine_part, fit_predictors, how_and_taps
+from raywalk.trace_file.precision import WHOLE
 from raywalk.trace_file.symbols import write_numbers, zigzag
 
 Ray = dict[str, np.ndarray]  # columns over rays, as rebuilt so far
@@ -42,7 +43,10 @@ class Noting:
             self.texts[name] = [""]
             return np.zeros(len(kind))
         group, kind = np.where(stored, group, ABSENT), np.where(stored, kind, ABSENT)
-        number = np.where(stored, np.floor(np.asarray(true, float) + 0.5), 0.0)
+        # A ray that runs along an endless plane, but for rounding, meets it farther out than
+        # numbers go: it is drawn to where they end.
+        rounded = np.clip(np.floor(np.asarray(true, float) + 0.5), -WHOLE, WHOLE)
+        number = np.where(stored, rounded, 0.0)
         near = residuals.near_in(group, kind, sides)
         predictors = fit_predictors(number, kind, near, features)
         left = note_numbers(number, kind, near, predictors, features)[stored]

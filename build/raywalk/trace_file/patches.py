@@ -187,6 +187,8 @@ def _leaving(
     picked = point[rows[:: max(1, len(rows) // SAMPLE)]]
     on = picked
     for _ in range(4):
+        if not len(on):  # they end all over the place, as those do that start at a horizon
+            return [(Patch(index, "free", "none"), rows)]
         centre, radius = _sphere_through(on)
         off = np.abs(np.linalg.norm(picked - centre, axis=1) - radius)
         if off.max() <= FITS * radius:

@@ -67,7 +67,9 @@ def hits_along(
     along = images_along(met, images)
     who, place, far = drawn_hits(true, header["camera"]["eye"])
     depths, image_of = np.zeros((len(images), n * n)), along[chosen[who], place]
-    depths[image_of, who] = size[who] / far / np.array([i["step"] for i in images])[image_of]
+    # At least one step: none would be a hit at no distance at all.
+    steps = size[who] / far / np.array([i["step"] for i in images])[image_of]
+    depths[image_of, who] = np.maximum(steps, 1.0)
     z, zeros = np.ones((n * n, len(images))), np.zeros(n * n, np.int64)
     for k, image in enumerate(images):
         here = (along == k).any(axis=1)[chosen]
