@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 from raywalk.scene.read import read_scenes
+from raywalk.site.sizes import check, kept, read_budgets
 from raywalk.stops.decoded import read_trace
 from raywalk.stops.process import Stops
 from raywalk.trace.tree import SHOT
@@ -74,3 +75,9 @@ def test_a_scenes_data_name_every_script_of_their_build(scene):
     for name, mark in data["files"].items():
         assert mark_of(folder(scene) / f"{name}.js") == mark
     assert len(set(data["files"].values())) == len(data["files"])
+
+
+def test_our_own_course_keeps_all_budgets():
+    """Also those of scenes, of which somebody else's build is only told."""
+    assert kept(DIST)
+    assert check(DIST, kept(DIST), read_budgets()) == []

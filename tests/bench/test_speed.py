@@ -10,6 +10,7 @@ import pytest
 from raywalk.bench import speed
 from raywalk.bench.bench import TIMES, time_bounds
 from raywalk.bench.made_scenes import icosphere, write_ply
+from raywalk.bench.picture_error import pictures
 from raywalk.bench.speed_many import write_scenes
 from raywalk.bench.speed_primitives import primitive_cases
 from raywalk.bench.speed_rebuild import rebuild_cases, with_words
@@ -128,3 +129,11 @@ def test_a_path_slower_than_its_peer_breaks_the_bound_of_time():
     assert [case.holds for case in time_bounds(task, 0, 1)] == [False]
     task["methods"] = [ours]
     assert list(time_bounds(task, 0, 1)) == []
+
+
+def test_whole_pictures_of_all_methods_are_made_and_ours_is_right():
+    """Once a new question to a scene was asked that Embree's scene did not know."""
+    made = pictures(1, 1, 48)
+    assert len(made["methods"]) >= 2
+    ours = next(method for method in made["methods"] if method["ours"])
+    assert ours["wrong"] == 0

@@ -55,6 +55,26 @@ two.obj: OBJ
     )
 
 
+@pytest.mark.parametrize(
+    ("scale", "place", "told"),
+    [
+        (1.0, (0.2, 0.0, 0.0), ""),
+        (40.0, (100.0, 20.0, -7.0), "[{ scale = 0.05 }, { translate = [-100, 0, 7] }]"),
+        (0.001, (0.0, 0.0, 0.0), "[{ scale = 2000.0 }, { translate = [0, 0.0005, 0] }]"),
+        (2.0, (50.0, 1.0, 0.0), "[{ scale = 1.0 }, { translate = [-50, 0, 0] }]"),
+    ],
+)
+def test_a_model_that_would_not_be_seen_is_given_a_transform(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], scale: float,
+    place: tuple[float, float, float], told: str,
+) -> None:  # fmt: skip
+    """Of a usual size, its foot on the ground: a cube of this side round this place."""
+    path = written(tmp_path / "cube.obj", obj_text(cube() * scale + place, triangles()))
+    _, out, _ = answer(capsys, path)
+    line = next((each for each in out.splitlines() if "transform" in each), "")
+    assert line.partition("   #")[0].strip() == (f"transform = {told}" if told else "")
+
+
 def test_as_json_it_tells_the_same(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Numbers as numbers; places of open edges."""
     lid = (cube()[triangles()][:, :, 1] == 0.5).all(axis=1)

@@ -37,6 +37,39 @@ def package(
     return path
 
 
+PRODUCTION = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
+
+
+def in_parts(folder: Path, path: str = "/3D/Objects/Object_1.model") -> Path:
+    """As slicers write it: the mesh in a part of its own, where an object has the same id as the
+    one that places it, in a colour whose group has the same id too."""
+    red = '<basematerials id="5"><base name="red" displaycolor="#FF0000"/></basematerials>'
+    blue = red.replace("red", "blue").replace("#FF0000", "#0000FF")
+    mesh = CUBE.replace('type="model"', 'type="model" pid="5" pindex="0"')
+    made = package(
+        folder,
+        red + f'<object id="1" name="both"><components><component xmlns:p="{PRODUCTION}" '
+        f'p:path="{path}" objectid="1"/></components></object>',
+    )
+    part = f'<model unit="inch" xmlns="{CORE}"><resources>{blue}{mesh}</resources><build/></model>'
+    with zipfile.ZipFile(made, "a") as more:
+        more.writestr("3D/Objects/object_1.model", part)
+    return made
+
+
+def test_an_object_in_a_part_of_its_own_is_found_there(tmp_path: Path) -> None:
+    """With the colours of its own part; a path's capitals do not count, as in a package."""
+    model = read_model(in_parts(tmp_path))
+    assert (model.parts, len(model.faces), model.unit) == (("both",), 12, "inch")
+    assert model.material is not None
+    assert {model.materials[row].name for row in model.material} == {"blue"}
+
+
+def test_a_part_that_is_not_in_the_package_is_named(tmp_path: Path) -> None:
+    said = refused(in_parts(tmp_path, "/3D/Objects/gone.model"))
+    assert 'its part "3d/objects/gone.model" is not in the package' in said
+
+
 def refused(path: Path) -> str:
     with pytest.raises(ModelFault) as caught:
         clean(read_model(path))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -75,3 +76,14 @@ def test_the_floor_of_a_picture_is_its_lossless_webp(tmp_path: Path) -> None:
     Image.fromarray(np.ascontiguousarray(ramp)).save(tmp_path / "a.png")
     floor, way = sizes.floor_of(tmp_path / "a.png")
     assert 0 < floor < (tmp_path / "a.png").stat().st_size and way == "lossless WebP"
+
+
+def test_what_a_scene_weighs_over_the_courses_own_is_told_and_built() -> None:
+    """Somebody's scan is finer than ours: once it failed the whole build."""
+    budget = Budget("mesh", "meshes", 2.5, "bytes a triangle", "all", "ours", of_scenes=True)
+    sizes = [Size("mesh", "scenes/01-scan/scene.js", 5_000, 1_000)]
+    (said,) = check(Path("dist"), sizes, [budget])
+    assert said.startswith("scenes/01-scan/scene.js: 5.00 bytes a triangle of meshes; ")
+    assert "2.50 bytes a triangle" in said
+    with pytest.raises(OverBudget):
+        check(Path("dist"), sizes, [replace(budget, of_scenes=False)])

@@ -152,6 +152,9 @@ class TessellatedScene:
         """Nothing: these scenes have no glass."""
         return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros(0, bool)
 
+    def base_colours(self, hits: Hits) -> None:
+        """None anywhere: these scenes have no textures."""
+
     def hits(self, rays: Rays) -> Hits:
         t, met, normal = self._met(rays)
         length = np.linalg.norm(normal, axis=1, keepdims=True)

@@ -9,8 +9,8 @@ from typing import Any
 from raywalk.models.faults import shown
 
 MOST = 12  # names or places in a row
-CENTIMETRE = {"millimetre": 0.1, "millimeter": 0.1, "metre": 100.0, "meter": 100.0, "inch": 2.54,
-              "centimeter": 1.0, "foot": 30.48, "micron": 1e-4}  # fmt: skip
+CENTIMETRE = {"millimetre": 0.1, "metre": 100.0, "inch": 2.54, "centimetre": 1.0, "foot": 30.48,
+              "micron": 1e-4}  # fmt: skip
 
 
 def in_short(facts: dict[str, Any]) -> str:
@@ -91,6 +91,7 @@ def _sized(facts: dict[str, Any]) -> str:
     unit = facts["likely_unit"]
     if not unit:
         return f"{across} of its units (the file does not say which)"
+    unit = unit.replace("meter", "metre")  # as it is spelt on all pages; 3MF has the other way
     how = "as the file says" if facts["unit"] else "as such files mostly are"
     if unit not in CENTIMETRE:
         return f"{across} {unit} ({how})"
@@ -162,6 +163,24 @@ def _for_a_scene(facts: dict[str, Any]) -> Iterator[str]:
         )
     if names:
         yield f'    # materials = {{ {_key(names[0])} = "mirror" }}'
+    yield from _placed(facts)
+
+
+# A scene is some 5 units wide; a model that is not of such a size and place is not seen in it.
+FITTING, WANTED = (0.3, 8.0), 2.0
+
+
+def _placed(facts: dict[str, Any]) -> Iterator[str]:
+    """A transform for a model that would hardly be seen: of a usual size, on the ground at the
+    origin."""
+    (low, high), longest = facts["box"], max(facts["size"])
+    centre = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    if FITTING[0] <= longest <= FITTING[1] and max(map(abs, centre)) <= longest:
+        return
+    foot = ", ".join(f"{0.0 - each:.4g}" for each in (centre[0], low[1], centre[2]))
+    scale = float(f"{WANTED / longest:.2g}")
+    moves = f"[{{ scale = {scale!r} }}, {{ translate = [{foot}] }}]"
+    yield f"    transform = {moves}   # {WANTED:g} in size, on the ground in the middle"
 
 
 def _key(name: str) -> str:

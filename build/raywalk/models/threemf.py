@@ -1,7 +1,9 @@
 """3MF: the build items of a package, with their components, materials and colours.
 
 Our own: trimesh 5.2 wants networkx for it, which we do not have; lib3mf is 1.5 MB compiled.
-Format: 3MF Consortium, "Core Specification" 1.3, and "Materials and Properties" 1.2 for colours.
+Format: 3MF Consortium, "Core Specification" 1.3, "Materials and Properties" 1.2 for colours, and
+"Production" 1.1 for packages of many parts, which slicers write: an object is named there by its
+part and its id.
 """
 
 from __future__ import annotations
@@ -21,12 +23,14 @@ from raywalk.models.faults import ModelFault, quoted
 from raywalk.models.model import Colour, FileMaterial, Model
 
 MODEL = "3d/3dmodel.model"
+PART_PATH = "{http://schemas.microsoft.com/3dmanufacturing/production/2015/06}path"
 MOST_TIMES = 40  # as large as the file its XML may be: 10 to 15 times is usual
 ALWAYS = 64 << 20  # bytes of XML that are read anyway
 MOST_TRIANGLES = 20_000_000  # with all copies
 HUGE = 1e100  # of a transform
 DEEPEST = 32  # components within components
 CUT = "it is cut short or damaged: copy or export it again"
+Key = tuple[str, str]  # a part of the package, and an id in it
 
 
 @dataclass
@@ -35,15 +39,25 @@ class _Object:
     places: array = field(default_factory=lambda: array("d"))
     corners: array = field(default_factory=lambda: array("q"))
     colour: array = field(default_factory=lambda: array("q"))  # rows of all materials, -1 for none
-    parts: list[tuple[str, np.ndarray]] = field(default_factory=list)  # of other objects
+    parts: list[tuple[Key, np.ndarray]] = field(default_factory=list)  # of other objects
 
 
 def read_3mf(path: Path, data: bytes) -> Model:
     """The model. Raises ModelFault with the element."""
     reader = _Reader(path)
     try:
-        with zipfile.ZipFile(path) as package, package.open(_model_of(path, package, data)) as file:
-            reader.read(file)
+        with zipfile.ZipFile(path) as package:
+            room = max(ALWAYS, MOST_TIMES * len(data))
+            for part in reader.wanted:  # it grows while they are read
+                found = _part_of(path, package, part)
+                room -= found.file_size
+                if room < 0:
+                    raise ModelFault(
+                        path, "", f"its XML is more than {MOST_TIMES} times as large as the file",
+                        "export it as 3MF again",
+                    )  # fmt: skip
+                with package.open(found) as file:
+                    reader.read(file, part)
     except (
         zipfile.BadZipFile,
         ZlibError,
@@ -61,18 +75,16 @@ def read_3mf(path: Path, data: bytes) -> Model:
     return reader.model()
 
 
-def _model_of(path: Path, package: zipfile.ZipFile, data: bytes) -> zipfile.ZipInfo:
-    found = [each for each in package.infolist() if each.filename.lower().lstrip("/") == MODEL]
-    found = found or [
-        each for each in package.infolist() if each.filename.lower().endswith(".model")
-    ]
+def _part_of(path: Path, package: zipfile.ZipFile, part: str) -> zipfile.ZipInfo:
+    """A part's entry; of the first one any .model that there is."""
+    entries = {each.filename.lower().lstrip("/"): each for each in package.infolist()}
+    if part in entries:
+        return entries[part]
+    if part != MODEL:
+        raise ModelFault(path, "", f"its part {quoted(part)} is not in the package", CUT)
+    found = [each for name, each in entries.items() if name.endswith(".model")]
     if not found:
         raise ModelFault(path, "", "there is no 3D/3dmodel.model in it", "export it as 3MF again")
-    if found[0].file_size > max(ALWAYS, MOST_TIMES * len(data)):
-        raise ModelFault(
-            path, "", f"its XML is {found[0].file_size / len(data):.0f} times as large as the file",
-            "export it as 3MF again",
-        )  # fmt: skip
     return found[0]
 
 
@@ -80,28 +92,31 @@ class _Reader:
     def __init__(self, path: Path):
         self.path = path
         self.unit = "millimeter"
-        self.objects: dict[str, _Object] = {}
-        self.items: list[tuple[str, np.ndarray]] = []
-        self.groups: dict[str, int] = {}  # id of a group -> row of its first material
-        self.sizes: dict[str, int] = {}
+        self.wanted = [MODEL]  # parts of the package, each once
+        self.part = MODEL  # that is read now
+        self.objects: dict[Key, _Object] = {}
+        self.items: list[tuple[Key, np.ndarray]] = []
+        self.groups: dict[Key, int] = {}  # of a group -> row of its first material
+        self.sizes: dict[Key, int] = {}
         self.materials: list[FileMaterial] = []
         self.left_out: dict[str, None] = {}
         self.now, self.default = _Object(""), -1
 
-    def read(self, file: IO[bytes]) -> None:
+    def read(self, file: IO[bytes], part: str) -> None:
         """Element by element, each forgotten once it is read."""
-        group = ""
+        self.part = part
+        group: Key | None = None
         stack: list[Element] = []
         for event, element in iterparse(file, ("start", "end")):
             kind = element.tag.rpartition("}")[2]
             if event == "start":
                 stack.append(element)
-                if kind == "model":
+                if kind == "model" and part == MODEL:
                     self.unit = element.get("unit", "millimeter")
                 elif kind == "object":
                     self._begin(element)
                 elif kind in ("basematerials", "colorgroup"):
-                    group = element.get("id", "")
+                    group = self.part, element.get("id", "")
                     self.groups[group], self.sizes[group] = len(self.materials), 0
                 continue
             self._end(kind, element, group)
@@ -112,12 +127,12 @@ class _Reader:
     def _begin(self, element: Element) -> None:
         id = element.get("id", "")
         self.now = _Object(element.get("name") or f"object {id}")
-        self.objects[id] = self.now
+        self.objects[self.part, id] = self.now
         self.default = self._row(element.get("pid"), element.get("pindex", "0"))
         if element.get("type", "model") not in ("model", "solidsupport"):
             self.left_out[f"objects of the type {quoted(element.get('type', ''))}"] = None
 
-    def _end(self, kind: str, element: Element, group: str) -> None:
+    def _end(self, kind: str, element: Element, group: Key | None) -> None:
         match kind:
             case "vertex":
                 self.now.places.extend(self._number(element, axis) for axis in "xyz")
@@ -126,16 +141,23 @@ class _Reader:
                 own = element.get("pid"), element.get("p1")
                 self.now.colour.append(self._row(*own) if own[1] else self.default)
             case "component":
-                self.now.parts.append((element.get("objectid", ""), self._matrix(element)))
+                self.now.parts.append((self._named(element), self._matrix(element)))
             case "item":
-                self.items.append((element.get("objectid", ""), self._matrix(element)))
-            case "base" | "color" if group:
+                self.items.append((self._named(element), self._matrix(element)))
+            case "base" | "color" if group is not None:
                 text = element.get("displaycolor") or element.get("color") or ""
                 name = element.get("name") or f"colour {text}"
                 self.materials.append(FileMaterial(name, _colour(text)))
                 self.sizes[group] += 1
             case "texture2d" | "beamlattice" | "slicestack":
                 self.left_out[{"texture2d": "textures"}.get(kind, kind)] = None
+
+    def _named(self, element: Element) -> Key:
+        """The object that an item or component places, of this part or of another."""
+        part = element.get(PART_PATH, self.part).lower().lstrip("/")
+        if part not in self.wanted:
+            self.wanted.append(part)
+        return part, element.get("objectid", "")
 
     def _fault(self, element: Element, cause: str) -> NoReturn:
         kind = element.tag.rpartition("}")[2]
@@ -157,9 +179,10 @@ class _Reader:
 
     def _row(self, group: str | None, place: str | None) -> int:
         """Of a material by its group and place; -1 for none that is known."""
-        if group not in self.groups or place is None or not place.isdigit():
+        key = self.part, group or ""
+        if key not in self.groups or place is None or not place.isdigit():
             return -1
-        return self.groups[group] + int(place) if int(place) < self.sizes[group] else -1
+        return self.groups[key] + int(place) if int(place) < self.sizes[key] else -1
 
     def _matrix(self, element: Element) -> np.ndarray:
         """(4, 3): a row vector's last is its place."""
@@ -176,12 +199,12 @@ class _Reader:
 
     def model(self) -> Model:
         """All items of the build, or all objects if there is none."""
-        items = self.items or [(id, np.eye(4, 3)) for id in self.objects]
+        items = self.items or [(key, np.eye(4, 3)) for key in self.objects]
         vertices, faces, colour, part = [], [], [], []
         parts: dict[str, int] = {}
         count = first = 0
-        for name, id, matrix in self._placed(items):
-            found = self.objects[id]
+        for name, key, matrix in self._placed(items):
+            found = self.objects[key]
             corners = np.asarray(found.corners).reshape(-1, 3)
             count += len(corners)
             if count > MOST_TRIANGLES:
@@ -211,22 +234,22 @@ class _Reader:
             ignored=tuple(f"{what} are not read" for what in self.left_out), unit=self.unit,
         )  # fmt: skip
 
-    def _placed(self, items: list[tuple[str, np.ndarray]]) -> Iterator[tuple[str, str, np.ndarray]]:
-        """Name, id and matrix (4, 3) of every mesh that stands in the build."""
-        waiting = [("", id, matrix, 0) for id, matrix in reversed(items)]
+    def _placed(self, items: list[tuple[Key, np.ndarray]]) -> Iterator[tuple[str, Key, np.ndarray]]:
+        """Name, key and matrix (4, 3) of every mesh that stands in the build."""
+        waiting = [("", key, matrix, 0) for key, matrix in reversed(items)]
         met = 0
         while waiting:
-            name, id, matrix, depth = waiting.pop()
+            name, key, matrix, depth = waiting.pop()
             met += 1
-            if id not in self.objects or depth > DEEPEST or met > 100_000:
-                cause = f"it names object {quoted(id)}, which is not there"
-                if id in self.objects:
+            if key not in self.objects or depth > DEEPEST or met > 100_000:
+                cause = f"it names object {quoted(key[1])}, which is not there"
+                if key in self.objects:
                     cause = "its components hold one another too often"
                 raise ModelFault(self.path, "build", cause, CUT)
-            found = self.objects[id]
+            found = self.objects[key]
             name = name or found.name
             if found.corners:
-                yield name, id, matrix
+                yield name, key, matrix
             for part, inner in reversed(found.parts):
                 linear = inner[:3] @ matrix[:3]
                 whole = np.vstack([linear, inner[3] @ matrix[:3] + matrix[3]])

@@ -60,8 +60,9 @@ class Made:
         yield from (deck.entry for deck in self.decks)
 
 
-def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> None:
-    """Writes the site, unless something in it outgrew its budget. Raises UserError."""
+def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list[str]:
+    """Writes the site, unless something in it outgrew its budget; returns what scenes weigh more
+    than ours do, a sentence each. Raises UserError."""
     budgets = sizes.read_budgets(chosen.budgets)
     templates, scenes = site_source / "templates", made.scenes
     with staged(chosen.out) as out:
@@ -78,12 +79,13 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> None
             downloads = published.get(DEFAULT, {}) | published.get(code, {})
             write_edition(out, site_source, said, made.facts, assets, downloads, code, base)
         weights = sizes.measured(out, scenes, made.facts)
-        sizes.check(chosen.out, weights, budgets)
+        heavy = sizes.check(chosen.out, weights, budgets)
         sizes.keep(out, weights)
         write_sizes(out, templates, weights, budgets, assets)
         write_licences(out, scenes, made.viewer.folder, bool(made.decks))
         write_sitemap(out, base)
         write_worker(out, site_source)
+    return heavy
 
 
 def write_edition(

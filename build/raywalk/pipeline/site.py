@@ -80,7 +80,10 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     notes += slide_remarks(decks)
     works = Made(spoken, facts, viewer, traces, data, previews, decks)
     with phase("publish"):
-        publish(works, chosen, site_source, base)
+        heavy = publish(works, chosen, site_source, base)
+    heavy = [f"warning: {line}" for line in heavy]
+    yield from heavy
+    notes += heavy
     if not chosen.slides_later:  # nor is tidying up anything that pages should wait for
         with phase("tidy up kept work"):
             store.prune(keep={entry.folder.name for entry in works.entries()})
