@@ -24,7 +24,7 @@ import math
 
 import numpy as np
 
-from raywalk.geometry.roots import CLOSE, NOWHERE
+from raywalk.geometry.roots import CLOSE, NOWHERE, is_past
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.optics.compiled import inlined, kernel
 
@@ -50,18 +50,11 @@ def fill_block(block, origin, direction, leaving, inner, t_max, first, size):
 
 @inlined
 def mark_candidates(block, cx, cy, cz, reach_sq, marks):
-    """marks (BLOCK,) uint8: 0 where a ray certainly misses the sphere, as it starts outside and
-    goes away or passes by."""
+    """marks (BLOCK,) uint8: 0 where a ray certainly misses the sphere."""
     for j in range(BLOCK):
         x, y, z = cx - block[OX + j], cy - block[OY + j], cz - block[OZ + j]
-        dd = block[DD + j]
-        square = x * x + y * y + z * z
-        beyond = square - reach_sq
         along = x * block[DX + j] + y * block[DY + j] + z * block[DZ + j]
-        # 1e-13 is a thousand roundings: from far away the sphere's own radius drowns, and the ray
-        # is kept.
-        by = beyond * dd - along * along > 1e-13 * square * dd
-        marks[j] = not ((beyond > 0.0) & ((along < 0.0) | by))
+        marks[j] = not is_past(x * x + y * y + z * z, reach_sq, along, block[DD + j])
 
 
 @inlined

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from raywalk.geometry.bvh import Bvh
-from raywalk.geometry.triangle import dot, minus
+from raywalk.geometry.triangle import dot, minus, shares_vertex
 from raywalk.optics.compiled import kernel, lean
 
 # Lengths in the unit-sized copy. Rounding a ray and a vertex to float32 moves a hit by up to
@@ -60,7 +60,7 @@ def trusted_above(corners: np.ndarray, scale: float, bvh: Bvh) -> np.ndarray:
     border = BORDER * opposite / (scale * area[:, None])
     core, _ = _moved_edges(corners, -BORDER / scale)
     alone = np.flatnonzero(border.sum(axis=1) < 1.0)
-    border[alone[crowded(bvh, corners, core, alone, GAP / scale)]] = 2.0
+    border[alone[crowded(bvh, corners, core, alone, GAP / scale, True)]] = 2.0
     return border
 
 
@@ -169,8 +169,11 @@ def _rectangles(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 @kernel
-def crowded(bvh, corners, core, asked, gap):
-    """Whether another triangle comes closer than gap to the core of each asked one, bool."""
+def crowded(bvh: Bvh, corners, core, asked, gap, by_neighbours):
+    """Whether another triangle comes closer than gap to the core of each asked one, bool.
+
+    by_neighbours: those that share a vertex with it count too.
+    """
     answer = np.zeros(asked.shape[0], np.bool_)
     low, high = np.empty(3), np.empty(3)
     for i in range(asked.shape[0]):
@@ -188,7 +191,10 @@ def crowded(bvh, corners, core, asked, gap):
                 continue
             for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
                 other = bvh.order[place]
-                if other != me and not apart(core[me], corners[other], gap):
+                is_asked = other != me and (
+                    by_neighbours or not shares_vertex(bvh.faces, me, other)
+                )
+                if is_asked and not apart(core[me], corners[other], gap):
                     answer[i] = True
             node += 1
     return answer

@@ -14,12 +14,13 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.bvh import REPEATED, Bvh, met_before
-from raywalk.geometry.float32_copy import apart
+from raywalk.geometry.float32_copy import crowded
 from raywalk.geometry.mesh_sides import AT_EDGE, leaves, of_two
 from raywalk.geometry.triangle import (
     corner,
     distance_sq_to,
     dot,
+    has_vertex,
     height_over,
     minus,
     triangle_normal,
@@ -51,38 +52,9 @@ def star_of(bvh: Bvh, corners: np.ndarray, scale: float) -> Star:
     order = np.argsort(corner, kind="stable")
     first = np.searchsorted(corner[order], np.arange(len(bvh.world) + 1))
     around = (order // 3).astype(np.int32)
-    gap = ALONE / scale
-    return Star(
-        standing_alone(bvh, corners, gap), vertices_alone(bvh, corners, gap),
-        first.astype(np.int32), around,
-    )  # fmt: skip
-
-
-@kernel
-def standing_alone(bvh: Bvh, corners, gap):
-    """(n,) bool: of which triangles only those with a vertex in common come within the gap."""
-    alone = np.ones(corners.shape[0], np.bool_)
-    low, high = np.empty(3), np.empty(3)
-    for me in range(corners.shape[0]):
-        for k in range(3):
-            low[k] = min(corners[me, 0, k], corners[me, 1, k], corners[me, 2, k]) - gap
-            high[k] = max(corners[me, 0, k], corners[me, 1, k], corners[me, 2, k]) + gap
-        node = 0
-        while node < len(bvh.skip) and alone[me]:
-            misses = False
-            for k in range(3):
-                misses |= bvh.low[node, k] > high[k] or bvh.high[node, k] < low[k]
-            if misses:
-                node = bvh.skip[node]
-                continue
-            for place in range(bvh.first[node], bvh.first[node] + bvh.held[node]):
-                other = bvh.order[place]
-                if not shares_vertex(bvh.faces, me, other) and not apart(
-                    corners[me], corners[other], gap
-                ):
-                    alone[me] = False
-            node += 1
-    return alone
+    gap, every = ALONE / scale, np.arange(len(corners))
+    alone = ~crowded(bvh, corners, corners, every, gap, False)
+    return Star(alone, vertices_alone(bvh, corners, gap), first.astype(np.int32), around)
 
 
 @kernel
@@ -119,21 +91,6 @@ def is_vertex_alone(bvh, corners, vertex, place, gap):
                 return False
         node += 1
     return True
-
-
-@lean
-def shares_vertex(faces, one, other):
-    """Whether two triangles have a vertex in common."""
-    p, q, r = faces[one, 0], faces[one, 1], faces[one, 2]
-    return has_vertex(faces, other, p) or has_vertex(faces, other, q) or has_vertex(faces, other, r)
-
-
-@lean
-def has_vertex(faces, triangle, vertex):
-    """Whether a triangle has this vertex."""
-    return (
-        faces[triangle, 0] == vertex or faces[triangle, 1] == vertex or faces[triangle, 2] == vertex
-    )
 
 
 @lean

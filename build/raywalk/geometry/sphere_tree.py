@@ -13,6 +13,7 @@ import numpy as np
 
 from raywalk.geometry.blocks import DD, DX, DY, DZ, OX, OY, OZ
 from raywalk.geometry.primitives import ROOMY, Primitives
+from raywalk.geometry.roots import is_past
 from raywalk.optics.compiled import kernel
 
 MANY = 600  # primitives; measured by `raywalk bench --only primitives`
@@ -90,14 +91,11 @@ def candidates_in_tree(tree, block, j, marks, stack, rows):
             found = put_in_order(rows, found, EMPTY - 1 - node)
             continue
         spheres, child = tree.spheres[4 * WIDE * node :], tree.child[WIDE * node :]
-        for c in range(WIDE):  # as `mark_candidates` has it
+        for c in range(WIDE):
             x, y, z = spheres[c] - ox, spheres[WIDE + c] - oy, spheres[2 * WIDE + c] - oz
-            square = x * x + y * y + z * z
-            beyond = square - spheres[3 * WIDE + c]
-            along = x * dx + y * dy + z * dz
-            by = beyond * dd - along * along > 1e-13 * square * dd
-            passes_by = (beyond > 0.0) & ((along < 0.0) | by)
-            marks[c] = (not passes_by) & (child[c] != EMPTY)
+            along, reach_sq = x * dx + y * dy + z * dz, spheres[3 * WIDE + c]
+            misses = is_past(x * x + y * y + z * z, reach_sq, along, dd)
+            marks[c] = (not misses) & (child[c] != EMPTY)
         for c in range(WIDE):  # without a branch, which none could predict
             stack[waiting] = child[c]
             waiting += marks[c]

@@ -199,3 +199,18 @@ def off_line_sq(p, along, share):
     """Squared length of p - share * along."""
     x, y, z = p[0] - share * along[0], p[1] - share * along[1], p[2] - share * along[2]
     return x * x + y * y + z * z
+
+
+@lean
+def has_vertex(faces, triangle, vertex):
+    """Whether a triangle has this vertex."""
+    return (
+        faces[triangle, 0] == vertex or faces[triangle, 1] == vertex or faces[triangle, 2] == vertex
+    )
+
+
+@lean
+def shares_vertex(faces, one, other):
+    """Whether two triangles have a vertex in common."""
+    p, q, r = faces[one, 0], faces[one, 1], faces[one, 2]
+    return has_vertex(faces, other, p) or has_vertex(faces, other, q) or has_vertex(faces, other, r)
