@@ -25,7 +25,8 @@ def test_parts_stand_below_their_phase():
     """Though they are noted while it is under way, and another phase follows."""
     times.begin()
     with times.phase("trace"):
-        times.note([Spent(2.0, {"tracing": 1.5}), Spent(1.0, {"tracing": 0.5, "grid": 0.25})])
+        times.note(Spent(2.0, {"tracing": 1.5}))
+        times.note(Spent(1.0, {"tracing": 0.5, "grid": 0.25}))
     with times.phase("publish"):
         pass
     _, *lines = times.table(None)

@@ -38,7 +38,7 @@ def traced(work: Path, folders: Sequence[str]) -> None:
 
     scenes = [read_scene(Path(folder)) for folder in folders]
     parts = {scene.id: trace_parts(scene) for scene in scenes}
-    for _ in trace_all(scenes, Store(work), parts, None):
+    for _ in trace_all(scenes, Store(work), parts):
         pass
 
 

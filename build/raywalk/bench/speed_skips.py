@@ -103,8 +103,8 @@ def _all_highlights(scene: Scene) -> Tracer:
 class _Shooting(Tracer):
     """Shoots the shadow rays that a scene without shadows does not need."""
 
-    def _wave(self, shot: Bounced) -> Wave:
-        wave = super()._wave(shot)
+    def _wave(self, shot: Bounced, met: Hits | None = None) -> Wave:
+        wave = super()._wave(shot, met)
         lit = np.flatnonzero(wave.lighting.local_weight > 0.0)
         if len(lit):
             self._shoot(wave.hits, lit)

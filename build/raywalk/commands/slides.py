@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from raywalk.pipeline.slides import Source
     from raywalk.slides.deck import Sources
     from raywalk.slides.layout import Layout
+    from raywalk.work.progress import Message
     from raywalk.work.store import Store
 
 
@@ -45,7 +46,7 @@ def add_to(commands: Any) -> None:
     parser.set_defaults(run=run)
 
 
-def run(chosen: Namespace) -> Iterator[str]:
+def run(chosen: Namespace) -> Iterator[str | Message]:
     """Names each file that was written. Raises SourceErrors."""
     scenes = _scenes(chosen)
     _refuse_steps(chosen, scenes)
@@ -137,7 +138,7 @@ def _refuse_steps(chosen: Namespace, scenes: list[Scene]) -> None:
 
 def _prepared(
     chosen: Namespace, scenes: list[Scene], layout: Layout
-) -> Generator[str, None, list[Sources]]:
+) -> Generator[str | Message, None, list[Sources]]:
     """What the scenes' slides are made from, by way of the store; tells what has to be traced."""
     from raywalk.pipeline.slides import plans_of, sources_of
     from raywalk.stops.process import Stops

@@ -20,7 +20,7 @@ from raywalk.trace.record import assemble, record
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tally import Tally
 from raywalk.trace.tree import level_pixels
-from raywalk.trace.wavefront import Tracer
+from raywalk.trace.wavefront import Threads, Tracer, in_order
 
 # The view lies pale behind the lines: what adds less than 1/16 to a pixel is not seen there,
 # nor are mirrors within mirrors deeper than this.
@@ -35,12 +35,17 @@ COLUMNS = {
 }  # fmt: skip
 
 
-def write_sights(scene: Scene, asked: dict[str, Any], folder: Path) -> None:
+def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Threads = 1) -> None:
     """view-<k>.png and SIGHTS for what a lesson asks: Asked in viewer/stops/asked.ts."""
     tracer, viewpoints = Tracer(scene, least_share=LEAST_SHARE), asked["viewpoints"]
-    for k, viewpoint in enumerate(viewpoints):
-        view = shaded_view(_pale(tracer, viewpoint["lit"]), _observer(viewpoint))
-        Image.fromarray(view).save(folder / f"view-{k}.png")
+
+    def write_view(k: int) -> None:
+        view = shaded_view(_pale(tracer, viewpoints[k]["lit"]), _observer(viewpoints[k]))
+        # Slides are made of its pixels: how small the file is matters to nobody.
+        Image.fromarray(view).save(folder / f"view-{k}.png", compress_level=1)
+
+    for _ in in_order(write_view, len(viewpoints), threads):
+        pass
     eyes = [np.array(viewpoint["eye"], float) for viewpoint in viewpoints]
     answers = {
         "stops": [_hidden(tracer, eyes[stop["viewpoint"]], stop) for stop in asked["stops"]],

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-import time
-from collections.abc import Generator, Iterable, Iterator
+from collections.abc import Generator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -21,14 +20,15 @@ from raywalk.slides.layout import WIDE, Layout
 from raywalk.stops.process import Stops
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT, FOLDER
+from raywalk.work.chains import Chain, run_chains
 from raywalk.work.digests import digest, key_of
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.making import made, reasons
-from raywalk.work.pool import Finished, Threads, cores, run_all
-from raywalk.work.progress import Report
+from raywalk.work.pool import Job, Threads, Workers
+from raywalk.work.progress import Message, Report
 from raywalk.work.snapshot import digest_of
 from raywalk.work.store import Entry, Store
-from raywalk.work.times import phase
+from raywalk.work.times import Spent, Stages, note
 
 if TYPE_CHECKING:
     from raywalk.slides.deck import Sources
@@ -77,26 +77,49 @@ class MadeDeck:
     entry: Entry
 
 
+@dataclass(frozen=True)
+class Asking:
+    """Whom slides ask, for which paper, and where the answers are kept."""
+
+    store: Store
+    stops: Stops
+    layout: Layout
+    code: Parts  # what answers
+
+
+def asking(store: Store, stops: Stops, layout: Layout = PUBLISHED) -> Asking:
+    """Reads all that slides are made with, too: processes that start afterwards have it."""
+    for maker in (SEE, WRITE, WRITE_COURSE):
+        maker.parts()
+    return Asking(store, stops, layout, ASK.parts())
+
+
 def plans_of(
     store: Store, stops: Stops, sources: list[Source], layout: Layout = PUBLISHED
-) -> Generator[str, None, list[Plan]]:
-    """Has the viewer's modules tell every lesson, and the tracer what they ask of it, where that is
-    not in the store. Only what they say is in the slides' keys: other code that says the same makes
-    no slide anew."""
-    code = ASK.parts()
-    asked: dict[str, Entry] = {}
-    with phase("ask the viewer what slides show"):
-        for each in sources:
-            asked[each.scene.id] = yield from _asked(store, stops, each, layout, code)
-    with phase("trace what slides show"):
-        sights = yield from _sights(store, sources, asked)
+) -> Generator[str | Message, None, list[Plan]]:
+    """Of several scenes, whose slides are not drawn yet."""
+    scenes: dict[str, list[Source]] = {}
+    for each in sources:
+        scenes.setdefault(each.scene.id, []).append(each)
+    of = asking(store, stops, layout)
+    with Workers() as workers:
+        chains = [planned(of, scene) for scene in scenes.values()]
+        plans = yield from run_chains(chains, workers)
+    return [plan for of_scene in plans for plan in of_scene]
+
+
+def planned(of: Asking, sources: list[Source]) -> Chain[list[Plan]]:
+    """Has the viewer's modules tell a scene's lesson in all its languages, and the tracer what they
+    ask of it, where that is not in the store. Only what they say is in the slides' keys: other code
+    that says the same makes no slide anew."""
+    asked = yield from _asked(of, sources[0])
+    sights = yield from _seen(of.store, sources[0], asked)
     plans = []
     for each in sources:
-        of = sights[each.scene.id]
-        lesson = yield from _lesson(store, stops, each, layout, asked[each.scene.id], of, code)
-        plans.append(Plan(each.scene, each.language, each.traced.folder, of, lesson, {
-            "what": "slides", "of": _of(each.scene.id, each.language), "layout": layout.name,
-            "trace": each.traced.folder.name, "sights": of.folder.name,
+        lesson = yield from _lesson(of, each, asked, sights)
+        plans.append(Plan(each.scene, each.language, each.traced.folder, sights, lesson, {
+            "what": "slides", "of": _of(each.scene.id, each.language), "layout": of.layout.name,
+            "trace": each.traced.folder.name, "sights": sights.folder.name,
             "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene),
             "pictures": {file.name: digest(file) for file in pictures_of(each.scene)},
             "credits": [model.model_dump() for model in named_models(each.scene)],
@@ -105,56 +128,42 @@ def plans_of(
     return plans
 
 
-def _asked(
-    store: Store, stops: Stops, of: Source, layout: Layout, code: Parts
-) -> Generator[str, None, Entry]:
+def _asked(of: Asking, source: Source) -> Generator[str, None, Entry]:
     """What the tracer is asked for."""
     parts = {
-        "what": "asked", "of": of.scene.id, "layout": layout.name,
-        "page data": of.page_data.folder.name, **code,
+        "what": "asked", "of": source.scene.id, "layout": of.layout.name,
+        "page data": source.page_data.folder.name, **of.code,
     }  # fmt: skip
-    return (yield from _kept(store, stops, parts, ASKED, {"do": "ask", **_where(of, layout)}))
+    return (yield from _kept(of, parts, ASKED, {"do": "ask", **_where(source, of.layout)}))
 
 
-def _sights(
-    store: Store, sources: list[Source], asked: dict[str, Entry]
-) -> Generator[str, None, dict[str, Entry]]:
-    """What it answers, by scene."""
-    tasks = {}
-    for each in sources:
-        tasks[each.scene.id] = (each.scene, asked[each.scene.id], {
-            "what": "sights", "of": each.scene.id, "trace": each.traced.folder.name,
-            "asked": digest(asked[each.scene.id].folder / ASKED),
-            **SEE.parts(shut_for(each.scene)),
-        })  # fmt: skip
-    missing = [task for task in tasks.values() if not store.find(key_of(task[2]))]
-    size = {each.scene.id: _traces_size(each.traced.folder) for each in sources}
-    missing.sort(key=lambda task: -size[task[0].id])  # as for slides
-    for _, _, parts in missing:
-        yield from reasons(store, parts)
-    if missing:
-        yield f"what is seen in the slides of {len(missing)} of {len(tasks)} scenes"
-    for _ in run_all(partial(_make_sights, store), missing, lambda task: task[0].id):
-        pass
-    return {id: store.get(key_of(parts)) for id, (_, _, parts) in tasks.items()}
-
-
-def _lesson(
-    store: Store, stops: Stops, of: Source, layout: Layout, asked: Entry, sights: Entry, code: Parts
-) -> Generator[str, None, Entry]:
-    """The lesson in a language."""
-    spoken = None if of.language == DEFAULT else scene_words(of.scene)
+def _seen(store: Store, source: Source, asked: Entry) -> Chain[Entry]:
+    """What it answers: the same in every language."""
+    scene = source.scene
     parts = {
-        "what": "lesson", "of": _of(of.scene.id, of.language), "layout": layout.name,
-        "page data": of.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
-        **code, "read": sentences(of.language),
+        "what": "sights", "of": scene.id, "trace": source.traced.folder.name,
+        "asked": digest(asked.folder / ASKED), **SEE.parts(shut_for(scene)),
+    }  # fmt: skip
+    yield from reasons(store, parts)
+    if not store.find(key_of(parts)):
+        note((yield Job(scene.id, partial(_make_sights, store), (scene, asked, parts))))
+    return store.get(key_of(parts))
+
+
+def _lesson(of: Asking, source: Source, asked: Entry, sights: Entry) -> Generator[str, None, Entry]:
+    """The lesson in a language."""
+    spoken = None if source.language == DEFAULT else scene_words(source.scene)
+    parts = {
+        "what": "lesson", "of": _of(source.scene.id, source.language), "layout": of.layout.name,
+        "page data": source.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
+        **of.code, "read": sentences(source.language),
     }  # fmt: skip
     request = {
-        "do": "lesson", **_where(of, layout), "asked": str(asked.folder / ASKED),
+        "do": "lesson", **_where(source, of.layout), "asked": str(asked.folder / ASKED),
         "sights": str(sights.folder / SIGHTS), "spoken": spoken,
-        "words": read_words(of.language).tree,
+        "words": read_words(source.language).tree,
     }  # fmt: skip
-    return (yield from _kept(store, stops, parts, LESSON, request))
+    return (yield from _kept(of, parts, LESSON, request))
 
 
 def _where(of: Source, layout: Layout) -> Parts:
@@ -164,24 +173,30 @@ def _where(of: Source, layout: Layout) -> Parts:
     }  # fmt: skip
 
 
-def _kept(
-    store: Store, stops: Stops, parts: Parts, name: str, request: Parts
-) -> Generator[str, None, Entry]:
+def _kept(of: Asking, parts: Parts, name: str, request: Parts) -> Generator[str, None, Entry]:
     """The entry of an answer, asked for if it is not there."""
 
     def write(folder: Path) -> None:
-        (folder / name).write_text(stops.ask(request), encoding="utf-8")
+        (folder / name).write_text(of.stops.ask(request), encoding="utf-8")
 
-    yield from reasons(store, parts)
-    return made(store, parts, write)
+    yield from reasons(of.store, parts)
+    return made(of.store, parts, write)
 
 
 def _make_sights(
     store: Store, task: tuple[Scene, Entry, Parts], threads: Threads, report: Report
-) -> None:
+) -> Spent:
+    from raywalk.optics.compiling import seconds_spent
+
     scene, asked, parts = task
-    wanted = json.loads((asked.folder / ASKED).read_text(encoding="utf-8"))
-    made(store, parts, partial(SEE, scene, wanted))
+    wanted, stages = _read(asked.folder / ASKED), Stages("compiling kernels", seconds_spent)
+    made(store, parts, partial(SEE, scene, wanted, threads=threads))
+    return stages.spent("what slides show")
+
+
+def _read(file: Path) -> Parts:
+    answer: Parts = json.loads(file.read_text(encoding="utf-8"))
+    return answer
 
 
 def _of(id: str, language: str) -> str:
@@ -204,62 +219,38 @@ def course_parts(plans: list[Plan]) -> Parts:
     }  # fmt: skip
 
 
-def make_decks(store: Store, sources: list[Source]) -> Generator[str, None, list[MadeDeck]]:
-    """Every scene's slides and the course's in each language, on all cores; tells those that were
-    not there. Raises SourceErrors where node is missing."""
-    with phase("tell lessons for slides"), Stops() as stops:
-        plans = yield from plans_of(store, stops, sources)
+def drawn(store: Store, plans: list[Plan]) -> Chain[list[MadeDeck]]:
+    """A scene's slides; its languages share its pictures, so one process makes them."""
     for each in plans:
         yield from reasons(store, each.slides)
-    missing = _by_scene(each for each in plans if not store.find(each.key))
-    if missing:
-        scenes = len({each.scene.id for each in plans})
-        yield f"slides of {len(missing)} of {scenes} scenes on {cores()} cores"
-    with phase("draw slides"):
-        yield from _drawn(store, missing)
-    courses = _by_language(plans)
-    lost = [of for of in courses if not store.find(key_of(course_parts(of)))]
-    for of in lost:
-        yield from reasons(store, course_parts(of))
-    with phase("draw the course's slides"):
-        for _ in run_all(partial(_make_course, store), lost, lambda of: of[0].language):
-            pass
-    return [
-        *(MadeDeck(each.scene.id, each.language, store.get(each.key)) for each in plans),
-        *(
-            MadeDeck(COURSE, of[0].language, store.get(key_of(course_parts(of))))
-            for of in courses
-        ),
-    ]  # fmt: skip
+    if missing := [each for each in plans if not store.find(each.key)]:
+        scene = missing[0].scene
+        spent = yield Job(scene.id, partial(_make, store), missing)
+        note(spent)
+        yield f"slides of {scene.id}: {spent.seconds:.1f} s"
+    return [MadeDeck(each.scene.id, each.language, store.get(each.key)) for each in plans]
 
 
-def _drawn(store: Store, missing: list[tuple[Plan, ...]]) -> Iterator[str]:
-    """Makes the scenes' slides, on all cores."""
-    number = 0
-    for message in run_all(partial(_make, store), missing, lambda each: each[0].scene.id):
-        if isinstance(message, Finished):
-            number += 1
-            yield f"[{number}/{len(missing)}] {message.task[0].scene.id}: {message.result:.1f} s"
+def courses(
+    store: Store, plans: list[Plan], workers: Workers
+) -> Generator[str | Message, None, list[MadeDeck]]:
+    """The course's slides in each language."""
+    return (yield from run_chains([_course(store, of) for of in _by_language(plans)], workers))
 
 
-def _by_scene(plans: Iterable[Plan]) -> list[tuple[Plan, ...]]:
-    """A scene's languages share its pictures, so one process makes them. Long work comes first,
-    or a core waits at the end: a scene's traces tell how much there is to draw and to trace."""
-    tasks: dict[str, list[Plan]] = {}
-    for each in plans:
-        tasks.setdefault(each.scene.id, []).append(each)
-    return sorted(map(tuple, tasks.values()), key=lambda task: -_traces_size(task[0].traced))
-
-
-def _traces_size(traced: Path) -> int:
-    return sum(path.stat().st_size for path in traced.glob("*.json.gz"))
+def _course(store: Store, plans: list[Plan]) -> Chain[MadeDeck]:
+    parts, language = course_parts(plans), plans[0].language
+    yield from reasons(store, parts)
+    if not store.find(key_of(parts)):
+        note((yield Job(COURSE, partial(_make_course, store), plans)))
+    return MadeDeck(COURSE, language, store.get(key_of(parts)))
 
 
 def _by_language(plans: list[Plan]) -> list[list[Plan]]:
-    courses: dict[str, list[Plan]] = {}
+    languages: dict[str, list[Plan]] = {}
     for each in plans:
-        courses.setdefault(each.language, []).append(each)
-    return list(courses.values())
+        languages.setdefault(each.language, []).append(each)
+    return list(languages.values())
 
 
 def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
@@ -274,11 +265,13 @@ def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
     return found
 
 
-def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Report) -> None:
+def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Report) -> Spent:
+    stages = _drawing()
     kept = [store.get(each.key).folder / KEPT for each in plans]
     sources = [sources_of(each) for each in plans]
     parts, language = course_parts(plans), plans[0].language
     made(store, parts, lambda folder: WRITE_COURSE(sources, kept, PUBLISHED, folder, language))
+    return stages.spent("course's slides")
 
 
 def slide_remarks(decks: list[MadeDeck]) -> list[str]:
@@ -308,14 +301,19 @@ def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict
     return published
 
 
-def _make(store: Store, task: tuple[Plan, ...], threads: Threads, report: Report) -> float:
-    """One scene's slides in some languages; returns the seconds it took."""
-    begun = time.monotonic()
-    for each in task:
+def _make(store: Store, plans: list[Plan], threads: Threads, report: Report) -> Spent:
+    """One scene's slides in some languages."""
+    stages = _drawing()
+    for each in plans:
         made(
             store, each.slides, partial(WRITE, sources_of(each), PUBLISHED, language=each.language)
         )
-    return time.monotonic() - begun
+    return stages.spent("slides")
+
+
+def _drawing() -> Stages:
+    """Nothing goes on apart from it: it compiles no kernel."""
+    return Stages("compiling kernels", lambda: 0.0)
 
 
 def sources_of(of: Plan) -> Sources:

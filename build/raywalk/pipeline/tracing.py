@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from raywalk.pipeline.cluster import run_on_cluster
 from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.model import Scene
+from raywalk.work.chains import Chain, run_chains
 from raywalk.work.digests import key_of
 from raywalk.work.maker import Parts
-from raywalk.work.pool import Finished, run_all
+from raywalk.work.making import reasons
+from raywalk.work.pool import Job, Workers, cores
 from raywalk.work.progress import Begin, End, Message, Progress
-from raywalk.work.store import Store
+from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, note
 
 
@@ -25,39 +28,64 @@ def guessed_cost(scene: Scene) -> float:
     )
 
 
-def trace_all(
-    missing: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
-) -> Iterator[str | Message]:
-    """Traces scenes into the store, here or on a cluster; says how far it is."""
-    # Long work is started first, or a core waits at the end.
-    scenes = sorted(missing, key=guessed_cost, reverse=True)
-    yield Begin({scene.id: guessed_cost(scene) for scene in scenes})
-    taken: list[Spent] = []
-    for message in _traced(scenes, store, parts, scheduler):
-        if isinstance(message, Progress):
-            yield message
-            continue
-        taken.append(message.result)
-        yield Progress(message.task.id, "", 1.0)
-        yield f"[{len(taken)}/{len(scenes)}] {message.task.id}: {message.result.seconds:.1f} s"
-    note(taken)
-    yield End()
+class Tracing:
+    """Scenes with their traces in a store: which are missing, and how many of these are done."""
+
+    def __init__(self, scenes: Sequence[Scene], store: Store, parts: dict[str, Parts]):
+        self._store, self._parts, self._done = store, parts, 0
+        self._keys = {scene.id: key_of(parts[scene.id]) for scene in scenes}
+        self.missing = by_cost([each for each in scenes if not store.find(self._keys[each.id])])
+        self._wanted = {scene.id for scene in self.missing}
+
+    def begin(self, scheduler: str | None = None) -> Iterator[str | Message]:
+        """Says what will be traced and why, and traces it if that is done on a cluster."""
+        for scene in self.missing:
+            yield from reasons(self._store, self._parts[scene.id])
+        if self.missing:
+            where = f"the cluster {scheduler}" if scheduler else f"{cores()} cores"
+            yield f"tracing {len(self.missing)} of {len(self._keys)} scenes on {where}"
+            yield Begin({scene.id: guessed_cost(scene) for scene in self.missing})
+        if self.missing and scheduler:
+            yield from self._on_cluster(scheduler)
+
+    def chain(self, scene: Scene) -> Chain[Entry]:
+        """A scene's trace, made if it is not there."""
+        if scene.id in self._wanted and not self._store.find(self._keys[scene.id]):
+            spent = yield Job(scene.id, partial(trace_into, self._store, self._parts), scene)
+            yield from self._done_with(scene, spent)
+        return self._store.get(self._keys[scene.id])
+
+    def _on_cluster(self, scheduler: str) -> Iterator[str | Message]:
+        for message in run_on_cluster(scheduler, self.missing):
+            if isinstance(message, Progress):
+                yield message
+                continue
+            made_from = self._parts[message.task.id]
+            seconds, files = message.result
+            self._store.entry(key_of(made_from), partial(write_files, files), made_from)
+            yield from self._done_with(message.task, Spent(seconds))
+
+    def _done_with(self, scene: Scene, spent: Spent) -> Iterator[str | Message]:
+        """One of those that were missing is there."""
+        note(spent)
+        self._done += 1
+        yield Progress(scene.id, "", 1.0)
+        yield f"[{self._done}/{len(self.missing)}] {scene.id}: {spent.seconds:.1f} s"
+        if self._done == len(self.missing):
+            yield End()
 
 
-def _traced(
-    scenes: list[Scene], store: Store, parts: dict[str, Parts], scheduler: str | None
-) -> Iterator[Progress | Finished[Scene, Spent]]:
-    if not scheduler:
-        yield from run_all(partial(trace_into, store, parts), scenes, lambda scene: scene.id)
-        return
-    for message in run_on_cluster(scheduler, scenes):
-        if isinstance(message, Progress):
-            yield message
-            continue
-        seconds, files = message.result
-        made_from = parts[message.task.id]
-        store.entry(key_of(made_from), partial(write_files, files), made_from)
-        yield Finished(message.task, Spent(seconds))
+def by_cost(scenes: Sequence[Scene]) -> list[Scene]:
+    """Long work first, or a core waits at the end."""
+    return sorted(scenes, key=guessed_cost, reverse=True)
+
+
+def trace_all(scenes: Sequence[Scene], store: Store, parts: dict[str, Parts]) -> Iterator[Any]:
+    """Traces scenes into the store, and does nothing else; says how far it is."""
+    tracing = Tracing(scenes, store, parts)
+    yield from tracing.begin()
+    with Workers() as workers:
+        yield from run_chains([tracing.chain(scene) for scene in tracing.missing], workers)
 
 
 def write_files(files: dict[str, bytes], folder: Path) -> None:

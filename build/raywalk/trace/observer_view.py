@@ -48,8 +48,8 @@ def shaded_view(tracer: Tracer, observer: Observer) -> np.ndarray:
     pixels = np.arange(observer.width * observer.height)
     view = np.zeros((len(pixels), 4), np.uint8)
     for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
-        first = _through_cut(tracer, _rays_through(observer, strip), walls)
-        wave = tracer.to_the_end(first, media)[0]
+        first, met = _through_cut(tracer, _rays_through(observer, strip), walls)
+        wave = tracer.to_the_end(first, media, met)[0]
         view[strip, :3] = eight_bit(wave.colour)
         view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
     return view.reshape(observer.height, observer.width, 4)
@@ -127,16 +127,19 @@ def _rays_through(observer: Observer, pixels: np.ndarray) -> Rays:
     return rays_from(np.tile(observer.eye, (len(pixels), 1)), direction)
 
 
-def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> Rays:
-    """The rays, started anew behind every plane that is cut outwards."""
-    going = np.arange(len(rays.origin)) if walls.sides else np.empty(0, int)
-    rays = Rays(*(column.copy() for column in rays))
-    while len(going):
-        hits = tracer.compiled.hits(rays.take(going))
-        through = np.flatnonzero(walls.let_through(hits))
+def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> tuple[Rays, Hits]:
+    """The rays, started anew behind every plane that is cut outwards, and what they meet."""
+    met = tracer.compiled.hits(rays)
+    if not walls.sides:
+        return rays, met
+    rays, hits, going = Rays(*(column.copy() for column in rays)), met, np.arange(len(met.t))
+    while len(through := np.flatnonzero(walls.let_through(hits))):
         going = going[through]
         _pass(rays, going, hits.take(through))
-    return rays
+        hits = tracer.compiled.hits(rays.take(going))
+        for column, found in zip(met, hits, strict=True):
+            column[going] = found
+    return rays, met
 
 
 def _pass(rays: Rays, going: np.ndarray, hits: Hits) -> None:

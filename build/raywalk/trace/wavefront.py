@@ -18,7 +18,7 @@ from typing import TypeVar
 import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
+from raywalk.geometry.compiled import CompiledScene, Hits, Rays, rays_from
 from raywalk.geometry.containment import objects_around
 from raywalk.geometry.extent import finite_sphere
 from raywalk.geometry.roots import NOWHERE
@@ -90,9 +90,10 @@ class Tracer:
         """Traces rays (n, 3) that start where the eye is, or in the same media, to the end."""
         return self.to_the_end(rays_from(origin, direction), self.eye_media)
 
-    def to_the_end(self, first: Rays, media: list[int]) -> list[Wave]:
-        """Traces these first rays, whatever they leave, which start in this glass."""
-        waves = [self._wave(self._shot(first, media))]
+    def to_the_end(self, first: Rays, media: list[int], met: Hits | None = None) -> list[Wave]:
+        """Traces these first rays, whatever they leave, which start in this glass. met: their
+        hits, where these are known."""
+        waves = [self._wave(self._shot(first, media), met)]
         while len(waves) <= self.plan.depth:
             last = waves[-1]
             bounced = bounce(
@@ -118,9 +119,9 @@ class Tracer:
             faint=0,
         )
 
-    def _wave(self, shot: Bounced) -> Wave:
+    def _wave(self, shot: Bounced, met: Hits | None = None) -> Wave:
         rays: Rays = shot.rays
-        hits = self.compiled.hits(rays)
+        hits = met or self.compiled.hits(rays)
         lighting = light_hits(
             self.scene, self.compiled, self.materials, self.lights, rays, hits, self.plan
         )

@@ -1,23 +1,17 @@
-"""Runs independent work on all cores, and hands results on as they are finished."""
+"""Where a build's jobs run: in processes that are started once, on all cores."""
 
 from __future__ import annotations
 
 import multiprocessing
 import os
 import time
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-    wait,
-)
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from queue import SimpleQueue
 from threading import Event as Flag
 from threading import Thread
+from types import TracebackType
 from typing import Any, Generic, TypeVar
 
 from raywalk.work.progress import Progress, Report
@@ -31,7 +25,7 @@ Threads = Callable[[], int]
 Work = Callable[[Task, Threads, Report], Result]
 
 EVERY = 0.1  # seconds between two checks of how far the work is, and between two reports
-# In a worker process: where progress goes to, and how many tasks are not finished.
+# In a worker process: where progress goes to, and how many chains of jobs are not finished.
 _messages: Any = None
 _left: Any = None
 
@@ -44,6 +38,15 @@ class Finished(Generic[Task, Result]):
     result: Result
 
 
+@dataclass(frozen=True)
+class Job(Generic[Task, Result]):
+    """work(task, threads, report), and under whose name its progress is told."""
+
+    of: str
+    work: Work[Task, Result]
+    task: Task
+
+
 class Stopped(Exception):
     """Raised in work whose result nobody waits for any longer."""
 
@@ -53,61 +56,68 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def run_all(
-    work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
-) -> Iterator[Progress | Finished[Task, Result]]:
-    """work(task, threads, report) for every task, in the order in which they finish, and how far
-    each of them is, under its name.
+class Workers:
+    """Processes for jobs, started when there is work for two, and there until all of a build is
+    done: what they have imported and loaded serves each job that follows.
 
-    One task gets all cores as threads; several get a process each, with one thread, and with
-    more when fewer are left than there are cores. The results are the same either way.
-    Processes are spawned, not forked: numba's and Embree's
-    threads do not survive a fork. The first exception ends everything.
+    They are spawned, not forked: numba's and Embree's threads do not survive a fork. They have what
+    this build has read until they start (`snapshot.py`): what jobs read has to be read before.
     """
-    if len(tasks) < 2 or cores() < 2:
-        yield from _one_by_one(work, tasks, name)
-        return
-    context = multiprocessing.get_context("spawn")
-    messages, left = context.SimpleQueue(), context.Value("i", len(tasks))
-    given = (messages, left, held())
-    with ProcessPoolExecutor(
-        min(cores(), len(tasks)), mp_context=context, initializer=_begin, initargs=given
-    ) as pool:
-        waiting = {pool.submit(_in_process, work, task, name(task)): task for task in tasks}
-        yield from follow(pool, waiting, messages)
 
+    def __init__(self) -> None:
+        self._context = multiprocessing.get_context("spawn")
+        self._processes: ProcessPoolExecutor | None = None
+        self._thread: ThreadPoolExecutor | None = None
+        self._said_here: SimpleQueue[Progress] = SimpleQueue()
+        self._stopped = Flag()
+        self._said: Any = None
+        self._left: Any = None
 
-def _one_by_one(
-    work: Work[Task, Result], tasks: Sequence[Task], name: Callable[[Task], str]
-) -> Iterator[Progress | Finished[Task, Result]]:
-    """In a thread, so that progress can be reported meanwhile."""
-    messages: SimpleQueue[Progress] = SimpleQueue()
-    stopped = Flag()
+    def __enter__(self) -> Workers:
+        return self
 
-    def run(task: Task) -> Result:
-        return work(task, cores, reporter(messages, name(task), stopped))
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:  # fmt: skip
+        self._stopped.set()
+        if self._thread:
+            self._thread.shutdown(cancel_futures=True)
+        if self._processes:
+            # Where all is done, the processes are waited for: then what they spent is known.
+            self._processes.shutdown(wait=kind is None, cancel_futures=True)
 
-    with ThreadPoolExecutor(1) as pool:
-        try:
-            yield from follow(pool, {pool.submit(run, task): task for task in tasks}, messages)
-        finally:
-            stopped.set()
+    def submit(self, job: Job[Any, Result], left: int) -> Future[Result]:
+        """left: how many chains of jobs are not finished, which share the cores. Where there is but
+        one and never were others, it gets all cores as threads, and this process, which may have
+        done such work before."""
+        if cores() < 2 or (left == 1 and not self._processes):
+            self._thread = self._thread or ThreadPoolExecutor(1)
+            report = reporter(self._said_here, job.of, self._stopped)
+            return self._thread.submit(job.work, job.task, cores, report)
+        pool = self._started()
+        self.tell_left(left)
+        return pool.submit(_in_process, job)
 
+    def tell_left(self, count: int) -> None:
+        """So many chains are not finished: a core that none of them needs serves the others."""
+        if self._left:
+            self._left.value = count
 
-def follow(
-    pool: Executor, waiting: dict[Future[Result], Task], messages: Any
-) -> Iterator[Progress | Finished[Task, Result]]:
-    """Hands on messages and what is finished, until nothing is waited for."""
-    try:
-        while waiting:
-            done, _ = wait(waiting, timeout=EVERY, return_when=FIRST_COMPLETED)
-            while not messages.empty():
-                yield messages.get()
-            for future in done:
-                yield Finished(waiting.pop(future), future.result())
-    finally:
-        # Where all is done, the processes are waited for: then what they spent is known.
-        pool.shutdown(wait=not waiting, cancel_futures=True)
+    def messages(self) -> Iterator[Progress]:
+        """What was reported since they were asked for last."""
+        for queue in (self._said_here, self._said):
+            while queue and not queue.empty():
+                yield queue.get()
+
+    def _started(self) -> Executor:
+        if not self._processes:
+            self._said, self._left = self._context.SimpleQueue(), self._context.Value("i", 0)
+            self._processes = ProcessPoolExecutor(
+                cores(), mp_context=self._context, initializer=_begin,
+                initargs=(self._said, self._left, held()),
+            )  # fmt: skip
+        return self._processes
 
 
 def reporter(messages: Any, of: str, stopped: Flag | None = None) -> Report:
@@ -141,14 +151,10 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _in_process(work: Work[Task, Result], task: Task, of: str) -> Result:
-    try:
-        return work(task, _share_of_cores, reporter(_messages, of))
-    finally:
-        with _left.get_lock():
-            _left.value -= 1
+def _in_process(job: Job[Any, Result]) -> Result:
+    return job.work(job.task, _share_of_cores, reporter(_messages, job.of))
 
 
 def _share_of_cores() -> int:
-    """Of each task that is not finished."""
+    """Of each chain that is not finished."""
     return max(1, cores() // max(1, _left.value))

@@ -34,32 +34,46 @@ class Spent:
     stages: dict[str, float] = field(default_factory=dict)
 
 
-# Of the build that this process makes; `begin` empties it.
+# Of the build that this process makes, and where the rows of its open phases begin; `begin` empties
+# them.
 _rows: list[Row] = []
+_open: list[int] = []
 
 
 def begin() -> None:
     """Another build."""
     _rows.clear()
+    _open.clear()
 
 
 @contextmanager
 def phase(name: str) -> Iterator[None]:
     """A line for what is done within; lines noted meanwhile are its parts and stand below it."""
     place, start, used = len(_rows), time.monotonic(), _processor()
+    _open.append(place)
     try:
         yield
     finally:
+        del _open[-1:]
         seconds, processor = time.monotonic() - start, _processor() - used
         _rows.insert(place, Row(name, processor, seconds))
 
 
-def note(tasks: list[Spent]) -> None:
-    """The stages of tasks, summed, as parts of the phase that is under way."""
-    whole: dict[str, float] = {}
-    for name, processor in (stage for task in tasks for stage in task.stages.items()):
-        whole[name] = whole.get(name, 0.0) + processor
-    _rows.extend(Row(name, processor) for name, processor in whole.items())
+def note(task: Spent) -> None:
+    """The stages of a task, added up with those of other tasks, as parts of the phase that is under
+    way."""
+    begins = _open[-1] if _open else 0
+    for name, processor in task.stages.items():
+        parts = (k for k in range(begins, len(_rows)) if _is_part(_rows[k], name))
+        k = next(parts, None)
+        if k is None:
+            _rows.append(Row(name, processor))
+        else:
+            _rows[k] = Row(name, _rows[k].processor + processor)
+
+
+def _is_part(row: Row, name: str) -> bool:
+    return row.name == name and row.seconds is None
 
 
 class Stages:

@@ -1,0 +1,112 @@
+"""What is made of each scene, one thing after the other, all scenes beside one another: its trace;
+its data and preview for pages; of its lesson what the viewer tells and the tracer sees; slides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, TypeVar
+
+from raywalk.pipeline.parts import PAGE_DATA, PREVIEW, page_data_parts, preview_parts
+from raywalk.pipeline.slides import (
+    Asking,
+    MadeDeck,
+    Plan,
+    Source,
+    courses,
+    drawn,
+    last_decks,
+    planned,
+)
+from raywalk.pipeline.tracing import Tracing, by_cost
+from raywalk.scene.model import Scene
+from raywalk.scene.translation import Spoken
+from raywalk.words.catalogue import DEFAULT
+from raywalk.work.chains import Chain, run_chains
+from raywalk.work.maker import Parts
+from raywalk.work.making import made, reasons
+from raywalk.work.pool import Workers
+from raywalk.work.progress import Message
+from raywalk.work.store import Entry, Store
+
+# What there is of a scene in one language.
+OfOne = TypeVar("OfOne", Source, Plan, MadeDeck)
+
+
+@dataclass(frozen=True)
+class SceneMade:
+    """What the store holds of a scene, and what its slides were made from."""
+
+    traced: Entry
+    data: Entry
+    preview: Entry
+    sources: list[Source]  # by language, as are plans and decks
+    plans: list[Plan]
+    decks: list[MadeDeck]
+
+
+@dataclass(frozen=True)
+class Making:
+    """What the chains of all scenes have in common. asking: None where slides may wait."""
+
+    store: Store
+    tracing: Tracing
+    asking: Asking | None
+
+
+def make_scenes(
+    making: Making, spoken: dict[str, list[Spoken]], workers: Workers
+) -> Generator[str | Message, None, tuple[dict[str, SceneMade], list[MadeDeck]]]:
+    """By the scenes' ids, and all decks: of the scenes by language, then the courses'."""
+    scenes = by_cost([each.scene for each in spoken[DEFAULT]])
+    chains = [scene_chain(making, scene, translated(scene, spoken)) for scene in scenes]
+    results = yield from run_chains(chains, workers)
+    found = dict(zip([scene.id for scene in scenes], results, strict=True))
+    inner = [found[each.scene.id] for each in spoken[DEFAULT]]
+    if not making.asking:
+        sources = _by_language(spoken, [each.sources for each in inner])
+        return found, last_decks(making.store, sources)
+    decks = _by_language(spoken, [each.decks for each in inner])
+    plans = _by_language(spoken, [each.plans for each in inner])
+    return found, [*decks, *(yield from courses(making.store, plans, workers))]
+
+
+def _by_language(languages: Iterable[str], of_scenes: list[list[OfOne]]) -> list[OfOne]:
+    """What each scene has in one language or more: all in the first one, then those in the next."""
+    place = {code: k for k, code in enumerate(languages)}
+    every = [each for of_scene in of_scenes for each in of_scene]
+    return sorted(every, key=lambda each: place[each.language])
+
+
+def translated(scene: Scene, spoken: dict[str, list[Spoken]]) -> dict[str, Scene]:
+    """The scene in each language that its lesson is written in, the default one first."""
+    return {
+        code: each.scene
+        for code, all_scenes in spoken.items()
+        for each in all_scenes
+        if each.is_translated and each.scene.id == scene.id
+    }
+
+
+def scene_chain(making: Making, scene: Scene, spoken: dict[str, Scene]) -> Chain[SceneMade]:
+    store = making.store
+    traced = yield from making.tracing.chain(scene)
+    folder, name = traced.folder, traced.folder.name
+    preview = yield from _kept(
+        store, preview_parts(scene.id, name), partial(PREVIEW, folder / "picture.png")
+    )
+    data = yield from _kept(store, page_data_parts(scene, name), partial(PAGE_DATA, scene, folder))
+    sources = [Source(each, code, traced, data) for code, each in spoken.items()]
+    plans, decks = [], []
+    if making.asking:
+        plans = yield from planned(making.asking, sources)
+        decks = yield from drawn(store, plans)
+    return SceneMade(traced, data, preview, sources, plans, decks)
+
+
+def _kept(store: Store, made_from: Parts, make: Any) -> Generator[str, None, Entry]:
+    """An entry of the store, made if it is not there."""
+    yield from reasons(store, made_from)
+    return made(store, made_from, make)
