@@ -12,7 +12,6 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.pdfgen.pathobject import PDFPathObject
 
 from raywalk.slides.figure import (
     Deck,
@@ -137,6 +136,28 @@ def _image(data: bytes) -> ImageReader:
     return ImageReader(io.BytesIO(data))
 
 
+class _Outlines:
+    """Closed outlines as a canvas asks a path for them. A fine grid has thousands of corners, and
+    ReportLab takes five times as long to write a number."""
+
+    def __init__(self, outlines: Iterable[list[tuple[str, str]]]):
+        self._parts = ["n"]
+        for (x, y), *others in outlines:
+            self._parts.append(f"{x} {y} m")
+            self._parts += [f"{to_x} {to_y} l" for to_x, to_y in others]
+            self._parts.append("h")
+
+    def getCode(self) -> str:
+        return " ".join(self._parts)
+
+
+@lru_cache(maxsize=1 << 16)
+def number(points: float) -> str:
+    """A hundredth of a point is finer than any printer; no zero that says nothing."""
+    text = f"{points:.2f}".rstrip("0").rstrip(".")
+    return text[1:] if text.startswith("0.") else "0" if text == "-0" else text
+
+
 class Pen:
     """Draws items on a canvas whose y goes up; ours goes down."""
 
@@ -205,14 +226,10 @@ class Pen:
             c.setLineWidth(areas[0].edge_width)
             c.drawPath(self._path(area.points for area in areas), stroke=1, fill=0)
 
-    def _path(self, outlines: Iterable[tuple[Point, ...]]) -> PDFPathObject:
-        path = self.canvas.beginPath()
-        for (x, y), *others in outlines:
-            path.moveTo(round(x, 2), round(self.height - y, 2))
-            for to_x, to_y in others:
-                path.lineTo(round(to_x, 2), round(self.height - to_y, 2))
-            path.close()
-        return path
+    def _path(self, outlines: Iterable[tuple[Point, ...]]) -> _Outlines:
+        return _Outlines(
+            [(number(x), number(self.height - y)) for x, y in outline] for outline in outlines
+        )
 
     def _colour(self, role: str) -> HexColor:
         return _hex(self.palette[role])

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 import io
 import zipfile
+from collections import Counter
 from datetime import datetime
 from typing import Any
 
 from pptx import Presentation
+from pptx.opc.packuri import PackURI
 from pptx.oxml import parse_xml
 from pptx.util import Pt
 
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.palette import Palette
-from raywalk.slides.pptx_shapes import ShapeWriter
+from raywalk.slides.pptx_shapes import Pictures, ShapeWriter
 from raywalk.slides.pptx_text import NAMESPACES, solid
 
 TITLE_ONLY = 5  # of the template's layouts
@@ -27,14 +29,30 @@ def deck_pptx(deck: Deck, palette: Palette) -> bytes:
     """A presentation whose notes hold what is said."""
     shown = Presentation()
     shown.slide_width, shown.slide_height = Pt(deck.width), Pt(deck.height)
+    package: Any = shown.part.package
+    package.next_partname, pictures = Names(package).next, Pictures(package)
     for slide in deck.slides:
-        _add(shown, slide, palette, deck.language)
+        _add(shown, slide, palette, deck.language, pictures)
     about = shown.core_properties
     about.title, about.author, about.language = deck.title, "Raywalk", deck.language
     about.last_modified_by, about.created, about.modified = "Raywalk", LONG_AGO, LONG_AGO
     out = io.BytesIO()
     shown.save(out)
     return steady_zip(out.getvalue())
+
+
+class Names:
+    """The next free name of a kind. python-pptx would look through the whole package for each."""
+
+    def __init__(self, package: Any):
+        self._taken = {part.partname for part in package.iter_parts()}
+        self._last: Counter[str] = Counter()
+
+    def next(self, template: str) -> PackURI:
+        """The template with a number; names of the empty presentation are taken."""
+        self._last[template] += 1
+        name = template % self._last[template]
+        return self.next(template) if name in self._taken else PackURI(name)
 
 
 def steady_zip(data: bytes) -> bytes:
@@ -50,9 +68,9 @@ def steady_zip(data: bytes) -> bytes:
     return out.getvalue()
 
 
-def _add(shown: Any, slide: Slide, palette: Palette, language: str) -> None:
+def _add(shown: Any, slide: Slide, palette: Palette, language: str, pictures: Pictures) -> None:
     made = shown.slides.add_slide(shown.slide_layouts[TITLE_ONLY])
-    writer = ShapeWriter(made, palette, language)
+    writer = ShapeWriter(made, palette, language, pictures)
     tree = made.shapes._spTree
     for item in slide.items:
         for xml in writer.shapes(item):

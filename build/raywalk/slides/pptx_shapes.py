@@ -11,6 +11,10 @@ from dataclasses import replace
 from html import escape
 from typing import Any
 
+from pptx.opc.constants import RELATIONSHIP_TYPE
+from pptx.opc.packuri import PackURI
+from pptx.parts.image import Image, ImagePart
+
 from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Point, Polygon, Table, Text
 from raywalk.slides.layout import Box
 from raywalk.slides.mosaic import by_fill, gathered
@@ -36,11 +40,28 @@ PRESET_DASH: dict[str, str] = {
 FINE = 20  # of an outline's own units in a point: short numbers, and no eye tells
 
 
+class Pictures:
+    """A presentation's pictures, each once. python-pptx would look for each through the whole
+    package, which takes longer than all else where there are many slides."""
+
+    def __init__(self, package: Any):
+        self._package, self._parts = package, dict[bytes, ImagePart]()
+
+    def part(self, data: bytes) -> ImagePart:
+        """Of the package, where the picture is from now on."""
+        if data not in self._parts:
+            image = Image.from_file(io.BytesIO(data))
+            name = PackURI(f"/ppt/media/image{len(self._parts) + 1}.{image.ext}")
+            self._parts[data] = ImagePart(name, image.content_type, self._package, image.blob)
+        return self._parts[data]
+
+
 class ShapeWriter:
     """XML of one slide's shapes; numbers them."""
 
-    def __init__(self, slide: Any, palette: Palette, language: str):
+    def __init__(self, slide: Any, palette: Palette, language: str, pictures: Pictures):
         self.slide, self.palette, self.language = slide, palette, language
+        self.pictures = pictures
         self.last = 100
         self.has_title = False
 
@@ -130,7 +151,7 @@ class ShapeWriter:
 
     def _picture(self, picture: Picture) -> str:
         data = picture.on_screen if self.palette is SCREEN else picture.on_paper
-        _, rid = self.slide.part.get_or_add_image_part(io.BytesIO(data))
+        rid = self.slide.part.relate_to(self.pictures.part(data), RELATIONSHIP_TYPE.IMAGE)
         return (
             f"<p:pic {NAMESPACES}>{self._about(picture.name, picture.alt, 'Pic')}"
             f'<p:blipFill><a:blip r:embed="{rid}"/><a:stretch><a:fillRect/></a:stretch>'
