@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 from argparse import Namespace
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +48,7 @@ def add_options(parser: Any) -> None:
     parser.set_defaults(slides_later=False)
 
 
-def run(chosen: Namespace) -> Iterator[str | Message]:
+def run(chosen: Namespace) -> Generator[str | Message, None, None]:
     """Builds the site, telling what was traced, kept and written."""
     with one_build():
         yield from _run(chosen)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import traceback
 from argparse import Namespace
 from collections.abc import Iterator
@@ -14,14 +15,17 @@ from threading import Thread
 from typing import Any
 
 from raywalk.commands import build_site
-from raywalk.errors import SourceError, SourceErrors, UserError, disk_trouble, shown_path
+from raywalk.commands.slides_beside import Ended, SlidesBeside, trouble_of
+from raywalk.errors import SourceError, SourceErrors, UserError, shown_path
 from raywalk.site.live import Live
 from raywalk.work.progress import Message
 from raywalk.work.snapshot import one_build
+from raywalk.work.watch import Saves
 
 EXTRAS = build_site.SITE_SOURCE / "serve"
 WATCHED = (build_site.SITE_SOURCE, Path("models"))  # besides the scenes
 PAUSE = 2.0  # seconds without a save, after which slides are made too
+TICK = 0.1  # seconds between two glances at how slides get on; a save is heard at once
 
 
 def add_to(commands: Any) -> None:
@@ -52,48 +56,79 @@ def run(chosen: Namespace) -> Iterator[str | Message]:
 
 def _follow(chosen: Namespace, live: Live, scratch: Path) -> Iterator[str | Message]:
     """Builds pages at once and after each save, slides when their author pauses."""
-    from raywalk.work.watch import changes
-
     pages_first = Namespace(**vars(chosen) | {"slides_later": True})
-    is_first = True
-    for changed in changes([chosen.scenes, *WATCHED], PAUSE):
-        if changed:
-            yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
-            live.begin()
-            _show_grids(chosen, live, scratch)
-        if changed or is_first:
-            yield from _built(pages_first, live)
-        elif not live.news.trouble:
-            yield from _built(chosen, live)
-        is_first = False
+    saves, slides, sights = Saves([chosen.scenes, *WATCHED]), SlidesBeside(), Sights(scratch)
+    try:
+        yield from _built(pages_first, live, saves)
+        pause_ends: float | None = time.monotonic() + PAUSE
+        while True:
+            if changed := saves.wait(TICK):
+                slides.stop()
+                yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
+                live.begin()
+                sights.show(chosen, live)
+                yield from _built(pages_first, live, saves)
+                pause_ends = time.monotonic() + PAUSE
+            elif pause_ends and time.monotonic() > pause_ends and not live.news.trouble:
+                pause_ends = None
+                live.begin()
+                slides.start(chosen)
+            yield from _of_slides(slides, live)
+    finally:
+        slides.stop()
 
 
-def _show_grids(chosen: Namespace, live: Live, scratch: Path) -> None:
+class Sights:
     """Before a scene is traced as a whole, its grids, which take a moment. What is wrong with it is
     said by the build that follows."""
-    from raywalk.pipeline.first_sight import first_sight
 
-    folder = scratch / "sight"
-    rmtree(folder, ignore_errors=True)  # the last one's, which no page gets since its build ended
-    with suppress(Exception), one_build():
-        if first_sight(chosen, folder):
-            live.first_sight(folder)
+    def __init__(self, scratch: Path):
+        self._scratch, self._count = scratch, 0
+
+    def show(self, chosen: Namespace, live: Live) -> None:
+        """In a folder of its own: of another one, whose build was given up, pages may still get."""
+        from raywalk.pipeline.first_sight import first_sight
+
+        self._count += 1
+        folder, last = (self._scratch / f"{self._count - k}" for k in (0, 1))
+        with suppress(Exception), one_build():
+            if first_sight(chosen, folder):
+                live.first_sight(folder)
+        if live.meanwhile != last:
+            rmtree(last, ignore_errors=True)
 
 
-def _built(chosen: Namespace, live: Live) -> Iterator[str | Message]:
-    """One build; mistakes go to the pages and to the terminal."""
+def _built(chosen: Namespace, live: Live, saves: Saves) -> Iterator[str | Message]:
+    """One build, given up when something is saved meanwhile, which the next one begins with;
+    mistakes go to the pages and to the terminal."""
     live.begin()
+    building = build_site.run(chosen)
     try:
-        yield from build_site.run(chosen)
+        for message in building:
+            yield message
+            if saves.are_there:
+                building.close()
+                return
     except (UserError, OSError) as problems:
-        trouble = disk_trouble(problems) if isinstance(problems, OSError) else str(problems)
-        live.failed(trouble)
-        yield trouble
+        live.failed(trouble_of(problems))
+        yield trouble_of(problems)
     except Exception:  # a fault of ours: seen where the author looks, and the next save may do
         live.failed(traceback.format_exc())
         yield traceback.format_exc()
     else:
-        live.done() if chosen.slides_later else live.slides_too()
+        live.done()
+
+
+def _of_slides(slides: SlidesBeside, live: Live) -> Iterator[str | Message]:
+    """What their build said, and what came of it."""
+    for message in slides.messages():
+        if not isinstance(message, Ended):
+            yield message
+        elif message.trouble:
+            live.failed(message.trouble)
+            yield message.trouble
+        else:
+            live.slides_too()
 
 
 def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Message]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 import os
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
+from threading import Condition, Thread
 
 EVERY = 0.1  # seconds between two scans
 AT_REST = 0.05  # seconds without a change: an editor that saves several files is done
@@ -14,27 +14,39 @@ AT_REST = 0.05  # seconds without a change: an editor that saves several files i
 Seen = dict[str, tuple[int, int]]  # path -> time of change, size
 
 
-def changes(folders: Iterable[Path], quiet: float) -> Iterator[list[str]]:
-    """The paths that changed, each time files were saved; nothing at once, and again whenever
-    nobody saved anything for `quiet` seconds after that."""
-    folders = list(folders)
-    seen = scan(folders)
-    yield []
-    yielded = time.monotonic()
-    while True:
-        time.sleep(EVERY)
-        now = scan(folders)
-        if now == seen:
-            if time.monotonic() - yielded > quiet:
-                yield []
-                yielded = math.inf
-            continue
-        while (later := _later(folders)) != now:
-            now = later
-        changed = {path for path, _ in now.items() ^ seen.items()}
-        seen = now
-        yield sorted(changed)
-        yielded = time.monotonic()
+class Saves:
+    """Paths below some folders that changed, as they are saved, whatever else goes on."""
+
+    def __init__(self, folders: Iterable[Path]):
+        self._folders, self._changed = list(folders), set[str]()
+        self._news = Condition()
+        self._seen = scan(self._folders)
+        Thread(target=self._watch, daemon=True).start()
+
+    @property
+    def are_there(self) -> bool:
+        """Whether there are any that nobody was told of."""
+        return bool(self._changed)
+
+    def wait(self, seconds: float) -> list[str]:
+        """Those since it was asked last, as soon as there are any; none when the time is over."""
+        with self._news:
+            self._news.wait_for(lambda: self._changed, seconds)
+            changed, self._changed = sorted(self._changed), set()
+            return changed
+
+    def _watch(self) -> None:
+        while True:
+            time.sleep(EVERY)
+            now = scan(self._folders)
+            if now == self._seen:
+                continue
+            while (later := _later(self._folders)) != now:
+                now = later
+            with self._news:
+                self._changed |= {path for path, _ in now.items() ^ self._seen.items()}
+                self._seen = now
+                self._news.notify_all()
 
 
 def scan(folders: Iterable[Path]) -> Seen:
