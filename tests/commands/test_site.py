@@ -371,6 +371,6 @@ def test_a_file_over_its_budget_fails_the_build_and_leaves_the_site_alone(scenes
 def test_sizes_are_told_by_budget_beside_a_floor(built, capsys):
     assert site(built, "--sizes") == 0
     said = capsys.readouterr().out
-    assert "ray trees at the finest grid: at most 2.20 bytes a ray" in said
+    assert "ray trees at the finest grid: at most 1.70 bytes a ray" in said
     assert "of lossless WebP" in said and "of xz -9e" in said
     assert (built / "dist" / "sizes" / "index.html").is_file()

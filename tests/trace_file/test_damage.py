@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import gzip
 import json
+import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +15,7 @@ from conftest import STOPS, Encoded, decode
 
 from raywalk.errors import SourceErrors
 from raywalk.stops.decoded import read_trace
-from raywalk.trace_file.container import pack, script, unpack
+from raywalk.trace_file.container import pack, pack_texts, script, unpack
 from raywalk.trace_file.encode import checksum, write_level
 
 
@@ -28,8 +30,10 @@ def refusal(data: bytes, **expected: Any) -> str:
     return str(error.value)
 
 
-def test_another_version_is_refused_as_such(glass: Encoded) -> None:
-    assert "written as version 1, this reads 2" in refusal(changed(glass.json, version=1))
+@pytest.mark.parametrize("version", [1, 2, 4])
+def test_another_version_is_refused_as_such(glass: Encoded, version: int) -> None:
+    said = refusal(changed(glass.json, version=version))
+    assert f"written as version {version}, this reads 3" in said
 
 
 def test_another_kind_of_json_is_no_trace(glass: Encoded) -> None:
@@ -44,7 +48,7 @@ def test_another_scene_or_resolution_is_refused(glass: Encoded) -> None:
 
 def test_a_changed_character_is_noticed(glass: Encoded) -> None:
     columns = dict(json.loads(glass.json)["columns"])
-    columns["point0"] = "!" + columns["point0"][1:]
+    columns["numbers0"] = "!" + columns["numbers0"][1:]
     assert "checksum" in refusal(changed(glass.json, columns=columns))
 
 
@@ -55,16 +59,33 @@ def test_a_header_without_a_part_is_damaged(glass: Encoded, part: str) -> None:
     assert "the header lacks something" in refusal(json.dumps(header).encode())
 
 
-@pytest.mark.parametrize("name", ["signature", "surface", "depth0", "point1", "split", "tile2"])
+@pytest.mark.parametrize("name", ["signature", "surface", "visibility0"])
 @pytest.mark.parametrize("cut", ["shorter", "longer", "missing"])
-def test_a_column_of_another_length_is_damaged(glass: Encoded, name: str, cut: str) -> None:
+def test_a_column_of_symbols_of_another_length_is_damaged(
+    glass: Encoded, name: str, cut: str
+) -> None:
     """Even with a checksum that matches."""
-    header = json.loads(glass.json)
+    assert f"column {name}" in refusal(with_text_cut(glass.json, name, cut))
+
+
+@pytest.mark.parametrize("name", ["numbers0", "numbers6", "numbers9", "noise"])
+@pytest.mark.parametrize("cut", ["shorter", "longer", "missing"])
+def test_a_text_of_numbers_of_another_length_is_damaged(
+    glass: Encoded, name: str, cut: str
+) -> None:
+    """Likewise; which column is the first to notice depends on what was lost."""
+    said = refusal(with_text_cut(glass.json, name, cut))
+    noticed = "more numbers than columns" if cut == "longer" else "column|outside the bounds"
+    assert re.search(noticed, said)
+
+
+def with_text_cut(data: bytes, name: str, cut: str) -> bytes:
+    header = json.loads(data)
     text = header["columns"].pop(name)
     if cut != "missing":
         header["columns"][name] = text[:-1] if cut == "shorter" else text + " "
     header["crc32"] = checksum(header)
-    assert f"column {name}" in refusal(json.dumps(header).encode())
+    return json.dumps(header).encode()
 
 
 def test_fewer_rays_than_announced_are_damaged(glass: Encoded) -> None:
@@ -91,7 +112,8 @@ def test_both_published_files_hold_the_same_trace(glass: Encoded, tmp_path: Path
     assert (tmp_path / f"{n}.js").read_text().startswith(start)
 
 
-def test_packing_twice_gives_the_same_bytes(glass: Encoded) -> None:
+@pytest.mark.parametrize("pack", [pack, pack_texts])
+def test_packing_twice_gives_the_same_bytes(glass: Encoded, pack: Callable[[bytes], bytes]) -> None:
     packed = pack(glass.json)
     assert pack(glass.json) == packed
     assert packed[4:8] == bytes(4), "no time of writing"

@@ -11,7 +11,7 @@ import numpy as np
 
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
-from raywalk.trace_file.container import pack, write_beside, write_packed
+from raywalk.trace_file.container import pack_texts, write_beside, write_packed
 from raywalk.trace_file.header import begin_header
 from raywalk.trace_file.measure import measured_errors
 from raywalk.trace_file.noting import Noting, Ray
@@ -35,6 +35,7 @@ def written(tree: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str,
     noting = Noting(symbols)
     ray = walk(header, noting, tree, tile)
     header["columns"], header["predictors"] = noting.columns(), noting.predictors
+    header["same"] = noting.same
     header["errors"] = measured_errors(tree, header, ray, tile)
     header["crc32"] = checksum(header)
     return header, ray
@@ -48,6 +49,6 @@ def checksum(header: dict[str, Any]) -> int:
 
 def write_level(folder: Path, level: RayTree, n: int, scene: Scene, picture: np.ndarray) -> None:
     """<n>.json.gz for anyone, <n>.js for the viewer, which cannot fetch from file://."""
-    packed = pack(encode(level, scene, picture))
+    packed = pack_texts(encode(level, scene, picture))
     write_beside(folder / f"{n}.json.gz", packed)
     write_packed(folder / f"{n}.js", f"{scene.id}/{n}", packed)

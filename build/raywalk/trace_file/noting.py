@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.trace_file import residuals
+from raywalk.trace_file.expected import NumberTexts
 from raywalk.trace_file.fit_predictor import Predictor, affine_part, fit_predictors, how_and_taps
 from raywalk.trace_file.precision import WHOLE
 from raywalk.trace_file.symbols import write_numbers, zigzag
@@ -23,8 +24,10 @@ class Noting:
 
     def __init__(self, symbols: dict[str, np.ndarray]):
         self.known = symbols
-        self.texts: dict[str, list[str]] = {}
+        self.texts: dict[str, list[str]] = {}  # of symbols
+        self.noted = NumberTexts()
         self.predictors: dict[str, dict[str, Any]] = {}
+        self.same: dict[str, int] = {}  # columns whose numbers are all the same
 
     def symbols(
         self, name: str, first: int, group: np.ndarray, kind: np.ndarray, sides: np.ndarray
@@ -40,33 +43,39 @@ class Noting:
     ) -> np.ndarray:  # fmt: skip
         """true: (m,) in steps, not yet rounded; stored: (m,) bool: which rays have one."""
         if not stored.any():
-            self.texts[name] = [""]
             return np.zeros(len(kind))
         group, kind = np.where(stored, group, ABSENT), np.where(stored, kind, ABSENT)
         # A ray that runs along an endless plane, but for rounding, meets it farther out than
         # numbers go: it is drawn to where they end.
         rounded = np.clip(np.floor(np.asarray(true, float) + 0.5), -WHOLE, WHOLE)
         number = np.where(stored, rounded, 0.0)
+        if np.ptp(number[stored]) == 0:
+            self.same[name] = int(number[stored][0])
+            return number
         near = residuals.near_in(group, kind, sides)
         predictors = fit_predictors(number, kind, near, features)
-        left = note_numbers(number, kind, near, predictors, features)[stored]
-        self.texts[name] = [write_numbers(zigzag(left))]
+        left, classes = note_numbers(number, kind, near, predictors, features)
+        self.noted.add(zigzag(left[stored]), classes[stored])
         if predictors:
             self.predictors[name] = {str(of): p.header() for of, p in predictors.items()}
         return number
 
     def columns(self) -> dict[str, str]:
-        return {name: "".join(parts) for name, parts in self.texts.items()}
+        """Every text of the file, by name."""
+        symbols = {name: "".join(parts) for name, parts in self.texts.items()}
+        return symbols | self.noted.texts()
 
 
 def note_numbers(
     number: np.ndarray, kind: np.ndarray, near: np.ndarray,
     predictors: dict[int, Predictor], features: Sequence[np.ndarray],
-) -> np.ndarray:  # fmt: skip
-    """(m,) int64 residuals of whole numbers (float64, below 2**51); near as in residuals.py."""
+) -> tuple[np.ndarray, np.ndarray]:  # fmt: skip
+    """(m,) int64 residuals of whole numbers (float64, below 2**51), and (m,) the class of each;
+    near as in residuals.py."""
     kinds = int(kind.max(initial=0)) + 1
     how, taps = np.full(kinds, residuals.PLANE), np.zeros((kinds, 6))
     for of, predictor in predictors.items():
         how[of], taps[of] = how_and_taps(predictor)
     base = affine_part(kind, predictors, features)
-    return np.asarray(residuals.residuals(number, base, kind, near, how, taps))
+    left, classes = residuals.residuals(number, base, kind, near, how, taps)
+    return left, classes

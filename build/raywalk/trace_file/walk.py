@@ -43,9 +43,10 @@ def walk(header: dict[str, Any], coder: Noting, true: RayTree, tile: np.ndarray)
     hits_along(header, coder, ray, chosen, sides, true)
     points(header, coder, ray, tree, true)
     normals(header, coder, ray, tree, true)
-    weights(header, coder, ray, tree, true)
+    tests(coder, ray, tree, true)
     bases(header, coder, ray, tree, true)
     tiles(header, coder, ray, sides, tile)
+    weights(header, coder, ray, tree, true)
     lights(header, coder, ray, tree, true)
     ray["colour"] = rebuild.recombine(header, ray)
     return ray
@@ -192,6 +193,12 @@ def normals(
     ray["normal"] = normal
 
 
+def tests(coder: Noting, ray: Ray, tree: Structure, true: RayTree) -> None:
+    every = np.ones(tree.count, bool)
+    number = coder.numbers("tests", true.tests, every, ray["history"], ray["patch"], tree.sides)
+    ray["tests"] = number.astype(np.int64)
+
+
 def weights(
     header: dict[str, Any], coder: Noting, ray: Ray, tree: Structure, true: RayTree
 ) -> None:  # fmt: skip
@@ -221,9 +228,6 @@ def weights(
             weight[rows] = np.where(parted[parent], of_split, weight[rows])
     ray["weight"] = weight
     ray["localWeight"] = np.array([*(m["local"] for m in materials), 0.0])[ray["material"]]
-    every = np.ones(tree.count, bool)
-    tests = coder.numbers("tests", true.tests, every, ray["history"], ray["patch"], tree.sides)
-    ray["tests"] = tests.astype(np.int64)
 
 
 def bases(

@@ -5,12 +5,14 @@
  * after the first few columns at full speed.
  */
 import { damaged } from "./errors";
-import { columnBytes, type Header } from "./header";
+import { columnBytes, type Header, type Span } from "./header";
 import { ABSENT, type Sides } from "./neighbours";
-import { BASE, DIGITS, FOREIGN, FOUR, LONG, LONG_DIGITS, TWO, longNumber } from "./symbols";
+import { KEPT, MOST, NumberTexts, SHARES } from "./number-texts";
+import { DIGITS, MORE, following, longNumber } from "./symbols";
 
 const UNIT = 256; // of taps
 const TAPS = 6;
+const LARGE = 2 ** 30;
 
 /** What an affine part is a function of: the first `width` of six values of each ray, three in each array. */
 export interface Features {
@@ -30,38 +32,30 @@ interface Prediction {
 
 const AFFINE = 1, OWN_TAPS = 2, NO_TAPS = 4;
 
-/** Where in the bytes a column stands, and how far it is read. */
-interface Span {
-  at: number;
-  end: number;
-  isAsked: boolean;
-}
-
 export class Columns {
   private readonly bytes: Uint8Array;
-  private readonly spans = new Map<string, Span>();
+  private readonly spans = new Map<string, Span>(); // of the columns of symbols that were asked for
+  private readonly texts: NumberTexts;
 
-  /** off: scratch, by row, for number - affine part. */
-  constructor(private readonly header: Header, private readonly off: Float64Array) {
-    const { bytes, ends } = columnBytes(header);
-    this.bytes = bytes;
-    let at = 0;
-    for (const [name, end] of ends) {
-      this.spans.set(name, { at, end, isAsked: false });
-      at = end;
-    }
+  /** By row, scratch: off for number - affine part, and by row + 1 size for how large residuals are. */
+  constructor(private readonly header: Header, private readonly off: Float64Array, private readonly size: Int32Array) {
+    const columns = columnBytes(header);
+    this.bytes = columns.bytes;
+    this.texts = new NumberTexts(columns.bytes, columns.spans);
   }
 
   private span(name: string): Span {
-    const span = this.spans.get(name);
+    const span = this.spans.get(name) ?? columnBytes(this.header).spans.get(name);
     if (!span) throw damaged(`column ${name} is missing`);
-    span.isAsked = true;
-    return span;
+    const own = { ...span };
+    this.spans.set(name, own);
+    return own;
   }
 
-  /** Every column asked for must be read to its end. */
+  /** All must be read to the end. */
   finish() {
-    for (const [name, { at, end, isAsked }] of this.spans) if (isAsked && at !== end) throw damaged(`column ${name} is too long`);
+    for (const [name, { at, end }] of this.spans) if (at !== end) throw damaged(`column ${name} is too long`);
+    this.texts.finish();
   }
 
   private readTo(name: string, span: Span, at: number) {
@@ -98,15 +92,13 @@ export class Columns {
           }
         }
       } else {
-        if (value >= TWO) {
-          if (value < FOUR) value = TWO + (value - TWO) * BASE + DIGITS[bytes[at++]];
-          else if (value < LONG) {
-            value = (DIGITS[bytes[at]] * BASE + DIGITS[bytes[at + 1]]) * BASE + DIGITS[bytes[at + 2]];
-            at += 3;
-          }
+        if (value >= MORE) {
+          const number = longNumber(value, bytes, at);
+          at += following(value);
+          value = number < 2 ** 30 ? number | 0 : LARGE; // NaN if a digit is foreign
         }
-        value--; // what is foreign is too large
-        if (!(value < most)) throw damaged(`column ${name} names a row that is not there`);
+        value--;
+        if (value >= most) throw damaged(`column ${name} names a row that is not there`);
       }
       out[row] = last[of] = value;
     }
@@ -116,34 +108,47 @@ export class Columns {
   /** Writes whole numbers at `rows`; what else stands in `out` stays. kind: by row, below `kinds`;
    *  near: by row, within the column's groups (see alike). */
   numbers(name: string, rows: Int32Array, kind: Int32Array, kinds: number, near: Sides, features: Features, out: Float64Array) {
-    const span = this.span(name);
-    const { bytes, off } = this;
+    const same = this.header.same[name];
+    if (same !== undefined) for (let k = 0; k < rows.length; k++) out[rows[k]] = same;
+    else {
+      this.predicted(rows, kind, kinds, near, this.prediction(name, kinds, features.width), features, out);
+      this.texts.check(name);
+    }
+  }
+
+  private predicted(rows: Int32Array, kind: Int32Array, kinds: number, near: Sides, { affine, taps, has }: Prediction, features: Features, out: Float64Array) {
+    const { texts, bytes, off, size } = this;
+    const { at, noise } = texts;
     const { left, up, upLeft, upRight } = near;
-    const { affine, taps, has } = this.prediction(name, kinds, features.width);
     const { width, first, second } = features;
     const last = new Int32Array(kinds).fill(-1);
-    let at = span.at, all = 0; // all: bits of the digits, to notice foreign ones
-    if (at === span.end && rows.length > 0) throw damaged(`column ${name} is empty`);
+    let { bit } = texts;
+    size[0] = 0;
     for (let k = 0; k < rows.length; k++) {
       const row = rows[k], of = kind[row], flags = has[of];
+      const l = left[row], u = up[row], ul = upLeft[row], ur = upRight[row];
 
-      let code = DIGITS[bytes[at++]], residual = 0;
-      if (code < LONG) {
-        if (code >= FOUR) {
-          const high = DIGITS[bytes[at]], middle = DIGITS[bytes[at + 1]], low = DIGITS[bytes[at + 2]];
-          at += 3;
-          all |= high | middle | low;
-          code = (high * BASE + middle) * BASE + low;
-        } else if (code >= TWO) {
-          const low = DIGITS[bytes[at++]];
-          all |= low;
-          code = TWO + (code - TWO) * BASE + low;
-        }
+      // Which text the residual stands in; missing neighbours (-1) have size[0], which is 0.
+      let sizes = 2 * size[u + 1] + size[ul + 1] + size[ur + 1];
+      if ((u | ul | ur) < 0) {
+        const count = 4 + 2 * (u >> 31) + (ul >> 31) + (ur >> 31);
+        sizes = count > 0 ? (sizes * SHARES[count]) >> 6 : 4 * size[(l < 0 ? last[of] : l) + 1];
+      }
+      const text = 32 - Math.clz32(sizes);
+      let code = DIGITS[bytes[at[text]++]], low = 0, extra = 0, residual = 0;
+      if (text > KEPT) {
+        low = text - KEPT;
+        extra = (noise.getUint32(bit >> 3) << (bit & 7)) >>> (32 - low);
+        bit += low;
+      }
+      if (code < MORE) {
+        code = (code << low) | extra;
         residual = (code >> 1) ^ -(code & 1); // 0, -1, 1, -2, 2 ...
+        size[row + 1] = Math.min((code + 1) >> 1, MOST);
       } else {
-        const number = longNumber(name, code, bytes, at);
-        at += LONG_DIGITS;
+        const number = texts.long(text, code) * (1 << low) + extra;
         residual = number % 2 === 0 ? number / 2 : -(number + 1) / 2;
+        size[row + 1] = Math.min(Math.abs(residual), MOST);
       }
 
       let base = 0;
@@ -157,11 +162,10 @@ export class Columns {
 
       let beside = 0;
       if (!(flags & NO_TAPS)) {
-        const l = left[row], u = up[row], ul = upLeft[row];
         if ((l | u | ul) >= 0) {
           beside = off[l] + off[u] - off[ul];
           if (flags & OWN_TAPS) {
-            const ur = upRight[row], ll = left[l], uu = up[u];
+            const ll = left[l], uu = up[u];
             if ((ur | ll | uu) >= 0) {
               const t = of * TAPS;
               let whole = off[l] * taps[t] + off[u] * taps[t + 1] + off[ul] * taps[t + 2];
@@ -172,7 +176,7 @@ export class Columns {
         } else if (l >= 0 && left[l] >= 0) beside = 2 * off[l] - off[left[l]];
         else if (u >= 0 && up[u] >= 0) beside = 2 * off[u] - off[up[u]];
         else {
-          const one = l >= 0 ? l : u >= 0 ? u : ul >= 0 ? ul : upRight[row] >= 0 ? upRight[row] : last[of];
+          const one = l >= 0 ? l : u >= 0 ? u : ul >= 0 ? ul : ur >= 0 ? ur : last[of];
           if (one >= 0) beside = off[one];
         }
       }
@@ -182,8 +186,7 @@ export class Columns {
       off[row] = value - base;
       last[of] = row;
     }
-    if (all & FOREIGN) throw damaged(`column ${name} holds a foreign character`);
-    this.readTo(name, span, at);
+    texts.bit = bit;
   }
 
   private prediction(name: string, kinds: number, features: number): Prediction {

@@ -58,11 +58,11 @@ function refusing<T>(run: () => T): T {
 
 function read(header: Header, scratch: Scratch): Level {
   const { n, rays: count, tables, materials, patches, lights } = header;
-  const columns = new Columns(header, scratch.off);
+  const columns = new Columns(header, scratch.off, scratch.size);
   const signature = new Int32Array(n * n);
   const tree = plant(header, columns, signature, scratch);
   const { sides, surface, patch } = tree;
-  const { near, number, counting } = scratch;
+  const { nearAlike: near, number, counting } = scratch;
   const all = counting.subarray(0, count);
   const ofSurface = (column: 1 | 2, out: Int16Array | Uint8Array) => looked(surface, tables.surface.map((each) => each[column]), out);
   const material = ofSurface(1, new Int16Array(count)) as Int16Array, inside = ofSurface(2, new Uint8Array(count)) as Uint8Array;
@@ -138,7 +138,7 @@ function marked(value: Int32Array, is: Uint8Array, first: number, end: number, r
 }
 
 /** Where rays end. Those of camera rays are known from the hits along them. */
-function readPoints(header: Header, columns: Columns, tree: Structure, { near, number, counting, rows: scratch }: Scratch, point: Float64Array) {
+function readPoints(header: Header, columns: Columns, tree: Structure, { nearAlike: near, number, counting, rows: scratch }: Scratch, point: Float64Array) {
   const { n, patches } = header;
   const sent = counting.subarray(n * n, tree.count);
   const free = marked(tree.patch, Uint8Array.from(patches, (patch) => (patch.points === "free" ? 1 : 0)), n * n, tree.count, scratch);
@@ -159,7 +159,7 @@ function measure(tree: Structure, point: Float64Array, object: Int16Array, camer
   }
 }
 
-function readNormals(header: Header, columns: Columns, tree: Structure, { near, number, kind, rows: scratch }: Scratch, point: Float64Array): Float64Array {
+function readNormals(header: Header, columns: Columns, tree: Structure, { nearAlike: near, number, kind, rows: scratch }: Scratch, point: Float64Array): Float64Array {
   const { patches, steps, tables } = header;
   const { count, patch, depth, surface } = tree;
   const rows = marked(patch, Uint8Array.from(patches, ({ normals }) => (normals === "stored" ? 1 : 0)), 0, count, scratch);
@@ -202,7 +202,7 @@ function readWeights(header: Header, columns: Columns, tree: Structure, material
 }
 
 /** Base colours, each channel predicted from those before it too; of patches that have steps for them. */
-function readBases({ patches }: Header, columns: Columns, { count, patch }: Structure, { near, rows: scratch, number: [number] }: Scratch): Float64Array {
+function readBases({ patches }: Header, columns: Columns, { count, patch }: Structure, { nearAlike: near, rows: scratch, number: [number] }: Scratch): Float64Array {
   const base = new Float64Array(3 * count).fill(1);
   const steps = patches.map((each) => each.base ?? 0);
   const rows = marked(patch, Uint8Array.from(steps, Math.sign), 0, count, scratch);
@@ -215,7 +215,7 @@ function readBases({ patches }: Header, columns: Columns, { count, patch }: Stru
 }
 
 /** 8-bit colours, each channel predicted from those before it too. */
-function readTiles({ n, patches }: Header, columns: Columns, { patch }: Structure, { near, counting, number: [number] }: Scratch): Uint8Array {
+function readTiles({ n, patches }: Header, columns: Columns, { patch }: Structure, { nearAlike: near, counting, number: [number] }: Scratch): Uint8Array {
   const cameras = counting.subarray(0, n * n);
   const tiles = new Uint8Array(3 * n * n), before = new Float64Array(3 * n * n);
   for (const c of [0, 1, 2] as const) {

@@ -15,7 +15,7 @@ export interface Expected {
 }
 
 const FORMAT = "raywalk-trace";
-const VERSION = 2;
+const VERSION = 3;
 
 /** The header, if this is an undamaged trace file of this version (and scene, and resolution). */
 export function checkedHeader(json: unknown, expected: Expected): Header {
@@ -30,10 +30,16 @@ export function checkedHeader(json: unknown, expected: Expected): Header {
   return header;
 }
 
-/** The columns' texts as bytes, in the order of their names, and where each ends. */
+/** Where in the bytes a text stands, and how far it is read. */
+export interface Span {
+  at: number;
+  end: number;
+}
+
+/** The columns' texts as bytes, in the order of their names, and where each stands. */
 export interface ColumnBytes {
   bytes: Uint8Array;
-  ends: Map<string, number>;
+  spans: Map<string, Span>;
 }
 
 const asBytes = new WeakMap<object, ColumnBytes>();
@@ -48,13 +54,13 @@ export function columnBytes({ columns }: Header): ColumnBytes {
     if (typeof columns[name] !== "string") throw damaged(`column ${name} is no text`);
     length += columns[name].length;
   }
-  const all: ColumnBytes = { bytes: new Uint8Array(length), ends: new Map() };
+  const all: ColumnBytes = { bytes: new Uint8Array(length), spans: new Map() };
   const encoder = new TextEncoder();
   let at = 0;
   for (const name of names) {
     const { read } = encoder.encodeInto(columns[name], at ? all.bytes.subarray(at) : all.bytes);
     if (read !== columns[name].length) throw damaged(`column ${name} holds a foreign character`);
-    all.ends.set(name, (at += read));
+    all.spans.set(name, { at, end: (at += read) });
   }
   asBytes.set(columns, all);
   return all;

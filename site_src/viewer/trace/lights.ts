@@ -36,7 +36,7 @@ export function prepareLights(header: Header, columns: Columns, tree: Structure,
 /** Whether a light is seen, and if not what stops it where. */
 function readShadows(
   header: Header, columns: Columns, tree: Structure, { point }: Known, l: number, lit: Lit,
-  { symbol: seen, group, kind, kindHit, rows: stopped, near, number: [number] }: Scratch,
+  { symbol: seen, group, kind, kindHit, rows: stopped, near, nearAlike, zeros, number: [number] }: Scratch,
 ) {
   const { history, depth, count } = tree;
   const { visibility, blocker, passed, blockedAt } = lit;
@@ -45,7 +45,7 @@ function readShadows(
   const blockers = Int16Array.from(table, (each) => each[1]);
   const shares = Float64Array.from(table, (each) => each[2] ?? 1);
   const isDimmed = shares.some((share) => share !== 1);
-  columns.symbols(`visibility${l}`, 0, count, history, kindHit, header.tables.surface.length, tree.sides, table.length, seen);
+  columns.symbols(`visibility${l}`, 0, count, zeros, kindHit, header.tables.surface.length, nearAlike, table.length, seen);
   let blocked = 0;
   for (let row = 0, at = l; row < count; row++, at += lights) {
     group[row] = ABSENT;

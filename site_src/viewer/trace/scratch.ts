@@ -24,9 +24,9 @@ function made(count: number) {
   return {
     // Of each ray while the tree grows; see structure.ts.
     before: column(), born: Array.from({ length: BRANCHES }, column), surface: column(), patch: column(), children: column(), history: column(), sides: noSides(count),
-    // Of one column or a few. counting: 0, 1, 2 ...
-    counting: column().map((_, k) => k), zeros: column(), near: noSides(count), nearLit: noSides(count),
+    // Of one column or a few. counting: 0, 1, 2 ... nearAlike: of all rays, those of the same history.
+    counting: column().map((_, k) => k), zeros: column(), near: noSides(count), nearAlike: noSides(count), nearLit: noSides(count),
     group: column(), kind: column(), kindLit: column(), kindHit: column(), rows: column(), moreRows: column(), evenMoreRows: column(), symbol: column(),
-    number: [numbers(), numbers(), numbers()] as const, off: numbers(),
+    number: [numbers(), numbers(), numbers()] as const, off: numbers(), size: new Int32Array(count + 1),
   };
 }
