@@ -290,15 +290,14 @@ def _compile_meshes(scene: Scene) -> list[MeshTarget]:
     indices = [k for k, obj in enumerate(scene.objects) if isinstance(obj.shape, Mesh)]
     if not indices:
         return []
-    from raywalk.geometry.mesh_file import load_triangles
-    from raywalk.geometry.mesh_target import MeshTarget
+    from raywalk.geometry.mesh_kept import mesh_target
 
     targets, problems = [], []
     for k in indices:
         obj = scene.objects[k]
         try:
             glass = scene.materials[obj.material].transmit > 0
-            targets.append(MeshTarget(k, load_triangles(scene, obj), glass))
+            targets.append(mesh_target(scene, k, glass))
         except SourceErrors as raised:
             problems += raised.errors
             continue
