@@ -238,3 +238,20 @@ def test_a_deeper_limit_leaves_the_first_rays_as_they_are() -> None:
     count = len(shallow.pixel)
     for column in ("pixel", "parent", "kind", "object", "t", "point", "normal", "weight", "local"):
         assert (getattr(shallow, column) == getattr(deep, column)[:count]).all(), column
+
+
+def test_objects_beyond_what_16_bits_count_are_told_right() -> None:
+    """A ball of glass that stands behind 33,000 others: met, shading the floor, and left again."""
+    dust = [SceneObject(f"{k}", Sphere((10.0 * k, -1e4, 0.0), 1.0), 0) for k in range(33_000)]
+    floor = SceneObject("floor", Plane((0, -1, 0), (0, 1, 0)), 0)
+    ball = SceneObject("ball", Sphere((0.0, 0.0, 0.0), 0.5), 1)
+    scene = scene_of(
+        [*dust, floor, ball], [CHALK, CLEAR], [Light("lamp", (0, 5, 0))],
+        size=15, resolutions=(5, 15), depth=3,
+    )  # fmt: skip
+    tree = trace_scene(scene).tree
+    assert set(tree.object[:225]) == {-1, 33_000, 33_001}
+    assert set(tree.blocker.ravel()) == {-1, 33_001}
+    within = tree.parent[np.flatnonzero((tree.object == 33_001) & tree.inside)]
+    assert len(within)
+    assert (tree.object[within] == 33_001).all()  # what is inside of it came in through it

@@ -163,7 +163,7 @@ def hits_along(t: np.ndarray) -> dict[str, np.ndarray]:
     return {
         "hits_start": start,
         "hits_t": flat[met],
-        "hits_object": (order // 2)[met].astype(np.int16),
+        "hits_object": (order // 2)[met].astype(np.int32),
     }
 
 
@@ -172,14 +172,14 @@ def trace_group(scene: Scene, rays: Rays, depth: int) -> dict[str, np.ndarray]:
     t = all_crossings(scene, rays.origin, rays.direction)[:, :, 0]
     nearest, far = t.argmin(axis=0), t.min(axis=0)
     hit = np.isfinite(far)
-    thing = np.where(hit, nearest, -1).astype(np.int16)
+    thing = np.where(hit, nearest, -1).astype(np.int32)
     point = rays.origin + np.where(hit, far, LEAVING)[:, None] * rays.direction
     normal = np.zeros((m, 3))
     for k, item in enumerate(scene.objects):
         normal[thing == k] = outward(item.shape, point[thing == k])
     inside = hit & (dot(normal, rays.direction) > 0)
     normal = np.where(inside[:, None], -normal, normal)
-    material = np.where(hit, material_at(scene, thing, point), -1).astype(np.int16)
+    material = np.where(hit, material_at(scene, thing, point), -1).astype(np.int32)
     of = per_material(scene, material, lambda s: 1 - s.reflect - s.transmit)
     columns = {
         "pixel": rays.pixel, "parent": rays.parent, "kind": rays.kind,
@@ -215,7 +215,7 @@ def light_columns(
     out = {
         "visibility": np.full((m, count), Visibility.BEHIND, np.uint8),
         "passed": np.ones((m, count)),
-        "blocker": np.full((m, count), -1, np.int16),
+        "blocker": np.full((m, count), -1, np.int32),
         "blocked_at": np.ones((m, count)),
         "diffuse": np.zeros((m, count)),
         "specular": np.zeros((m, count)),

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.faces import SHAPE, TRIANGLE, shape_record
-from raywalk.scene.exact import DIGITS, rest_of, rounded
+from raywalk.scene.exact import DIGITS, exact, rest_of, rounded
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
 from raywalk.scene.shapes import Box, Canonical, Mesh, Shape, Triangle
@@ -46,18 +46,21 @@ def compile_primitives(scene: Scene) -> Primitives:
     """The table of all objects that are not meshes; transforms are known to be regular."""
     kept = [k for k, obj in enumerate(scene.objects) if not isinstance(obj.shape, Mesh)]
     kept.sort(key=lambda k: scene.materials[scene.objects[k].material].transmit > 0)
-    exact = [exact_placement(scene.objects[k]) for k in kept]
-    inverse = _stack([_inverse(linear) for linear, _ in exact], (3, 3))
-    middle = _stack([centre for _, centre in exact], (3,))
-    to_world, to_local = rounded(_stack([linear for linear, _ in exact], (3, 3))), rounded(inverse)
+    placed = [exact_placement(scene.objects[k]) for k in kept]
+    inverse = _stack([_inverse(linear) for linear, _ in placed], (3, 3))
+    middle = _stack([centre for _, centre in placed], (3,))
+    to_world, to_local = rounded(_stack([linear for linear, _ in placed], (3, 3))), rounded(inverse)
     sizes = np.linalg.svd(to_world, compute_uv=False)  # half axes of the unit sphere's image
-    corner = _stack(
-        [_corners(scene.objects[k].shape, *exact[row]) for row, k in enumerate(kept)], (8, 3)
-    )
+    shapes = [scene.objects[k].shape for k in kept]
+    is_edged = np.array([isinstance(shape, EDGED) for shape in shapes], bool)
+    edged = np.flatnonzero(is_edged)
+    corner, corner_rest = np.zeros((2, len(kept), 8, 3))
+    corners = _stack([_corners(shapes[row], *placed[row]) for row in edged.tolist()], (8, 3))
+    corner[edged], corner_rest[edged] = rounded(corners), rest_of(corners)
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
-        shape=np.array([shape_record(scene.objects[k].shape.canonical) for k in kept], SHAPE),
+        shape=np.array([shape_record(shape.canonical) for shape in shapes], SHAPE),
         object=np.array(kept, np.int32),
         centre=rounded(middle),
         centre_rest=rest_of(middle),
@@ -67,23 +70,23 @@ def compile_primitives(scene: Scene) -> Primitives:
         is_skewed=_growth(to_world, to_local) > SKEWED,
         is_thin=np.array(
             [
-                _is_thin(scene.objects[k].shape.canonical, m, own)
-                for k, m, own in zip(kept, to_world, sizes, strict=True)
+                _is_thin(shape.canonical, m, own)
+                for shape, m, own in zip(shapes, to_world, sizes, strict=True)
             ],
             bool,
         ),
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
         reach_sq=np.array(
             [
-                _reach(scene.objects[k].shape, m, own[0])
-                for k, m, own in zip(kept, to_world, sizes, strict=True)
+                _reach(shape, m, own[0])
+                for shape, m, own in zip(shapes, to_world, sizes, strict=True)
             ]
         )
         ** 2,
         row_of=row_of,
-        is_edged=np.array([isinstance(scene.objects[k].shape, EDGED) for k in kept], bool),
-        corner=rounded(corner),
-        corner_rest=rest_of(corner),
+        is_edged=is_edged,
+        corner=corner,
+        corner_rest=corner_rest,
     )
 
 
@@ -93,26 +96,31 @@ def exact_at_edges(table: Primitives, vertices: list[np.ndarray]) -> Primitives:
 
     vertices: (v, 3) of each mesh, world.
     """
-    rows = np.flatnonzero(table.is_edged)
-    is_triangle = table.shape[rows]["code"] == TRIANGLE
-    corners = zip(table.corner[rows], is_triangle, strict=True)
-    held = [_unique(each[:3] if three else each) for each, three in corners]
-    others = [_unique(mesh) for mesh in vertices]
-    names, counts = np.unique(np.concatenate([_NOTHING, *held, *others]), return_counts=True)
-    shared = names[counts > 1]
-    shares = np.array([np.isin(own, shared).any() for own in held], bool)
     is_edged = np.zeros(len(table.shape), bool)
-    is_edged[rows[is_triangle | shares]] = True
+    rows = np.flatnonzero(table.is_edged)
+    if len(rows):
+        is_triangle = table.shape[rows]["code"] == TRIANGLE
+        has = np.where(is_triangle[:, None], np.arange(8) < 3, True)
+        given = [table.corner[rows][has], *vertices]
+        owner = [np.nonzero(has)[0], *(np.full(len(v), -1 - k) for k, v in enumerate(vertices))]
+        shared = _is_shared(np.concatenate(given), np.concatenate(owner))[: has.sum()]
+        is_edged[rows[is_triangle]] = True
+        is_edged[rows[owner[0][shared]]] = True
     return table._replace(is_edged=is_edged)
 
 
-def _unique(points: np.ndarray) -> np.ndarray:
-    """(u,) each of the points (n, 3) once, as one comparable value."""
-    plain = np.ascontiguousarray(points + 0.0)  # without -0.0
-    return np.unique(plain.view([("x", float), ("y", float), ("z", float)]).ravel())
+def _is_shared(points: np.ndarray, owner: np.ndarray) -> np.ndarray:
+    """(n,) bool: whether another owner has the very same point (n, 3)."""
+    order = np.lexsort([owner, *points.T])
+    point, who = points[order], owner[order]
+    first = np.append(True, (point[1:] != point[:-1]).any(axis=1))
+    start = np.flatnonzero(first)
+    last = np.append(start[1:], len(who)) - 1
+    shared = np.empty(len(who), bool)
+    shared[order] = np.repeat(who[start] != who[last], last - start + 1)
+    return shared
 
 
-_NOTHING = _unique(np.empty((0, 3)))
 # The sphere round a shape is this much larger than it need be, so that no hit that rounding
 # moves is ever outside of it.
 ROOMY = 1.0 + 1e-6
@@ -126,20 +134,16 @@ def _reach(shape: Shape, to_world: np.ndarray, longest: float) -> float:
 
 
 # Canonical corners in the order of BOX_TRIANGLES, and of a triangle's a, b, c.
-BOX_CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
-NO_CORNERS = np.full((8, 3), Decimal(0), object)
-TRIANGLE_CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+BOX_CORNERS = exact([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)])
+TRIANGLE_CORNERS = exact([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
 
 
 def _corners(shape: Shape, linear: np.ndarray, centre: np.ndarray) -> np.ndarray:
-    """(8, 3) Decimals: where the corners stand, those of a box or triangle first, then zeros."""
-    if not isinstance(shape, EDGED):
-        return NO_CORNERS
+    """(8, 3) Decimals: where the corners of a box or triangle stand, then zeros."""
     given = BOX_CORNERS if isinstance(shape, Box) else TRIANGLE_CORNERS
     out = np.full((8, 3), Decimal(0), object)
     with localcontext(prec=DIGITS):
-        for row, local in enumerate(given):
-            out[row] = centre + linear @ np.array([Decimal(x) for x in local], object)
+        out[: len(given)] = centre + given @ linear.T
     return out
 
 

@@ -112,8 +112,10 @@ def is_on(primitives, row, px, py, pz):
     canonical coordinates."""
     shape, m, c = primitives.shape[row], primitives.to_local[row], primitives.centre[row]
     x, y, z = to_local(m, px - c[0], py - c[1], pz - c[2])
-    reach = abs(px) + abs(py) + abs(pz) + abs(c[0]) + abs(c[1]) + abs(c[2])
-    size = max(reach, np.abs(primitives.to_world[row]).max())
+    size = abs(px) + abs(py) + abs(pz) + abs(c[0]) + abs(c[1]) + abs(c[2])
+    for i in range(3):  # np.abs(..).max() makes an array at every call
+        for j in range(3):
+            size = max(size, abs(primitives.to_world[row, i, j]))
     near = is_near(shape, x, y, z, CLOSE * primitives.stretch[row] * size)
     if shape.code == DISC:
         near = near and x * x + y * y < MARGIN

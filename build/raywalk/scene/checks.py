@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import isinf
+from math import dist, isinf
 
 import numpy as np
 
 from raywalk.scene.model import Camera, Material, SceneObject
-from raywalk.scene.placement import placement
+from raywalk.scene.placement import UNMOVED, placement
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema import CameraTable, LightTable
 from raywalk.scene.shapes import Mesh, Shape
@@ -17,6 +17,7 @@ from raywalk.scene.wording import plain, quoted
 # Sine of the angle below which two directions are one to the eye: up that runs along the
 # line of sight fixes no upright, an area light with such edges has no area.
 PARALLEL = 1e-9
+ROOMY = 1.0 + 1e-9  # of a sphere that holds a shape: more than what rounding takes from it
 
 
 def check_names(names: Iterable[tuple[int, str]], section: str, problems: Problems) -> None:
@@ -96,6 +97,9 @@ def is_strictly_inside(point: Sequence[float], obj: SceneObject) -> bool:
     canonical = obj.shape.canonical
     if canonical.height is None or isinf(canonical.reach):
         return False
+    holder = obj.shape.holder()
+    if holder and obj.transform is UNMOVED and dist(point, holder[0]) > ROOMY * holder[1]:
+        return False  # as most objects are: no Decimals are needed to know it
     linear, centre = placement(obj)
     local = np.linalg.solve(linear, np.asarray(point, float) - centre)
     return bool(canonical.height(*local.tolist()) < 0)

@@ -133,6 +133,7 @@ class _Parts:
     problems: Problems
     materials: list[Material] = field(default_factory=list)
     objects: list[SceneObject] = field(default_factory=list)
+    number: dict[Material, int] = field(default_factory=dict)  # of each in `materials`
     taken: set[str] = field(default_factory=set)  # names of objects
 
     def add_objects(self) -> None:
@@ -222,6 +223,7 @@ class _Parts:
         return even, Checker(table.checker.size, odd)
 
     def _index(self, material: Material) -> int:
-        if material not in self.materials:
+        if material not in self.number:
+            self.number[material] = len(self.materials)
             self.materials.append(material)
-        return self.materials.index(material)
+        return self.number[material]

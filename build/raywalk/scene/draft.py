@@ -39,21 +39,32 @@ class Draft:
 
 def read_tables(raw: dict[str, Any], problems: Problems) -> tuple[SceneFile | None, Draft]:
     """The whole file if every table is sound, and the sound tables in any case."""
-    whole = None
     try:
         whole = SceneFile.model_validate(raw)
     except ValidationError as error:
         problems.add_refusals(error)
-    return whole, _sound_tables(raw)
+        return None, _sound_tables(raw)
+    return whole, _tables_of(whole)
+
+
+def _tables_of(whole: SceneFile) -> Draft:
+    return Draft(
+        camera=whole.camera,
+        render=whole.render,
+        materials=dict(whole.materials),
+        objects=dict(enumerate(whole.objects)),
+        lights=dict(enumerate(whole.lights)),
+        lesson=dict(enumerate(whole.lesson)),
+    )
 
 
 def _sound_tables(raw: dict[str, Any]) -> Draft:
-    materials = raw.get("materials", {})
+    materials, material = raw.get("materials", {}), TypeAdapter(MaterialTable)
     return Draft(
         camera=_sound(TypeAdapter(CameraTable), raw.get("camera")),
         render=_sound(TypeAdapter(RenderTable), raw.get("render", {})),
         materials={
-            name: _sound(TypeAdapter(MaterialTable), table)
+            name: _sound(material, table)
             for name, table in (materials.items() if isinstance(materials, dict) else ())
         },
         objects=_sound_items(_OBJECT, raw.get("objects")),

@@ -25,7 +25,8 @@ SOURCE = re.compile(rf'<img [^>]*src="\.\./[^"/]*/{PICTURES}/([^"]+)"')
 
 def pictures_in(texts: Iterable[str]) -> list[str]:
     """The names of the files that lesson texts show, each once."""
-    found = [name for text in texts for name in SOURCE.findall(lesson_html(text, "here"))]
+    with_some = (text for text in texts if "![" in text)
+    found = [name for text in with_some for name in SOURCE.findall(lesson_html(text, "here"))]
     return list(dict.fromkeys(unquote(unescape(name)) for name in found))
 
 

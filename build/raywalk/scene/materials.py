@@ -58,6 +58,7 @@ class Materials:
         self._problems = problems
         self._finished: dict[str, Dressed | None] = {}
         self._inherited: dict[str, dict[str, Any]] = {}  # all keys of own materials, once followed
+        self._endless: set[str] = set()  # those that inherit from a circle that was told
         self._unknown = 0
         for name in own:
             self._finished[name] = self._read_own(name)
@@ -93,10 +94,11 @@ class Materials:
             if name == chain[-1] and name in BUILT_IN:  # an own "glass" may build on the built-in
                 base = _given(BUILT_IN[name])
                 break
+            if name in self._endless:
+                return None
             if name in passed:
-                if name == own_name:  # else it is reported at a material of the circle
-                    circle = " -> ".join([*chain[:CIRCLE], *["..."][: len(chain) > CIRCLE], name])
-                    self._problems.add((*at, "like"), f"inherits from itself: {circle}")
+                self._note_circle(chain[chain.index(name) :])
+                self._endless.update(chain)
                 return None
             if name in self._inherited:  # followed before, to its end
                 base = self._inherited[name]
@@ -128,6 +130,13 @@ class Materials:
         key, message, hint = problem
         self._problems.add((*at, key), message, hint=hint)
         return None
+
+    def _note_circle(self, names: list[str]) -> None:
+        """Once, at the first of them: it is one mistake."""
+        told = [*names[:CIRCLE], *["..."][: len(names) > CIRCLE], names[0]]
+        self._problems.add(
+            ("materials", names[0], "like"), f"inherits from itself: {' -> '.join(told)}"
+        )
 
     def _note_unknown(self, name: str, at: Location) -> None:
         known = f"known: {joined(BUILT_IN)}"

@@ -10,7 +10,8 @@ import numpy as np
 from raywalk.scene.exact import DIGITS, axes_across, exact, rotation, rounded, unit
 from raywalk.scene.model import SceneObject
 
-UNMOVED = np.eye(4)
+UNMOVED = np.eye(4)  # the transform of what has none
+UNMOVED.flags.writeable = False
 
 
 def placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
@@ -28,7 +29,8 @@ def exact_placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
     what is made of them (an inverse, an axis, a sum) is rounded once and not at every step."""
     with localcontext(prec=DIGITS):
         linear, centre = obj.shape.placement()
-        if np.array_equal(obj.transform, UNMOVED):  # most are: two products of Decimals less
+        # Most are: two products of Decimals less.
+        if obj.transform is UNMOVED or np.array_equal(obj.transform, UNMOVED):
             return +linear, +centre
         outer = exact(obj.transform)
         return outer[:3, :3] @ linear, outer[:3, :3] @ centre + outer[:3, 3]

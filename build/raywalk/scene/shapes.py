@@ -11,14 +11,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import partial
-from math import inf, pi, sqrt
+from math import dist, hypot, inf, pi, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from raywalk.models.piece import Piece
-from raywalk.scene.exact import EYE, axes_across, exact, rotation, unit
+from raywalk.scene.exact import EYE, across, axes_across, exact, rotation, unit
 from raywalk.scene.wording import plain
 
 Triple = tuple[float, float, float]
@@ -92,6 +92,11 @@ class Shape:
         """Where the canonical shape stands, before the object's transform."""
         raise NotImplementedError
 
+    def holder(self) -> tuple[Triple, float] | None:
+        """Centre and radius of a sphere that holds what is closed, before the object's transform:
+        roomy, but quick to find. None: not known."""
+        return None
+
     def flaws(self) -> Iterator[Flaw]:
         """Why the numbers, each allowed by itself, make no shape."""
         yield from ()
@@ -124,6 +129,9 @@ class Sphere(Shape):
     def placement(self) -> Placement:
         return Decimal(self.radius) * EYE, exact(self.center)
 
+    def holder(self) -> tuple[Triple, float]:
+        return self.center, self.radius
+
 
 @dataclass(frozen=True)
 class Ellipsoid(Shape):
@@ -136,6 +144,9 @@ class Ellipsoid(Shape):
     def placement(self) -> Placement:
         about_x, about_y, about_z = (rotation(EYE[k], self.rotation[k]) for k in range(3))
         return about_z @ about_y @ about_x * exact(self.radii), exact(self.center)
+
+    def holder(self) -> tuple[Triple, float]:
+        return self.center, max(self.radii)
 
 
 @dataclass(frozen=True)
@@ -150,7 +161,7 @@ class Plane(Shape):
     def placement(self) -> Placement:
         n = unit(exact(self.normal))
         u, _ = axes_across(n)
-        return np.column_stack([u, n, np.cross(u, n)]), exact(self.point)
+        return np.column_stack([u, n, across(u, n)]), exact(self.point)
 
     def flaws(self) -> Iterator[Flaw]:
         yield from _without_direction(self.normal)
@@ -169,6 +180,9 @@ class Cylinder(Shape):
 
     def placement(self) -> Placement:
         return _between(self.start, self.end, self.radius)
+
+    def holder(self) -> tuple[Triple, float]:
+        return self.start, dist(self.start, self.end) + self.radius
 
     def flaws(self) -> Iterator[Flaw]:
         yield from _without_length(self)
@@ -200,6 +214,9 @@ class Cone(Shape):
             return _between(self.end, self.start, self.radius)
         return _between(self.start, self.end, self.end_radius)
 
+    def holder(self) -> tuple[Triple, float]:
+        return self.start, dist(self.start, self.end) + max(self.radius, self.end_radius)
+
     def flaws(self) -> Iterator[Flaw]:
         yield from _without_length(self)
 
@@ -214,6 +231,9 @@ class Box(Shape):
     def placement(self) -> Placement:
         low, high = exact(self.minimum), exact(self.maximum)
         return EYE * ((high - low) / 2), (low + high) / 2
+
+    def holder(self) -> tuple[Triple, float]:
+        return self.minimum, dist(self.minimum, self.maximum)
 
     def flaws(self) -> Iterator[Flaw]:
         for axis, low, high in zip("xyz", self.minimum, self.maximum, strict=True):
@@ -233,7 +253,7 @@ class Disc(Shape):
     def placement(self) -> Placement:
         n = unit(exact(self.normal))
         u, _ = axes_across(n)
-        frame = np.column_stack([u, np.cross(n, u), n])
+        frame = np.column_stack([u, across(n, u), n])
         return Decimal(self.radius) * frame, exact(self.center)
 
     def flaws(self) -> Iterator[Flaw]:
@@ -250,16 +270,18 @@ class Triangle(Shape):
 
     def placement(self) -> Placement:
         a, b, c = exact(self.a), exact(self.b), exact(self.c)
-        return np.column_stack([b - a, c - a, np.cross(b - a, c - a)]), a
+        return np.column_stack([b - a, c - a, across(b - a, c - a)]), a
 
     def flaws(self) -> Iterator[Flaw]:
-        a, b, c = (np.array(corner) for corner in (self.a, self.b, self.c))
-        sides = np.array([b - a, c - a, c - b])
-        longest = np.abs(sides).max()
+        ends = (self.a, self.b), (self.a, self.c), (self.b, self.c)
+        sides = [[y - x for x, y in zip(*pair, strict=True)] for pair in ends]
+        longest = max(abs(x) for side in sides for x in side)
         if longest > 0:
-            sides = sides / longest  # first: squares of 1e-200 would vanish
-            area = np.linalg.norm(np.cross(sides[0], sides[1]))
-            if area > THINNEST * (sides**2).sum(axis=1).max():
+            # First: squares of 1e-200 would vanish.
+            sides = [[x / longest for x in side] for side in sides]
+            (ax, ay, az), (bx, by, bz) = sides[:2]
+            area = hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+            if area > THINNEST * max(sum(x * x for x in side) for side in sides):
                 return
         yield "", "a, b and c lie on one line: the triangle has no area", ""
 
@@ -297,7 +319,7 @@ def _between(start: Triple, end: Triple, radius: float) -> Placement:
     axis = unit(half)
     u, _ = axes_across(axis)
     wide = Decimal(radius)
-    return np.column_stack([wide * u, wide * np.cross(axis, u), half]), foot + half
+    return np.column_stack([wide * u, wide * across(axis, u), half]), foot + half
 
 
 def _without_length(shape: Cylinder | Cone) -> Iterator[Flaw]:

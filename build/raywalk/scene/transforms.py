@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raywalk.scene.placement import rotation_matrix
+from raywalk.scene.placement import UNMOVED, rotation_matrix
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 
 # Below it, the smallest volume a matrix makes of its columns is rounding error.
@@ -16,7 +16,10 @@ _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 def product(steps: Sequence[TransformTable]) -> np.ndarray:
-    """(4, 4) float64 product of the steps as written: the leftmost is applied last."""
+    """(4, 4) float64 product of the steps as written: the leftmost is applied last. UNMOVED itself
+    without any."""
+    if not steps:
+        return UNMOVED
     matrix = np.eye(4)
     for step in steps:
         matrix = matrix @ step_matrix(step)
@@ -49,6 +52,8 @@ def is_singular(matrix: np.ndarray) -> bool:
     |det| / (product of the columns' lengths) is 1 for any scaling along the axes,
     however uneven, and 0 where the columns lie in one plane (Hadamard).
     """
+    if matrix is UNMOVED:  # as most are
+        return False
     linear = matrix[:3, :3]
     largest = np.abs(linear).max(axis=0)
     if not np.isfinite(matrix).all() or not largest.all():

@@ -21,7 +21,7 @@ class Bounced(NamedTuple):
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,) product of weights from the camera on: share in the pixel
-    media: np.ndarray  # (n, w) int16
+    media: np.ndarray  # (n, w) int32
     faint: int  # rays not sent, because of `least`
 
 

@@ -28,7 +28,7 @@ def light_hits(
     local_weight = np.where(hits.object != NOWHERE, share, 0.0)
     out = Lighting(
         visibility=np.full((count, many), Visibility.UNTESTED, np.uint8),
-        blocker=np.full((count, many), NOWHERE, np.int16),
+        blocker=np.full((count, many), NOWHERE, np.int32),
         blocked_at=np.ones((count, many)),
         passed=np.ones((count, many)),
         diffuse=np.zeros((count, many)),

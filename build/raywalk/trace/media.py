@@ -22,8 +22,8 @@ def stack_width(scene: Scene) -> int:
 
 
 def stacks_holding(entered: list[int], width: int, count: int) -> np.ndarray:
-    """(count, width) int16 stacks that all hold these objects, outermost first; -1 is free."""
-    stack = np.full(width, -1, np.int16)
+    """(count, width) int32 stacks that all hold these objects, outermost first; -1 is free."""
+    stack = np.full(width, -1, np.int32)
     stack[: len(entered)] = entered[:width]
     return np.tile(stack, (count, 1))
 

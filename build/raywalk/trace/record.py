@@ -76,8 +76,8 @@ def _columns(
         "parent": parent.astype(np.int32),
         "kind": wave.kind[chosen],
         "depth": np.full(len(chosen), min(depth, 255), np.uint8),
-        "object": hits.object[chosen].astype(np.int16),
-        "material": hits.material[chosen].astype(np.int16),
+        "object": hits.object[chosen].astype(np.int32),
+        "material": hits.material[chosen].astype(np.int32),
         "inside": hits.inside[chosen],
         "t": t,
         "point": point,
@@ -153,5 +153,5 @@ def _tree(
         **{**columns, "pixel": columns["pixel"].astype(np.int32)},
         hits_start=np.concatenate([[0], np.cumsum(counts)]).astype(np.int32),
         hits_t=np.concatenate([r.hits[1] for r in records]),
-        hits_object=np.concatenate([r.hits[2] for r in records]).astype(np.int16),
+        hits_object=np.concatenate([r.hits[2] for r in records]).astype(np.int32),
     )

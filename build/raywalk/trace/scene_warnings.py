@@ -27,6 +27,8 @@ SAMPLE = 99  # pixels across the picture that is asked what is lit and seen
 # Where much is in the way of each ray, fewer are: as many as make this many tests of a ray and an
 # object for each light, but not fewer than LEAST across.
 TESTS, LEAST = 100_000_000, 33
+# What each light gives at each hit is 35 bytes: of thousands of lights fewer rays fit in memory.
+FACTORS = 4_000_000
 # Less than half a step of an 8-bit colour is nothing.
 DARK = 0.5 / 255.0
 UPRIGHT = 0.7  # cosine between a normal and the vertical from which on a surface is a floor
@@ -63,7 +65,8 @@ def _some(said: list[str]) -> list[str]:
 def _pixels_across(scene: Scene) -> int:
     depth = 4 if scene.has_glass or any(each.reflect for each in scene.materials) else 1
     a_pixel = max(1, len(scene.objects)) * (1 + len(scene.lights)) * depth
-    return int(np.clip(np.sqrt(TESTS / a_pixel), LEAST, SAMPLE))
+    across = np.clip(np.sqrt(TESTS / a_pixel), LEAST, SAMPLE)
+    return int(max(1, min(across, np.sqrt(FACTORS / max(1, len(scene.lights))))))
 
 
 def no_lamp(scene: Scene) -> list[str]:

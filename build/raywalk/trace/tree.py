@@ -85,8 +85,8 @@ class RayTree:
     parent: np.ndarray  # (m,) int32: row of the parent ray, -1 for camera rays
     kind: np.ndarray  # (m,) uint8: Kind
     depth: np.ndarray  # (m,) uint8: bounces before this ray, 0 for camera rays
-    object: np.ndarray  # (m,) int16: index into Scene.objects, -1 if it leaves the scene
-    material: np.ndarray  # (m,) int16: index into Scene.materials, -1 likewise
+    object: np.ndarray  # (m,) int32: index into Scene.objects, -1 if it leaves the scene
+    material: np.ndarray  # (m,) int32: index into Scene.materials, -1 likewise
     inside: np.ndarray  # (m,) bool: met the surface from its inner side
     t: np.ndarray  # (m,) float64: distance from the origin; inf if it leaves the scene
     point: np.ndarray  # (m, 3): the hit; where it leaves: where its drawn line ends
@@ -96,7 +96,7 @@ class RayTree:
     local: np.ndarray  # (m, 3) Blinn-Phong colour at the hit, before local_weight
     colour: np.ndarray  # (m, 3) what the ray brings back
     visibility: np.ndarray  # (m, L) uint8: Visibility
-    blocker: np.ndarray  # (m, L) int16: object that stopped the shadow ray, else -1
+    blocker: np.ndarray  # (m, L) int32: object that stopped the shadow ray, else -1
     blocked_at: np.ndarray  # (m, L) float64: share of the way to the light, 1 if it arrives
     passed: np.ndarray  # (m, L) float64: share of the light that glass on the way lets pass
     diffuse: np.ndarray  # (m, L) float64
@@ -104,7 +104,7 @@ class RayTree:
     tests: np.ndarray  # (m,) int32: intersection tests made for this ray itself
     hits_start: np.ndarray  # (c + 1,) int32: camera ray k met hits_start[k]:hits_start[k+1]
     hits_t: np.ndarray  # (h,) float64: distances of all hits along it, ascending
-    hits_object: np.ndarray  # (h,) int16: the objects met there
+    hits_object: np.ndarray  # (h,) int32: the objects met there
     base: np.ndarray | None = None  # (m, 3) base colour, 1 where none; None: nowhere any
 
     @property

@@ -15,7 +15,7 @@ class Lighting(NamedTuple):
     """What the hits of a wave know of each light; columns as in RayTree."""
 
     visibility: np.ndarray  # (n, L) uint8
-    blocker: np.ndarray  # (n, L) int16
+    blocker: np.ndarray  # (n, L) int32
     blocked_at: np.ndarray  # (n, L)
     passed: np.ndarray  # (n, L)
     diffuse: np.ndarray  # (n, L)
@@ -34,7 +34,7 @@ class Wave:
     kind: np.ndarray  # (n,) uint8
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,)
-    media: np.ndarray  # (n, w) int16
+    media: np.ndarray  # (n, w) int32
     faint: int  # rays that were not sent on to this wave: their share would be too small
     hits: Hits
     lighting: Lighting
