@@ -23,7 +23,7 @@ from raywalk.geometry.blocks import (
 )
 from raywalk.geometry.candidates import MOST, ROOT, TABLE, find_roots
 from raywalk.geometry.faces import PLANE
-from raywalk.geometry.roots import CLOSE, NOWHERE, lies_on, settled_roots
+from raywalk.geometry.roots import CLOSE, NOWHERE, lies_on, passes_by, settled_roots
 from raywalk.geometry.sphere_tree import DEPTH, WIDE, candidates_in_tree, put_in_order
 from raywalk.optics.compiled import inlined, kernel
 
@@ -138,14 +138,20 @@ def ties(primitives, k, block, j, t):
 def all_primitives(primitives, origin, direction):
     """Every hit of n rays that start in free space: ray (h,), t (h,), object (h,), by ray."""
     count, rows = origin.shape[0], primitives.shape.shape[0]
-    ray = np.empty(count * rows * 2, np.int32)
-    t = np.empty(count * rows * 2)
-    met = np.empty(count * rows * 2, np.int32)
-    filled = 0
+    room, filled = 2 * count + 2, 0  # every ray may meet every primitive twice, but few do
+    ray, t, met = np.empty(room, np.int32), np.empty(room), np.empty(room, np.int32)
     for i in range(count):
         ox, oy, oz = origin[i, 0], origin[i, 1], origin[i, 2]
         dx, dy, dz = direction[i, 0], direction[i, 1], direction[i, 2]
+        dd = dx * dx + dy * dy + dz * dz
         for k in range(rows):
+            if passes_by(primitives, k, ox, oy, oz, dx, dy, dz, dd):
+                continue
+            if filled + 2 > room:
+                ray = np.concatenate((ray, np.empty(room, np.int32)))
+                t = np.concatenate((t, np.empty(room)))
+                met = np.concatenate((met, np.empty(room, np.int32)))
+                room *= 2
             pair = settled_roots(primitives, k, ox, oy, oz, dx, dy, dz, False, False, False)
             for root in pair:
                 if root < np.inf:

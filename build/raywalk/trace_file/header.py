@@ -11,6 +11,7 @@ from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file import rebuild, tables
 from raywalk.trace_file.container import FORMAT, VERSION
+from raywalk.trace_file.groups import rows_of_each
 from raywalk.trace_file.level import side_of
 from raywalk.trace_file.patches import Patch
 from raywalk.trace_file.precision import MOST_POINT, POINT_SHARE, SPLIT, depth_step, normal_step
@@ -84,8 +85,7 @@ def depth_images(
     along = images_along([list(hits) for hits in signature], images)
     ray, place, t = tables.drawn_hits(tree, frame["eye"])
     image_of = along[signature_of[ray], place]
-    for k, image in enumerate(images):
-        here = np.flatnonzero(image_of == k)
+    for image, here in zip(images, rows_of_each(image_of, len(images)), strict=True):
         allowed = error.get(image["object"], min(POINT_SHARE * extent, MOST_POINT))
         slants = slant[ray[here]]
         image["step"] = depth_step(t[here] / slants, slants, allowed)

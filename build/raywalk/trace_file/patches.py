@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raywalk.trace_file.groups import rows_of_each
 from raywalk.trace_file.null_vector import gradient_rule, triangular
 
 MOST_FACES = 8  # flat patches looked for on one object; a box needs 6
@@ -45,8 +46,8 @@ def split_into_patches(
     """Patches, and (m,) which one each ray ends on. thing: object, -1 where a ray leaves."""
     patches: list[Patch] = []
     patch_of = np.zeros(len(thing), np.int64)
-    for index in np.unique(thing).tolist():
-        rows = np.flatnonzero(thing == index)
+    things, which = np.unique(thing, return_inverse=True)
+    for index, rows in zip(things.tolist(), rows_of_each(which, len(things)), strict=True):
         split = _leaving if index == NO_OBJECT else _of_object
         for patch, members in split(index, rows, point, normal, extent):
             patch_of[members] = len(patches)

@@ -10,6 +10,7 @@ import numpy as np
 from raywalk.scene.model import BASE_STEPS, Scene
 from raywalk.trace.tree import SENT_ON, RayTree
 from raywalk.trace_file import rebuild
+from raywalk.trace_file.groups import rows_of_each
 from raywalk.trace_file.level import TraceFileError
 from raywalk.trace_file.precision import LEAVING, coordinate_step, light_step, point_error
 from raywalk.trace_file.structure import bits_of
@@ -75,9 +76,8 @@ def drawn_hits(tree: RayTree, eye: list[float]) -> tuple[np.ndarray, np.ndarray,
 def surfaces(tree: RayTree, patches: list[Patch], patch_of: np.ndarray) -> tuple[list, np.ndarray]:
     """(patch, material, inside, sign of the rule's normal)"""
     sign = np.ones(len(patch_of), np.int64)
-    for k, patch in enumerate(patches):
+    for patch, rows in zip(patches, rows_of_each(patch_of, len(patches)), strict=True):
         if patch.normals in ("one", "gradient"):
-            rows = np.flatnonzero(patch_of == k)
             rule = rebuild.normals_on(asdict(patch), np.ones(len(rows)), list(tree.point[rows].T))
             sign[rows] = np.where(
                 (np.stack(rule, axis=1) * tree.normal[rows]).sum(axis=1) < 0, -1, 1

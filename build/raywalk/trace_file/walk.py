@@ -14,6 +14,7 @@ import numpy as np
 
 from raywalk.trace.tree import SENT_ON, Kind, RayTree, Visibility
 from raywalk.trace_file import rebuild
+from raywalk.trace_file.groups import rows_of_each
 from raywalk.trace_file.noting import ABSENT, Noting, Ray
 from raywalk.trace_file.structure import Structure, grow, in_raster
 from raywalk.trace_file.tables import drawn_hits
@@ -67,27 +68,27 @@ def hits_along(
     features = [column.astype(float), row.astype(float)]
     along = images_along(met, images)
     who, place, far = drawn_hits(true, header["camera"]["eye"])
-    depths, image_of = np.zeros((len(images), n * n)), along[chosen[who], place]
+    image_of = along[chosen[who], place]
     # At least one step: none would be a hit at no distance at all.
-    steps = size[who] / far / np.array([i["step"] for i in images])[image_of]
-    depths[image_of, who] = np.maximum(steps, 1.0)
-    z, zeros = np.ones((n * n, len(images))), np.zeros(n * n, np.int64)
-    for k, image in enumerate(images):
-        here = (along == k).any(axis=1)[chosen]
-        number = coder.numbers(f"depth{k}", depths[k], here, zeros, zeros, sides, features)
-        z[here, k] = 1 / (number[here] * image["step"])
-    nearest = z[np.arange(n * n), along[chosen, 0]]
+    steps = np.maximum(size[who] / far / np.array([i["step"] for i in images])[image_of], 1.0)
+    # One image at a time: there are as many as objects in the picture, and more.
+    z, zeros = np.ones(len(who)), np.zeros(n * n, np.int64)
+    for k, ends in enumerate(rows_of_each(image_of, len(images))):
+        depth, here = np.zeros(n * n), np.zeros(n * n, bool)
+        depth[who[ends]], here[who[ends]] = steps[ends], True
+        number = coder.numbers(f"depth{k}", depth, here, zeros, zeros, sides, features)
+        z[ends] = 1 / (number[who[ends]] * images[k]["step"])
+    nearest = np.ones(n * n)
+    nearest[who[place == 0]] = z[place == 0]
     ray["cameraPoint"] = np.stack(
         [header["camera"]["eye"][k] + step[k] * nearest for k in range(3)], axis=1
     )
     ray["cameraT"] = nearest * size
     counts = np.array([len(hits) for hits in met], np.int64)[chosen]
     start = np.concatenate([[0], np.cumsum(counts)])
-    of = np.repeat(np.arange(n * n), counts)
-    image_of = along[chosen[of], np.arange(len(of)) - start[of]]
-    t = z[of, image_of] * size[of]
-    ray["hitsStart"], ray["hitsT"] = start, ascending(t, start)
-    ray["hitsObject"] = np.array([image["object"] for image in images], np.int64)[image_of]
+    met_by = slice(len(true.hits_t))  # before the ends of what leaves
+    ray["hitsStart"], ray["hitsT"] = start, ascending(z[met_by] * size[who[met_by]], start)
+    ray["hitsObject"] = np.array([i["object"] for i in images], np.int64)[image_of[met_by]]
 
 
 def images_along(met: list[list[int]], images: list[dict[str, Any]]) -> np.ndarray:
@@ -134,8 +135,9 @@ def points(
         for k, at in enumerate(coordinates(header, true, np.where(camera, ABSENT, ray["patch"])))
     ]
     point = np.zeros((m, 3))
-    for k, patch in enumerate(header["patches"]):
-        rows = np.flatnonzero(~camera & (ray["patch"] == k))
+    patch_of = np.where(camera, ABSENT, ray["patch"])
+    patches = header["patches"]
+    for patch, rows in zip(patches, rows_of_each(patch_of, len(patches)), strict=True):
         if not len(rows):
             continue
         at = rebuild.points_on(patch, [number[rows] for number in numbers])
@@ -152,8 +154,8 @@ def points(
 def coordinates(header: dict[str, Any], true: RayTree, patch_of: np.ndarray) -> np.ndarray:
     """(3, m) points in steps of their patches' own coordinates; the third only where it is free."""
     out = np.zeros((3, len(patch_of)))
-    for k, patch in enumerate(header["patches"]):
-        rows = np.flatnonzero(patch_of == k)
+    patches = header["patches"]
+    for patch, rows in zip(patches, rows_of_each(patch_of, len(patches)), strict=True):
         if not len(rows):
             continue
         at = true.point[rows].T
@@ -180,8 +182,7 @@ def normals(
         for k, at in enumerate(folded)
     )
     normal = np.zeros((tree.count, 3))
-    for k, patch in enumerate(patches):
-        rows = np.flatnonzero(ray["patch"] == k)
+    for patch, rows in zip(patches, rows_of_each(ray["patch"], len(patches)), strict=True):
         if patch["normals"] == "stored":
             at = rebuild.on_octahedron(u[rows] * step, v[rows] * step)
         elif patch["normals"] == "none":
