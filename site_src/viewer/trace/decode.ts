@@ -64,9 +64,9 @@ function read(header: Header, scratch: Scratch): Level {
   const { sides, surface, patch } = tree;
   const { nearAlike: near, number, counting } = scratch;
   const all = counting.subarray(0, count);
-  const ofSurface = (column: 1 | 2, out: Int16Array | Uint8Array) => looked(surface, tables.surface.map((each) => each[column]), out);
-  const material = ofSurface(1, new Int16Array(count)) as Int16Array, inside = ofSurface(2, new Uint8Array(count)) as Uint8Array;
-  const object = looked(patch, patches.map((each) => each.object), new Int16Array(count));
+  const ofSurface = (column: 1 | 2, out: Int32Array | Uint8Array) => looked(surface, tables.surface.map((each) => each[column]), out);
+  const material = ofSurface(1, new Int32Array(count)) as Int32Array, inside = ofSurface(2, new Uint8Array(count)) as Uint8Array;
+  const object = looked(patch, patches.map((each) => each.object), new Int32Array(count));
   const point = new Float64Array(3 * count), t = new Float64Array(count);
   const hits = readHits(header, columns, signature, sides, scratch, point, t);
   alike(all, tree.history, sides, near);
@@ -125,7 +125,7 @@ function plant(header: Header, columns: Columns, signature: Int32Array, scratch:
 }
 
 /** table[row[k]] for every k, 0 for negative rows. */
-function looked<Out extends Int16Array | Uint8Array | Float64Array>(row: Int32Array | Int16Array, table: readonly number[], out: Out): Out {
+function looked<Out extends Int32Array | Uint8Array | Float64Array>(row: Int32Array, table: readonly number[], out: Out): Out {
   for (let k = 0; k < out.length; k++) out[k] = row[k] < 0 ? 0 : table[row[k]];
   return out;
 }
@@ -147,7 +147,7 @@ function readPoints(header: Header, columns: Columns, tree: Structure, { nearAli
 }
 
 /** Writes lengths of rays: of camera rays known, but Infinity if they leave. */
-function measure(tree: Structure, point: Float64Array, object: Int16Array, cameras: number, t: Float64Array) {
+function measure(tree: Structure, point: Float64Array, object: Int32Array, cameras: number, t: Float64Array) {
   const { parent } = tree;
   for (let row = 0; row < tree.count; row++) {
     if (object[row] < 0) t[row] = Infinity;
@@ -171,7 +171,7 @@ function readNormals(header: Header, columns: Columns, tree: Structure, { nearAl
 }
 
 /** Shares: constants of the parent's material, or split between reflected and refracted. */
-function readWeights(header: Header, columns: Columns, tree: Structure, material: Int16Array, scratch: Scratch): Float64Array {
+function readWeights(header: Header, columns: Columns, tree: Structure, material: Int32Array, scratch: Scratch): Float64Array {
   const { materials, steps } = header;
   const { count, kind, parent, children, surface } = tree;
   const split = Float64Array.from(materials, (of) => of.split);

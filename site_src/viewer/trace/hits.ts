@@ -27,7 +27,7 @@ export function readHits(header: Header, columns: Columns, signature: Int32Array
   const counts = Int32Array.from(met, (objects) => objects.length);
   const start = new Int32Array(n * n + 1);
   for (let ray = 0; ray < n * n; ray++) start[ray + 1] = start[ray] + counts[signature[ray]];
-  const hits: CameraHits = { hitsStart: start, hitsT: new Float64Array(start[n * n]), hitsObject: new Int16Array(start[n * n]) };
+  const hits: CameraHits = { hitsStart: start, hitsT: new Float64Array(start[n * n]), hitsObject: new Int32Array(start[n * n]) };
   alongRays(header, ends.start, z, hits, point, t);
   for (let ray = 0; ray < n * n; ray++) {
     const objects = met[signature[ray]];
@@ -62,7 +62,10 @@ function alongRays({ n, camera }: Header, endStart: Int32Array, z: Float64Array,
 
 function sortedByImage(header: Header, signature: Int32Array): Ends {
   const { n, images } = header;
-  const keys = header.tables.signature.map((objects) => imageKeys(header, objects));
+  // A number a key: an object's may be -1, and the highest is one below how many there are.
+  const keyOf = (object: number, turn: number) => turn * (header.objects.length + 1) + object;
+  const imageOf = new Map(images.map(({ object, turn }, k) => [keyOf(object, turn), k]));
+  const keys = header.tables.signature.map((objects) => imageKeys(imageOf, keyOf, objects));
   const counts = Int32Array.from(keys, (own) => own.length);
   const start = new Int32Array(n * n + 1);
   const rays = new Int32Array(keys.length); // of each signature
@@ -113,13 +116,13 @@ function readImages(header: Header, columns: Columns, ends: Ends, sides: Sides, 
 }
 
 /** The images of a ray that meets these objects, or none. */
-function imageKeys(header: Header, objects: readonly number[]): number[] {
+function imageKeys(imageOf: Map<number, number>, keyOf: (object: number, turn: number) => number, objects: readonly number[]): number[] {
   const turns = new Map<number, number>();
   return (objects.length ? objects : [ABSENT]).map((object) => {
     const turn = turns.get(object) ?? 0;
     turns.set(object, turn + 1);
-    const key = header.images.findIndex((image) => image.object === object && image.turn === turn);
-    if (key < 0) throw damaged("a depth image is missing");
+    const key = imageOf.get(keyOf(object, turn));
+    if (key === undefined) throw damaged("a depth image is missing");
     return key;
   });
 }

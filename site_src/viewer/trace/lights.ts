@@ -15,7 +15,7 @@ export type Known = Pick<Trace, "object" | "material" | "point" | "normal">;
 /** As it is where there is no light; prepareLights writes the rest. */
 export const darkness = (count: number): Lit => ({
   visibility: new Uint8Array(count).fill(VISIBILITY.behind),
-  blocker: new Int16Array(count).fill(-1),
+  blocker: new Int32Array(count).fill(-1),
   blockedAt: new Float64Array(count).fill(1),
   passed: new Float64Array(count).fill(1),
   diffuse: new Float64Array(count),
@@ -42,7 +42,7 @@ function readShadows(
   const { visibility, blocker, passed, blockedAt } = lit;
   const table = header.tables.visibility, lights = header.lights.length;
   const visibilities = Uint8Array.from(table, (each) => each[0]);
-  const blockers = Int16Array.from(table, (each) => each[1]);
+  const blockers = Int32Array.from(table, (each) => each[1]);
   const shares = Float64Array.from(table, (each) => each[2] ?? 1);
   const isDimmed = shares.some((share) => share !== 1);
   columns.symbols(`visibility${l}`, 0, count, zeros, kindHit, header.tables.surface.length, nearAlike, table.length, seen);

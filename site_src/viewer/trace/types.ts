@@ -23,8 +23,8 @@ export interface Trace {
   parent: Int32Array; // -1 for camera rays
   pixel: Int32Array; // row * n + column
   depth: Uint8Array; // bounces before this ray
-  object: Int16Array; // index into SceneData.objects, -1 if the ray leaves the scene
-  material: Int16Array; // index into SceneData.materials, -1 likewise
+  object: Int32Array; // index into SceneData.objects, -1 if the ray leaves the scene
+  material: Int32Array; // index into SceneData.materials, -1 likewise
   inside: Uint8Array; // 1: met the surface from its inner side
   t: Float64Array; // length of the ray; Infinity if it leaves the scene
   weight: Float64Array; // share of this ray's colour in its parent's
@@ -37,7 +37,7 @@ export interface Trace {
   readonly colour: Float64Array; // what the ray brings back, linear, unclamped
   /** (count * lights) */
   visibility: Uint8Array; // VISIBILITY
-  blocker: Int16Array; // object that stopped the shadow ray, else -1
+  blocker: Int32Array; // object that stopped the shadow ray, else -1
   blockedAt: Float64Array; // share of the way to the light where it was stopped, else 1
   passed: Float64Array; // share of the light that glass on the way lets pass; counted in below
   diffuse: Float64Array; // to be multiplied by MaterialData.diffuse x light colour
@@ -47,5 +47,5 @@ export interface Trace {
   /** All hits along camera ray k: hitsStart[k] .. hitsStart[k + 1], nearest first. */
   hitsStart: Int32Array;
   hitsT: Float64Array;
-  hitsObject: Int16Array;
+  hitsObject: Int32Array;
 }
