@@ -86,7 +86,7 @@ def mesh_of(
     path: Path, smooth: bool = False, subdivide: int = 0, weld: float | None = None
 ) -> Mesh:
     """The mesh in a file."""
-    return Mesh(path.stem, path, smooth, subdivide, weld)
+    return Mesh(path.stem, path, smooth, subdivide, weld=weld)
 
 
 def unit(v: np.ndarray) -> np.ndarray:

@@ -10,7 +10,12 @@ import numpy as np
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.geometry.mesh_corners import at_corners
-from raywalk.geometry.mesh_normals import averaged_normals, grouped_normals, own_normals
+from raywalk.geometry.mesh_normals import (
+    averaged_normals,
+    creased_normals,
+    grouped_normals,
+    own_normals,
+)
 from raywalk.geometry.mesh_world import in_world, off_world
 from raywalk.models.clean import Cleaned, worth_tracing
 from raywalk.models.edges import balanced, edges_of, open_edges
@@ -159,7 +164,7 @@ def _normals(
         return own_normals(model.normals.table, rows, placed[faces], linear)
     if model.smoothing is not None:
         return grouped_normals(placed, faces, model.smoothing[source])
-    return averaged_normals(placed, faces), faces
+    return creased_normals(placed, faces, shape.crease)
 
 
 def _centre(

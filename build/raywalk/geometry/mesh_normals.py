@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
+
+from raywalk.models.edges import edges_of, joined
 
 
 def averaged_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -39,6 +43,38 @@ def grouped_normals(
     held, row = np.unique(keys, axis=0, return_inverse=True)
     rows = row.reshape(-1, 3)
     return averaged_normals(vertices[held[:, 0]], rows), rows
+
+
+def creased_normals(
+    vertices: np.ndarray, faces: np.ndarray, crease: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The same: averaged over triangles that hang together at a vertex by edges at which they turn
+    by at most `crease` degrees. Edges of one triangle, or of more than two, are sharp."""
+    if crease >= 180.0:
+        return averaged_normals(vertices, faces), faces
+    edges = edges_of(faces)
+    first = edges.start[edges.uses == 2]
+    one, other = edges.side[first], edges.side[first + 1]
+    flat = face_normals(vertices[faces])
+    turn = (flat[one // 3] * flat[other // 3]).sum(axis=1)
+    # Regular prisms are met whose sides turn by the crease itself: rounding makes none sharp.
+    is_smooth = turn >= math.cos(math.radians(crease)) - 1e-9
+    if is_smooth.all():
+        return averaged_normals(vertices, faces), faces
+    one, other = one[is_smooth], other[is_smooth]
+    with_it = edges.along[first[is_smooth]] == edges.along[first[is_smooth] + 1]
+    begin, end = _after(one), one  # of the other's side, where it runs back
+    begin, end = np.where(with_it, end, begin), np.where(with_it, begin, end)
+    ties = np.concatenate([begin, end]), np.concatenate([other, _after(other)])
+    fan, _, _ = joined(3 * len(faces), *ties, np.zeros(2 * len(one), bool))
+    held, row = np.unique(fan, return_inverse=True)
+    rows = row.reshape(-1, 3)
+    return averaged_normals(vertices[faces.reshape(-1)[held]], rows), rows
+
+
+def _after(corner: np.ndarray) -> np.ndarray:
+    """The next corner of each one's triangle, counted as 3 * triangle + corner."""
+    return np.asarray(corner - corner % 3 + (corner % 3 + 1) % 3)
 
 
 def own_normals(

@@ -126,7 +126,8 @@ def _normals(facts: dict[str, Any]) -> str:
     return {
         "own": "its own are used (smooth = false: flat faces)",
         "smoothing groups": "by its smoothing groups (smooth = false: flat faces)",
-        "": "it has none: averaged at each corner (smooth = false: flat faces)",
+        "": "it has none: averaged at each corner, but for edges sharper than 40 degrees "
+        "(crease = 180: at all; smooth = false: flat faces)",
     }[facts["normals"]]
 
 

@@ -171,7 +171,7 @@ class _Parts:
         """None, with the problem noted, if it has no extent or no file."""
         if isinstance(table, MeshTable):
             found = mesh_file(table, self.models, at, self.problems)
-            return mesh_of(table, *found) if found else None
+            return mesh_of(table, *found, self.models.crease(table.model)) if found else None
         kind = SHAPES[table.kind]
         shape: Shape = kind(**{each.name: getattr(table, each.name) for each in fields(kind)})
         flaws = list(shape.flaws())

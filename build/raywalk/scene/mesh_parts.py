@@ -38,9 +38,11 @@ class Part(NamedTuple):
     base: Base | None
 
 
-def mesh_of(table: MeshTable, model: str, path: Path) -> Mesh:
-    """The whole file."""
-    return Mesh(model, path, table.smooth, table.subdivide, table.weld, beside=beside(path))
+def mesh_of(table: MeshTable, model: str, path: Path, crease: float) -> Mesh:
+    """The whole file. crease: what holds where the table has none."""
+    given = crease if table.crease is None else table.crease
+    whole = Mesh(model, path, table.smooth, table.subdivide, given, table.weld)
+    return replace(whole, beside=beside(path))
 
 
 def dressed_parts(

@@ -12,7 +12,8 @@ from raywalk.models.faults import shown
 from raywalk.models.read import READABLE
 from raywalk.scene.fields import Allowed, Text
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema_objects import MeshTable
+from raywalk.scene.schema_objects import Crease, MeshTable
+from raywalk.scene.shapes import CREASE
 from raywalk.scene.table import Table
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
@@ -33,6 +34,7 @@ class ModelTable(Table):
     unit: Text = Field(description="what one unit of its coordinates is")
     triangles: Count = Field(description="in the file")
     vertices: Count = Field(description="in the file")
+    crease: Crease = Field(CREASE, description="what a mesh's `crease` is that has none")
 
 
 _CATALOGUE = TypeAdapter(Annotated[dict[str, ModelTable], Allowed("a table of models")])
@@ -49,6 +51,10 @@ class Models:
     def path(self, name: str) -> Path:
         assert self.catalogue is not None
         return self.catalogue.parent / self.tables[name].file
+
+    def crease(self, name: str | None) -> float:
+        """Of a model, or of a file of the scene's own (None)."""
+        return CREASE if name is None else self.tables[name].crease
 
 
 def find_catalogue(scene_file: Path) -> Path | None:

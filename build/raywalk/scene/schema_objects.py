@@ -24,7 +24,7 @@ from raywalk.scene.fields import (
     refusal,
 )
 from raywalk.scene.schema_transforms import TransformTable
-from raywalk.scene.shapes import Triple
+from raywalk.scene.shapes import CREASE, Triple
 from raywalk.scene.table import LIST, SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import TAG, did_you_mean, joined, show
 
@@ -192,6 +192,13 @@ Weld = Annotated[
 ]
 
 
+Crease = Annotated[
+    float,
+    Field(strict=True, ge=0, le=180, allow_inf_nan=False),
+    Allowed("a number of degrees from 0 to 180"),
+]
+
+
 class MeshTable(ObjectTable):
     """Triangles of a file. `raywalk model FILE` tells what it holds. Without `material` it is shown
     in the file's own materials; each that `materials` names becomes an object of its own."""
@@ -210,13 +217,17 @@ class MeshTable(ObjectTable):
         "a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene file"
     )
     smooth: Flag = means(
-        "normals of the file, by its smoothing groups, or averaged at each vertex; "
-        "false: one per triangle",
+        "normals of the file, by its smoothing groups, or averaged at each vertex, "
+        "but not over edges sharper than `crease`; false: one per triangle",
         True,
     )
     subdivide: Annotated[
         int, Field(strict=True, ge=0, le=3), Allowed("a whole number from 0 to 3")
     ] = means("rounds of Loop subdivision: each makes four triangles of one", 0)
+    crease: Maybe[Crease] = maybe(
+        "degrees by which two triangles may turn at an edge that stays smooth, where normals are "
+        f"averaged (default {CREASE:g}, or what models.toml says; 180: no edge is sharp)"
+    )
     weld: Maybe[Weld] = maybe(
         "corners of open edges nearer than this share of the model's size are one "
         "(default 1e-6; 0: only equal ones)"

@@ -26,6 +26,8 @@ Placement = tuple[np.ndarray, np.ndarray]  # (3, 3) linear part, (3,) centre; De
 Flaw = tuple[str, str, str]  # the key, what is wrong with it, a hint
 # A triangle whose height is this share of its longest side is a line to float64.
 THINNEST = 1e-14
+# Degrees: a prism of ten sides (36) still is a pipe, a chamfer and one of eight (45) have edges.
+CREASE = 40.0
 
 
 class Canonical(NamedTuple):
@@ -294,6 +296,7 @@ class Mesh(Shape):
     path: Path
     smooth: bool = True  # normals interpolated from the vertices, else one per triangle
     subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
+    crease: float = CREASE  # degrees: sharper edges stay sharp where normals are averaged
     weld: float | None = None  # corners nearer than this share of the size are one; None: 1e-6
     piece: Piece | None = None  # only what has its label; None: the whole file
     beside: tuple[Path, ...] = ()  # files that it needs: materials, buffers
