@@ -42,7 +42,7 @@ two.obj: OBJ
   materials: 2
     red: 12 triangles
     green: 12 triangles
-  normals: it has none: averaged at each corner, but for edges sharper than 40 degrees (crease = 180: at all; smooth = false: flat faces)
+  normals: it has none: averaged, but at edges sharper than `crease` (40 degrees)
   surface: closed: it may be of glass, 2 shells
   cleaned: 12 triangles turned to face outwards
   in a scene:

@@ -104,10 +104,10 @@ def test_normals_that_are_none_cost_only_themselves(
 
 
 def prism(sides: int) -> tuple[np.ndarray, np.ndarray]:
-    """A pipe's stump without normals, as CAD programs write parts: closed, outward, z from 0 to 1."""
+    """A pipe's stump without normals, as CAD programs write parts: closed, z from 0 to 1."""
     angle = 2 * np.pi * np.arange(sides) / sides
     ring = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(sides)])
-    vertices = np.concatenate([ring, ring + [0, 0, 1], [[0, 0, 0], [0, 0, 1]]])
+    vertices = np.concatenate([ring, ring + np.array([0, 0, 1]), [[0, 0, 0], [0, 0, 1]]])
     faces = []
     for k in range(sides):
         a, b, foot, top = k, (k + 1) % sides, 2 * sides, 2 * sides + 1

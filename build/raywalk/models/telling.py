@@ -126,8 +126,7 @@ def _normals(facts: dict[str, Any]) -> str:
     return {
         "own": "its own are used (smooth = false: flat faces)",
         "smoothing groups": "by its smoothing groups (smooth = false: flat faces)",
-        "": "it has none: averaged at each corner, but for edges sharper than 40 degrees "
-        "(crease = 180: at all; smooth = false: flat faces)",
+        "": "it has none: averaged, but at edges sharper than `crease` (40 degrees)",
     }[facts["normals"]]
 
 
