@@ -13,7 +13,7 @@ from raywalk.bench.made_scenes import icosphere, write_ply
 from raywalk.bench.picture_error import pictures
 from raywalk.bench.speed_many import write_scenes
 from raywalk.bench.speed_primitives import primitive_cases
-from raywalk.bench.speed_rebuild import rebuild_cases, with_words
+from raywalk.bench.speed_rebuild import rebuild_cases, turned, with_red, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, quarter, skip_cases
 from raywalk.bench.speed_triangles import Fineness, triangle_cases, triangles
 from raywalk.commands.bench import PARTS
@@ -69,10 +69,14 @@ def test_every_part_of_the_bench_can_be_measured_alone():
 
 def test_a_build_that_takes_long_or_traces_too_much_breaks_the_bounds():
     """A second for nothing at a start of 30 ms, one scene too many, a file of another scene."""
-    good = {"nothing": 5.0, "words": 40.0, "grids": 30.0, "whole": 90.0, "traced": 1, "differ": 0}
+    good = {
+        "nothing": 5.0, "words": 40.0, "grids": 30.0, "whole": 90.0, "colour": 90.0, "beside": 30.0,
+        "traced": 1, "differ": 0,
+    }  # fmt: skip
     assert all(case.holds for case in rebuild_cases(good, 0))
     broken = {
-        "nothing": 33.0, "words": 81.0, "grids": 41.0, "whole": 161.0, "traced": 2, "differ": 1,
+        "nothing": 33.0, "words": 81.0, "grids": 41.0, "whole": 161.0, "colour": 161.0,
+        "beside": 41.0, "traced": 2, "differ": 1,
     }  # fmt: skip
     for key, bad in broken.items():
         assert [case.holds for case in rebuild_cases(good | {key: bad}, 0)].count(False) == 1
@@ -84,6 +88,14 @@ def test_what_the_rebuild_changes_is_one_lesson_and_one_scene(tmp_path):
     once = with_words(text, "Measured 1.")
     assert once == text.replace("One", "Measured 1. One")
     assert with_words(once, "Measured 2.") == text.replace("One", "Measured 2. One")
+
+
+def test_what_it_paints_and_turns_is_one_material_and_the_camera():
+    """Of the first scene there is; all else stays."""
+    materials = "[materials.a]\ndiffuse = [1, 0, 0]\n[materials.b]\ndiffuse = [1, 1, 0]\n"
+    text = f"[camera]\neye = [0, 0, 5]\n{materials}"
+    assert with_red(text, 0.5) == text.replace("[1, 0, 0]", "[0.5, 0, 0]")
+    assert turned(text, "0.1") == text.replace("eye", "up = [0.1, 1, 0]\neye")
 
 
 def test_each_mesh_is_traced_with_all_its_triangles_and_the_same_rays(tmp_path):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import urllib.request
 from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,12 +14,16 @@ from PIL import Image
 
 from raywalk.commands import build_site
 from raywalk.pipeline.first_sight import first_sight
+from raywalk.pipeline.parts import trace_parts
 from raywalk.pipeline.trace_products import write_products
+from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.read import read_scene
 from raywalk.site.live import Live
 from raywalk.site.serve import server
 from raywalk.trace.tree import level_pixels
 from raywalk.trace.wavefront import trace_grids
+from raywalk.work.digests import key_of
+from raywalk.work.store import Store
 
 SIZE, GRIDS = 315, (5, 7, 15, 21)  # 7 and 21 are not whole tiles of 15, nor 15 of 21
 SCENE = f"""
@@ -96,6 +101,44 @@ def test_its_picture_is_the_finest_grid_and_right_at_every_grids_pixels(both):
         assert (first.reshape(-1, 3)[pixels] == whole.reshape(-1, 3)[pixels]).all()
     tile = SIZE // max(GRIDS)
     assert (first[: tile // 3, : tile // 3] == whole[tile // 2, tile // 2]).all()
+
+
+@pytest.mark.parametrize("of", ["a plain scene", "one with a mesh"])
+def test_a_trace_that_takes_its_grids_from_it_is_the_same_to_the_byte(of, tmp_path):
+    """Pictures, and what was counted over all pixels, are made; all else was there."""
+    if of == "a plain scene":
+        scene = read_scene(saved(tmp_path).parent)
+    else:
+        bunny = read_scene(Path("scenes/07-bunny-near"))
+        scene = replace(bunny, render=replace(bunny.render, size=SIZE, resolutions=GRIDS))
+    folders = {name: tmp_path / name for name in ("whole", "grids", "completed")}
+    for folder in folders.values():
+        folder.mkdir()
+    write_products(scene, folders["whole"], 1)
+    write_products(scene, folders["grids"], 1, trace=trace_grids)
+    ready = sorted(folders["grids"].iterdir())
+    write_products(scene, folders["completed"], 2, ready=ready)
+    whole, completed = (
+        {path.name: path.read_bytes() for path in folders[name].iterdir()}
+        for name in ("whole", "completed")
+    )
+    assert whole.keys() == completed.keys()
+    differ = {name for name in whole if whole[name] != completed[name]}
+    assert differ <= {"display.npz"}  # an archive notes when it was written
+
+
+def test_the_build_that_follows_has_its_grids_and_makes_the_same_trace(tmp_path):
+    """By way of the store; of a scene that was not seen first all is made."""
+    scene = read_scene(saved(tmp_path).parent)
+    with_a_page(tmp_path, "01-ball")
+    assert first_sight(places(tmp_path), tmp_path / "sight")
+    parts, found = trace_parts(scene), []
+    for store in (Store(tmp_path / "work"), Store(tmp_path / "other")):
+        trace_into(store, {scene.id: parts}, scene, lambda: 1, lambda *_: None)
+        entry = store.get(key_of(parts))
+        found.append({path.name: path.read_bytes() for path in entry.files()})
+    differ = {name for name in found[0] if found[0][name] != found[1][name]}
+    assert found[0].keys() == found[1].keys() and differ <= {"display.npz"}
 
 
 def test_it_is_for_one_scene_that_has_a_page(tmp_path):

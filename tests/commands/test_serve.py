@@ -146,9 +146,12 @@ def heard(slides: SlidesBeside) -> Ended:
                 return message
 
 
-def test_slides_are_made_beside_and_a_build_that_is_stopped_can_be_begun_anew(tmp_path):
+def test_slides_are_made_beside_and_a_build_that_is_stopped_can_be_begun_anew(
+    tmp_path, with_viewer
+):
     """Stopped in the middle of it, nothing of it goes on; the next one makes all."""
     slides, chosen = SlidesBeside(), chosen_in(tmp_path)
+    with_viewer(chosen.work)
     slides.start(chosen)
     assert slides._heard.poll(PATIENCE)
     process = slides._process

@@ -65,10 +65,11 @@ def site(folder: Path, *options: str) -> int:
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory):
+def built(tmp_path_factory, with_viewer):
     """A folder with two scenes and the site of them, for tests that only look."""
     folder = tmp_path_factory.mktemp("site")
     write_scenes(folder)
+    with_viewer(folder / "work")
     assert site(folder) == 0
     return folder
 
@@ -247,10 +248,11 @@ def test_a_killed_build_leaves_a_whole_site_and_the_next_one_resumes(
     assert not [path.name for path in tmp_path.rglob("*.partial")]
 
 
-def test_two_builds_at_once_make_the_same_site_as_one(scenes, tmp_path):
-    """Two processes on one tree, from an empty store into one folder."""
+def test_two_builds_at_once_make_the_same_site_as_one(scenes, tmp_path, with_viewer):
+    """Two processes on one tree, from a store that has the viewer only, into one folder."""
     before = contents(tmp_path / "dist")
     shutil.rmtree(tmp_path / "work")
+    with_viewer(tmp_path / "work")
     shutil.rmtree(tmp_path / "dist")
     command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(scenes)]
     command += ["--out", str(tmp_path / "dist"), "--work", str(tmp_path / "work")]

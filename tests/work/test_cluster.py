@@ -34,7 +34,7 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folder(tmp_path_factory, with_viewer):
     """Three scenes of the course with small pictures, built here."""
     folder = tmp_path_factory.mktemp("cluster")
     for name in COURSE:
@@ -49,6 +49,8 @@ def folder(tmp_path_factory):
         small = f"{head}{render}size = 315\nresolutions = [5, 7, 15]\n{body}\n"
         (place / "scene.toml").write_text(lesson_free(small), encoding="utf-8")
     (folder / "models").symlink_to(SCENES.parent / "models")
+    for out in ("here", "there"):
+        with_viewer(folder / f"{out}.work")
     assert site(folder, "here") == 0
     return folder
 

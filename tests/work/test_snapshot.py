@@ -126,7 +126,7 @@ def test_a_trace_whose_mesh_was_saved_while_it_was_traced_is_not_kept(tmp_path, 
     scene, store = read_scene(place), Store(tmp_path / "work")
     parts = {scene.id: keys.trace_parts(scene)}
 
-    def trace(*_: object) -> None:
+    def trace(*_: object, **how: object) -> None:
         with (place / "own.ply").open("a") as file:
             file.write("\n")
 
@@ -143,7 +143,7 @@ def test_work_of_sources_that_stand_is_kept(tmp_path, edited):
 
 
 @pytest.fixture(scope="module")
-def checkout(tmp_path_factory):
+def checkout(tmp_path_factory, with_viewer):
     """A copy of the sources with a course of one scene, traced before; nothing real is edited."""
     root = tmp_path_factory.mktemp("checkout")
     leave = shutil.ignore_patterns("__pycache__")
@@ -153,6 +153,7 @@ def checkout(tmp_path_factory):
         (root / name).symlink_to(ROOT / name)
     (root / "scenes" / "01-ball").mkdir(parents=True)
     (root / "scenes" / "01-ball" / "scene.toml").write_text(SCENE, encoding="utf-8")
+    with_viewer(root / "work")
     assert main(["site", *places(root)]) == 0
     return root
 

@@ -1,5 +1,6 @@
 """What a saved scene looks like, before all of it is traced: its grids, exactly; its picture, in
-the finest grid's tiles. For pages that `raywalk serve` shows meanwhile; nothing of it is kept."""
+the finest grid's tiles. For pages that `raywalk serve` shows meanwhile; the build that follows has
+the grids from the store."""
 
 from __future__ import annotations
 
@@ -20,18 +21,20 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     Raises UserError where the scenes have mistakes.
     """
     store = Store(chosen.work)
-    missing = [
-        scene for scene in read_scenes(chosen.scenes) if not store.find(key_of(trace_parts(scene)))
-    ]
-    if len(missing) != 1 or not (chosen.out / "scenes" / missing[0].id / "index.html").is_file():
+    parts = {scene.id: (scene, trace_parts(scene)) for scene in read_scenes(chosen.scenes)}
+    missing = [each for each in parts.values() if not store.find(key_of(each[1]))]
+    if len(missing) != 1:
         return False
-    # Only here: a change of words imports no engine.
-    from raywalk.pipeline.trace_products import write_products
+    [(scene, made_from)] = missing
+    if not (chosen.out / "scenes" / scene.id / "index.html").is_file():
+        return False
+    # Only here: a change of words imports none of it.
+    from raywalk.pipeline.publishing import publish_scene
+    from raywalk.pipeline.trace_task import grids_into
     from raywalk.site.scene_data import write_page_data
-    from raywalk.trace.wavefront import trace_grids
 
-    place = folder / "scenes" / missing[0].id
-    place.mkdir(parents=True)
-    write_products(missing[0], place, cores(), trace=trace_grids)
-    write_page_data(missing[0], place, place)
+    grids = grids_into(store, made_from, scene, cores)
+    place = folder / "scenes" / scene.id
+    publish_scene(place, [grids])
+    write_page_data(scene, grids.folder, place)
     return True

@@ -39,6 +39,11 @@ def trace_parts(scene: Scene) -> Parts:
     }
 
 
+def grids_parts(of_trace: Parts) -> Parts:
+    """What a scene's grids are made from that were traced before its picture: what its trace is."""
+    return {**of_trace, "what": "grids"}
+
+
 def models_of(scene: Scene) -> dict[str, str]:
     """Hash of each object's mesh file, of those it needs, and of its texture. Raises OSError."""
     named = [(obj.name, path) for obj in scene.objects for path in obj.files]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+import shutil
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,8 +17,16 @@ from raywalk.scene.shapes import Mesh, Plane
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.scene_warnings import scene_warnings
 from raywalk.trace.sections import sections_of
+from raywalk.trace.tally import OF_KEPT
 from raywalk.trace.tree import SHOT, RayTree
-from raywalk.trace.wavefront import Threads, Traced, Tracer, in_order, trace_picture
+from raywalk.trace.wavefront import (
+    Threads,
+    Traced,
+    Tracer,
+    in_order,
+    trace_colours,
+    trace_picture,
+)
 from raywalk.trace_file.container import write_script
 from raywalk.trace_file.encode import write_level
 from raywalk.trace_file.level import level_of
@@ -28,23 +37,27 @@ if TYPE_CHECKING:
     from raywalk.geometry.base_colour import BaseColours
     from raywalk.geometry.mesh_file import Triangles
 
+FACTS = "facts.json"
 TRACING = 0.7  # of a scene's time; the rest is encoding. Only the progress bar knows this.
 THUMB = 385  # pixels: a third of 1155, sharp on a card of 180 points at any density
 
 
 def write_products(
     scene: Scene, folder: Path, threads: Threads, report: Report = say_nothing,
-    trace: Callable[..., Traced] | None = None,
+    trace: Callable[..., Traced] | None = None, ready: Sequence[Path] = (),
 ) -> None:  # fmt: skip
     """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js,
     boxes.js where there is a mesh, facts.json, display.npz into a folder.
 
     report: called with the stage and the share that is done. trace: trace_grids, or by default
-    trace_picture.
+    trace_picture. ready: the files that trace_grids gave, of which only the pictures are made anew.
     """
     report("reading", 0.0)
     tracer = Tracer(scene, least_share=LEAST_SHARE)
     report("reading", 0.0)  # it is done, as said of every other stage
+    if ready:
+        _complete(tracer, folder, threads, report, ready)
+        return
     traced = (trace or trace_picture)(
         tracer, threads, lambda share: report("tracing", TRACING * share)
     )
@@ -61,7 +74,7 @@ def write_products(
         made.append(rays)
         report(stages[place], TRACING + (1 - TRACING) * (place + 1) / len(works))
     drawn = write_display(folder / "display.npz", scene, tracer)
-    facts = counts(traced.tree) | {
+    _write_facts(folder, counts(traced.tree) | {
         "tally": traced.tally.as_dict(),
         "not_run": tracer.plan.stages_not_run,
         "finest": {"n": grids[0], "rays": made[stages.index(f"grid {grids[0]}")]},
@@ -69,8 +82,28 @@ def write_products(
         "drawn": drawn,
         "dropped": dropped_triangles(tracer),
         "warnings": scene_warnings(tracer),
-    }
-    (folder / "facts.json").write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
+    })  # fmt: skip
+
+
+def _complete(
+    tracer: Tracer, folder: Path, threads: Threads, report: Report, ready: Sequence[Path]
+) -> None:
+    """The picture besides grids that are ready, and what was counted over all of it."""
+    picture, tally = trace_colours(
+        tracer, threads, lambda share: report("tracing", TRACING * share)
+    )
+    _write_pictures(folder, picture)
+    report("picture", 1.0)
+    for path in ready:
+        if not (folder / path.name).exists():
+            shutil.copyfile(path, folder / path.name)
+    facts = json.loads((folder / FACTS).read_text(encoding="utf-8"))
+    of_kept = {name: facts["tally"][name] for name in OF_KEPT}
+    _write_facts(folder, facts | {"tally": tally.as_dict() | of_kept})
+
+
+def _write_facts(folder: Path, facts: dict[str, Any]) -> None:
+    (folder / FACTS).write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
 
 
 def _write_pictures(folder: Path, picture: np.ndarray) -> None:

@@ -14,6 +14,9 @@ from raywalk.scene.model import Scene
 from raywalk.trace.tree import Kind, Visibility
 from raywalk.trace.wave import Wave
 
+# What is counted where rays are recorded.
+OF_KEPT = ("kept_pixels", "tests", "tests_saved", "mesh_rays", "mesh_rays_saved")
+
 
 @dataclass
 class Tally:

@@ -147,7 +147,18 @@ def trace_picture(
     """
     size = tracer.scene.render.size
     picture = np.empty((size, size, 3), np.uint8)
-    return _trace_into(picture, tracer, np.arange(size * size), threads, report)
+    kept = kept_pixels(size, tracer.scene.render.resolutions)
+    records, tally = _trace_into(picture, tracer, np.arange(size * size), kept, threads, report)
+    return Traced(picture, assemble(tracer, records, size), tally)
+
+
+def trace_colours(
+    tracer: Tracer, threads: Threads = 2, report: Callable[[float], None] | None = None
+) -> tuple[np.ndarray, Tally]:
+    """The picture and the tally that `trace_picture` gives, where the trees are known already."""
+    size = tracer.scene.render.size
+    picture = np.empty((size, size, 3), np.uint8)
+    return picture, _trace_into(picture, tracer, np.arange(size * size), None, threads, report)[1]
 
 
 def trace_grids(
@@ -158,41 +169,43 @@ def trace_grids(
     """
     render = tracer.scene.render
     size, finest = render.size, max(render.resolutions)
-    pixels = np.flatnonzero(kept_pixels(size, render.resolutions))
+    kept = kept_pixels(size, render.resolutions)
+    pixels = np.flatnonzero(kept)
     picture = np.zeros((size, size, 3), np.uint8)
-    traced = _trace_into(picture, tracer, pixels, threads, report)
+    records, tally = _trace_into(picture, tracer, pixels, kept, threads, report)
     tiles = picture.reshape(-1, 3)[level_pixels(size, finest)].reshape(finest, finest, 3)
     exact = picture.reshape(-1, 3)[pixels]
     picture[:] = tiles.repeat(size // finest, axis=0).repeat(size // finest, axis=1)
     picture.reshape(-1, 3)[pixels] = exact
-    return traced
+    return Traced(picture, assemble(tracer, records, size), tally)
 
 
 def _trace_into(
-    picture: np.ndarray, tracer: Tracer, chosen: np.ndarray, threads: Threads,
-    report: Callable[[float], None] | None,
-) -> Traced:  # fmt: skip
-    """Traces the chosen pixels (n,), in the order of their numbers, into a picture."""
-    render = tracer.scene.render
-    size, kept = render.size, kept_pixels(render.size, render.resolutions)
+    picture: np.ndarray, tracer: Tracer, chosen: np.ndarray, kept: np.ndarray | None,
+    threads: Threads, report: Callable[[float], None] | None,
+) -> tuple[list[Recorded], Tally]:  # fmt: skip
+    """Traces the chosen pixels (n,), in the order of their numbers, into a picture; records those
+    that are kept (size * size,)."""
+    size = tracer.scene.render.size
     strip_rays = max(1, min(STRIP, FACTORS // max(1, len(tracer.scene.lights))))
     count = max(1, -(-len(chosen) // strip_rays))
     ends = np.linspace(0, len(chosen), count + 1).astype(int)
 
-    def trace_strip(strip: int) -> tuple[np.ndarray, Recorded, Tally]:
+    def trace_strip(strip: int) -> tuple[np.ndarray, Recorded | None, Tally]:
         pixels = chosen[ends[strip] : ends[strip + 1]]
         waves = tracer.waves(pixels, size, size)
         tally = tally_waves(tracer.scene, tracer.plan.asked, waves)
-        return eight_bit(waves[0].colour), record(tracer, waves, pixels, kept, tally), tally
+        recorded = None if kept is None else record(tracer, waves, pixels, kept, tally)
+        return eight_bit(waves[0].colour), recorded, tally
 
     records, total, flat = [], Tally(), picture.reshape(-1, 3)
     for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, threads)):
         flat[chosen[ends[strip] : ends[strip + 1]]] = colours
-        records.append(recorded)
+        records += [recorded] if recorded else []
         total.add(tally)
         if report:
             report((strip + 1) / count)
-    return Traced(picture, assemble(tracer, records, size), total)
+    return records, total
 
 
 def in_order(work: Callable[[int], Result], count: int, threads: Threads) -> Iterator[Result]:
