@@ -109,6 +109,51 @@ def test_colours_are_read_as_materials(tmp_path: Path) -> None:
     assert model.material_of().tolist() == [1] + [0] * 11
 
 
+RED_AND_BLUE = (
+    '<basematerials id="5"><base name="red" displaycolor="#FF0000"/>'
+    '<base name="blue" displaycolor="#0000FF"/></basematerials>'
+)
+
+
+def test_a_triangle_that_names_no_group_means_its_objects(tmp_path: Path) -> None:
+    """Core specification, 4.1.4.1: `pid` of a triangle overrides that of the object."""
+    painted = CUBE.replace('id="1"', 'id="1" pid="5" pindex="0"').replace(
+        "<triangle ", '<triangle p1="1" ', 1
+    )
+    model = read_model(package(tmp_path, RED_AND_BLUE + painted))
+    assert model.material_of().tolist() == [1] + [0] * 11
+
+
+MATERIALS = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02"
+LAYERS = (
+    f'<m:texture2dgroup xmlns:m="{MATERIALS}" id="6" texid="7"/>'
+    f'<m:multiproperties xmlns:m="{MATERIALS}" id="8" pids="6 5">'
+    '<m:multi pindices="0 1"/><m:multi pindices="3"/></m:multiproperties>'
+)
+
+
+def test_of_several_layers_the_lowest_material_counts(tmp_path: Path) -> None:
+    """A <multi> lays a texture, which is not read, over base materials; an index left out is 0."""
+    painted = CUBE.replace('id="1"', 'id="1" pid="8" pindex="1"').replace(
+        "<triangle ", '<triangle pid="8" p1="0" ', 1
+    )
+    model = read_model(package(tmp_path, RED_AND_BLUE + LAYERS + painted))
+    assert [each.name for each in model.materials] == ["red", "blue"]
+    assert model.material_of().tolist() == [1] + [0] * 11
+
+
+@pytest.mark.parametrize(
+    ("prefix", "declared"), [("m", MATERIALS), ("p", PRODUCTION), ("slic3rpe", "...")]
+)
+def test_a_prefix_that_is_not_declared_is_named(tmp_path: Path, prefix: str, declared: str) -> None:
+    """With what to write, where it is one of the consortium's."""
+    layers = f'<{prefix}:multiproperties id="8" pids="5"/>'
+    assert refused(package(tmp_path, RED_AND_BLUE + "\n" + layers + CUBE)) == (
+        f'made.3mf, 3d/3dmodel.model, line 2: the prefix "{prefix}" of its XML is declared '
+        f'nowhere; write xmlns:{prefix}="{declared}" into its <model>, or export it again'
+    )
+
+
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [

@@ -8,13 +8,16 @@ part and its id.
 
 from __future__ import annotations
 
+import re
 import zipfile
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice, zip_longest
 from pathlib import Path
 from typing import IO, NoReturn
 from xml.etree.ElementTree import Element, ParseError, iterparse
+from xml.parsers.expat import errors
 from zlib import error as ZlibError
 
 import numpy as np
@@ -27,6 +30,14 @@ PART_PATH = "{http://schemas.microsoft.com/3dmanufacturing/production/2015/06}pa
 MOST_TIMES = 40  # as large as the file its XML may be: 10 to 15 times is usual
 ALWAYS = 64 << 20  # bytes of XML that are read anyway
 MOST_TRIANGLES = 20_000_000  # with all copies
+LEFT_OUT = {"texture2d": "textures", "compositematerials": "mixtures of materials"}
+UNBOUND = errors.codes[errors.XML_ERROR_UNBOUND_PREFIX]
+NAMESPACES = {  # of the extensions, by the prefixes that all of their examples use
+    "m": "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "p": "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+    "b": "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02",
+    "s": "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07",
+}
 HUGE = 1e100  # of a transform
 DEEPEST = 32  # components within components
 CUT = "it is cut short or damaged: copy or export it again"
@@ -71,8 +82,24 @@ def read_3mf(path: Path, data: bytes) -> Model:
             path, "", f"its package cannot be unpacked ({problem})"[:200], CUT
         ) from None
     except ParseError as problem:
-        raise ModelFault(path, "", f"its XML is broken ({problem})", CUT) from None
+        raise _xml_fault(path, reader.part, problem) from None
     return reader.model()
+
+
+def _xml_fault(path: Path, part: str, problem: ParseError) -> ModelFault:
+    """A prefix that nothing declares has a cause of its own; many exporters forget one."""
+    if problem.code != UNBOUND:
+        return ModelFault(path, "", f"its XML is broken ({problem})", CUT)
+    line, column = problem.position
+    with zipfile.ZipFile(path) as package, package.open(_part_of(path, package, part)) as file:
+        text = next(islice(file, line - 1, line), b"")[column : column + 200]
+    found = re.search(rb"([\w.-]+):[\w.-]+", text)
+    prefix = found[1].decode("ascii", "replace") if found else ""
+    return ModelFault(
+        path, f"{part}, line {line}", f"the prefix {quoted(prefix)} of its XML is declared nowhere",
+        f'write xmlns:{prefix}="{NAMESPACES.get(prefix, "...")}" into its <model>, or export it '
+        "again",
+    )  # fmt: skip
 
 
 def _part_of(path: Path, package: zipfile.ZipFile, part: str) -> zipfile.ZipInfo:
@@ -96,11 +123,11 @@ class _Reader:
         self.part = MODEL  # that is read now
         self.objects: dict[Key, _Object] = {}
         self.items: list[tuple[Key, np.ndarray]] = []
-        self.groups: dict[Key, int] = {}  # of a group -> row of its first material
-        self.sizes: dict[Key, int] = {}
+        self.groups: dict[Key, list[int]] = {}  # of a group -> its materials' rows, or -1
+        self.layers: list[str] = []  # groups that a <multiproperties> lays over one another
         self.materials: list[FileMaterial] = []
         self.left_out: dict[str, None] = {}
-        self.now, self.default = _Object(""), -1
+        self.now, self.default, self.own_group = _Object(""), -1, ""  # of the object that is read
 
     def read(self, file: IO[bytes], part: str) -> None:
         """Element by element, each forgotten once it is read."""
@@ -115,9 +142,10 @@ class _Reader:
                     self.unit = element.get("unit", "millimeter")
                 elif kind == "object":
                     self._begin(element)
-                elif kind in ("basematerials", "colorgroup"):
+                elif kind in ("basematerials", "colorgroup", "multiproperties"):
                     group = self.part, element.get("id", "")
-                    self.groups[group], self.sizes[group] = len(self.materials), 0
+                    self.groups[group] = []
+                    self.layers = element.get("pids", "").split()
                 continue
             self._end(kind, element, group)
             stack.pop()
@@ -128,7 +156,8 @@ class _Reader:
         id = element.get("id", "")
         self.now = _Object(element.get("name") or f"object {id}")
         self.objects[self.part, id] = self.now
-        self.default = self._row(element.get("pid"), element.get("pindex", "0"))
+        self.own_group = element.get("pid", "")
+        self.default = self._row(self.own_group, element.get("pindex", "0"))
         if element.get("type", "model") not in ("model", "solidsupport"):
             self.left_out[f"objects of the type {quoted(element.get('type', ''))}"] = None
 
@@ -138,8 +167,8 @@ class _Reader:
                 self.now.places.extend(self._number(element, axis) for axis in "xyz")
             case "triangle":
                 self.now.corners.extend(self._index(element, key) for key in ("v1", "v2", "v3"))
-                own = element.get("pid"), element.get("p1")
-                self.now.colour.append(self._row(*own) if own[1] else self.default)
+                group_of, own = element.get("pid", self.own_group), element.get("p1")
+                self.now.colour.append(self._row(group_of, own) if own else self.default)
             case "component":
                 self.now.parts.append((self._named(element), self._matrix(element)))
             case "item":
@@ -147,10 +176,12 @@ class _Reader:
             case "base" | "color" if group is not None:
                 text = element.get("displaycolor") or element.get("color") or ""
                 name = element.get("name") or f"colour {text}"
+                self.groups[group].append(len(self.materials))
                 self.materials.append(FileMaterial(name, _colour(text)))
-                self.sizes[group] += 1
-            case "texture2d" | "beamlattice" | "slicestack":
-                self.left_out[{"texture2d": "textures"}.get(kind, kind)] = None
+            case "multi" if group is not None:
+                self.groups[group].append(self._undermost(element.get("pindices", "").split()))
+            case "texture2d" | "beamlattice" | "slicestack" | "compositematerials":
+                self.left_out[LEFT_OUT.get(kind, kind)] = None
 
     def _named(self, element: Element) -> Key:
         """The object that an item or component places, of this part or of another."""
@@ -177,12 +208,17 @@ class _Reader:
             self._fault(element, f"{key} is {quoted(text)}, which is no vertex")
         return int(text)
 
-    def _row(self, group: str | None, place: str | None) -> int:
+    def _row(self, group: str, place: str) -> int:
         """Of a material by its group and place; -1 for none that is known."""
-        key = self.part, group or ""
-        if key not in self.groups or place is None or not place.isdigit():
-            return -1
-        return self.groups[key] + int(place) if int(place) < self.sizes[key] else -1
+        rows = self.groups.get((self.part, group), [])
+        known = place.isascii() and place.isdigit() and len(place) < 18 and int(place) < len(rows)
+        return rows[int(place)] if known else -1
+
+    def _undermost(self, places: list[str]) -> int:
+        """Of the layers of a <multi> the first that is a material or a colour, on which the others
+        are laid; places that are left out are 0."""
+        layers = zip_longest(self.layers, places[: len(self.layers)], fillvalue="0")
+        return next((row for row in (self._row(*layer) for layer in layers) if row >= 0), -1)
 
     def _matrix(self, element: Element) -> np.ndarray:
         """(4, 3): a row vector's last is its place."""
