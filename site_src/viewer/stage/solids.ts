@@ -25,18 +25,21 @@ import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
 import { createWall } from "./wall";
 
-const ROUND = 64; // segments round a sphere: no corner shows at full screen
+// Segments round a sphere: no corner shows at full screen. Of thousands, which are small there, as few
+// as a graphics card draws at ease.
+const roundOf = ({ objects }: SceneData) => Math.max(8, Math.min(64, 2 * Math.floor(400 / Math.sqrt(objects.length))));
+const MANY = 1000; // objects from which on no shadow is drawn: each of a light's six sides would draw all
 const EVERYWHERE = 0.22 * Math.PI; // strength of the light that comes from all sides
 const SHADOW_PIXELS = 512; // of each of a light's six sides
 
 const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneData) => BufferGeometry> = {
-  sphere: () => new SphereGeometry(1, ROUND, ROUND / 2),
-  cylinder: (object) => {
+  sphere: (_, scene) => new SphereGeometry(1, roundOf(scene), roundOf(scene) / 2),
+  cylinder: (object, scene) => {
     const [low, high] = endsOf(object);
-    return new CylinderGeometry(high, low, 2, ROUND, 1, object.open).rotateX(Math.PI / 2);
+    return new CylinderGeometry(high, low, 2, roundOf(scene), 1, object.open).rotateX(Math.PI / 2);
   },
   box: () => new BoxGeometry(2, 2, 2),
-  disc: () => new CircleGeometry(1, ROUND),
+  disc: (_, scene) => new CircleGeometry(1, roundOf(scene)),
   plane: () => new BufferGeometry(), // a wall, made by itself
   triangle: () => {
     const geometry = new BufferGeometry();
@@ -79,7 +82,7 @@ function lightsOf(scene: SceneData, plain: boolean) {
     const light = new PointLight(0xffffff, intensity * Math.PI, 0, 0); // three divides by pi
     light.color.setRGB(...colour);
     light.position.set(...position);
-    light.castShadow = scene.shadows && !plain;
+    light.castShadow = scene.shadows && !plain && scene.objects.length < MANY;
     light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     light.shadow.camera.near = scene.bounds.radius / 40; // nearer, and depths far away run together
     light.shadow.camera.far = scene.bounds.radius * 6;
@@ -96,6 +99,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
   const object = new Group();
   const looks = createLooks(plain);
   const lights = lightsOf(scene, plain);
+  const made = new Map<string, BufferGeometry>(); // one of each shape
   object.add(lights.group);
   for (const each of scene.objects) {
     const material = scene.materials[each.material];
@@ -103,7 +107,9 @@ export function createSolids(scene: SceneData, plain: boolean) {
       object.add(createWall(each, scene, looks));
       continue;
     }
-    const geometry = GEOMETRIES[each.mesh ? "mesh" : each.type](each, scene);
+    const shape = each.mesh ?? each.type + each.open + each.tip;
+    const geometry = made.get(shape) ?? GEOMETRIES[each.mesh ? "mesh" : each.type](each, scene);
+    made.set(shape, geometry);
     const look = looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal"));
     look.vertexColors = !!geometry.getAttribute("color");
     const mesh = new Mesh(geometry, look);
