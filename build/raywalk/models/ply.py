@@ -56,15 +56,13 @@ def _name(header: Header) -> str:
 def _polygons(
     path: Path, rows: dict[str, Rows], known: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-    """Corners of each polygon, all in a row, and which face each was; None for strips."""
+    """Corners of each polygon, all in a row, and which face each was; None for strips. Takes the
+    lists out of `rows`: of a large file they are most of it."""
     face, strips = rows.get("face"), rows.get("tristrips")
-    listed = (
-        next((face.lists[name] for name in INDICES if name in face.lists), None) if face else None
-    )
+    listed = next((face.lists.pop(n) for n in INDICES if n in face.lists), None) if face else None
     whose: np.ndarray | None = None
     if listed is not None and len(listed.counts):
-        with np.errstate(invalid="ignore"):  # what is no number becomes no vertex, refused below
-            counts, corners = listed.counts, listed.values.astype(np.int64)
+        counts, corners = listed.counts, listed.values
         keep = counts >= 3
         whose = np.flatnonzero(keep)
         if not keep.all():
@@ -80,16 +78,16 @@ def _polygons(
         )  # fmt: skip
     if not len(counts):
         raise ModelFault(path, "", "no face has three corners", "export a mesh of polygons")
-    beyond = np.flatnonzero((corners < 0) | (corners >= known))
+    beyond = np.flatnonzero(~((corners >= 0) & (corners < known)))  # and what is no number
     if len(beyond):
         at = int(np.searchsorted(np.cumsum(counts), beyond[0], side="right"))
         at = at if whose is None else int(whose[at])
         raise ModelFault(
             path, f"face {at}",
-            f"it names vertex {corners[beyond[0]]}, and there are 0 to {known - 1}",
+            f"it names vertex {corners[beyond[0]]:.17g}, and there are 0 to {known - 1}",
             "the file is damaged: export the model again",
         )  # fmt: skip
-    return counts, corners, whose
+    return counts, corners.astype(np.int32), whose
 
 
 def cut_strips(values: np.ndarray) -> np.ndarray:

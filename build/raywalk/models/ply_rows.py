@@ -188,6 +188,8 @@ class _Binary:
     def _listed(self, element: Element) -> Rows:
         """Where rows begin is found first, as that depends on the lists before; then each column
         is taken at once."""
+        if (table := self._alike(element)) is not None:
+            return self._of(element, table)
         starts, left = array("q"), element.count
         while left:
             found = self._run(element, min(left, RUN))
@@ -198,6 +200,34 @@ class _Binary:
                 self._lengths(element)
                 left -= 1
         return self._columns(element, np.frombuffer(starts or array("q"), np.int64))
+
+    def _alike(self, element: Element) -> np.ndarray | None:
+        """All rows, if all have lists of the lengths of the first: nearly every file's have, and
+        where each begins need not be kept."""
+        begin = self.at
+        if not element.count:
+            return None
+        record = self._record(element, self._lengths(element))
+        self.at = begin
+        if element.count * record.itemsize > len(self.data) - begin:
+            return None
+        table = np.frombuffer(self.data, record, element.count, begin)
+        for k, each in enumerate(element.properties):
+            if each.count_kind and (table[f"n{k}"] != record[f"p{k}"].shape[0]).any():
+                return None
+        self.at += table.nbytes
+        return table
+
+    def _of(self, element: Element, table: np.ndarray) -> Rows:
+        single, lists = {}, {}
+        for k, each in enumerate(element.properties):
+            with np.errstate(invalid="ignore"):
+                values = table[f"p{k}"].astype(float).reshape(-1)
+            if each.count_kind:
+                lists[each.name] = Listed(table[f"n{k}"].astype(np.int64), values)
+            else:
+                single[each.name] = values
+        return Rows(single, lists)
 
     def _run(self, element: Element, most: int) -> array:
         """Where the next rows begin that have lists of the same lengths; at least one."""
