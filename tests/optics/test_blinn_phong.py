@@ -9,7 +9,7 @@ import pytest
 from tests.geometry.by_hand import scene_of
 
 from raywalk.optics.blinn_phong import diffuse_cosine, highlight, strength
-from raywalk.optics.shade import light_factors, local_colours, towards_light
+from raywalk.optics.shade import light_factors, local_colours, towards_lights
 from raywalk.scene.model import Light, Material
 from raywalk.trace.lighting import NO_BASE
 from raywalk.trace.tables import Lights, Materials, compile_lights, compile_materials
@@ -102,12 +102,11 @@ def shaded(
     materials, lights = tables(material_of_floor, light)
     at, normal = np.array([point]), np.array([UP])
     rows, material = np.zeros(1, np.int64), np.zeros(1, np.int32)
-    to_light, distance, facing = towards_light(rows, at, normal, lights.position[0])
+    to_light, distance, facing = towards_lights(rows, at, normal, lights.position)
     diffuse, specular, colour = np.zeros((1, 1)), np.zeros((1, 1)), np.zeros((1, 3))
     light_factors(
-        materials, rows, material, normal, -normal, to_light, distance,
-        lights.intensity[0], lights.attenuation[0], 0, diffuse, specular,
-    )  # fmt: skip
+        materials, lights, 0, rows, material, normal, -normal, to_light, distance, diffuse, specular
+    )
     lit = facing[:, None]
     local_colours(materials, lights, rows, material, NO_BASE, lit, diffuse, specular, colour)
     return colour[0]
@@ -162,16 +161,24 @@ def test_many_points_are_shaded_as_one_by_one(rng: np.random.Generator, based: b
     material = rng.integers(0, 4, count).astype(np.int32)
     visible = rng.random((count, 3)) < 0.7
     diffuse, specular = np.zeros((2, count, 3))
-    for k in range(3):
-        to_light, distance, facing = towards_light(rows, point, normal, lights.position[k])
-        l = lights.position[k] - point[rows]
-        np.testing.assert_allclose(to_light * distance[:, None], l, rtol=0, atol=1e-14)
-        np.testing.assert_allclose(np.linalg.norm(to_light, axis=1), 1.0, rtol=0, atol=4e-16)
-        assert (facing == ((l * normal[rows]).sum(axis=1) > 0)).all()
-        light_factors(
-            materials, rows, material, normal, incoming, to_light, distance,
-            lights.intensity[k], lights.attenuation[k], k, diffuse, specular,
-        )  # fmt: skip
+    to_light, distance, facing = towards_lights(rows, point, normal, lights.position)
+    l = (lights.position[:, None] - point[rows]).reshape(-1, 3)
+    np.testing.assert_allclose(to_light * distance[:, None], l, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(np.linalg.norm(to_light, axis=1), 1.0, rtol=0, atol=4e-16)
+    assert (facing == ((l * np.tile(normal[rows], (3, 1))).sum(axis=1) > 0)).all()
+    light_factors(
+        materials,
+        lights,
+        0,
+        rows,
+        material,
+        normal,
+        incoming,
+        to_light,
+        distance,
+        diffuse,
+        specular,
+    )
     colour, base = np.zeros((count, 3)), rng.random((count if based else 0, 3))
     local_colours(materials, lights, rows, material, base, visible, diffuse, specular, colour)
     for i in rows:
@@ -196,7 +203,7 @@ def test_a_light_at_the_very_point_leaves_the_ambient_colour(falloff: tuple[floa
     lamp = Light("lamp", (1.0, 2.0, 3.0), attenuation=falloff)  # type: ignore[arg-type]
     assert shaded(lamp, (1.0, 2.0, 3.0)).tolist() == [0.1, 0.2, 0.3]
     at = np.array([[1.0, 2.0, 3.0]])
-    to_light, distance, facing = towards_light(np.zeros(1, np.int64), at, -at, at[0])
+    to_light, distance, facing = towards_lights(np.zeros(1, np.int64), at, -at, at)
     assert not (to_light.any() or distance.any() or facing.any())
 
 

@@ -249,3 +249,26 @@ def test_colours_are_clamped_and_rounded_at_the_end_only() -> None:
     dark = trace_scene(from_above([FLOOR], [CHALK], []))
     assert dark.picture[GRID // 2, GRID // 2].tolist() == [26, 26, 26]
     assert math.floor(255 * 0.1 + 0.5) == 26
+
+
+@pytest.mark.parametrize("glass_shadows", ["block", "pass"])
+def test_lights_asked_together_answer_as_one_by_one(
+    glass_shadows: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Four lamps, of which a dark one is not asked: all at once, by twos, and one after the other,
+    bit for bit."""
+    ball = SceneObject("ball", Sphere((0.0, 1.0, 0.0), 0.7), 1)
+    lamps = [
+        replace(LAMP, position=(x, 4.0, z), intensity=bright)
+        for x, z, bright in [(0.0, 1.0, 1.0), (2.0, 0.0, 0.0), (-2.0, 1.0, 0.5), (1.0, -2.0, 2.0)]
+    ]
+    scene = from_above([FLOOR, ball], [CHALK, CLEAR], lamps, glass_shadows=glass_shadows)
+    found = []
+    for pairs in (1 << 20, 2 * GRID * GRID, 1):
+        monkeypatch.setattr("raywalk.trace.lighting.PAIRS", pairs)
+        found.append(first_wave(scene))
+    for other in found[1:]:
+        for column in ("visibility", "blocker", "blocked_at", "passed", "diffuse", "specular"):
+            mine, theirs = (getattr(wave.lighting, column) for wave in (found[0], other))
+            np.testing.assert_array_equal(mine, theirs, err_msg=column)
+        np.testing.assert_array_equal(found[0].colour, other.colour)

@@ -255,3 +255,14 @@ def test_objects_beyond_what_16_bits_count_are_told_right() -> None:
     within = tree.parent[np.flatnonzero((tree.object == 33_001) & tree.inside)]
     assert len(within)
     assert (tree.object[within] == 33_001).all()  # what is inside of it came in through it
+
+
+def test_what_is_counted_does_not_depend_on_the_strips(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rays too faint to be sent on were once left out where a strip sent none at all."""
+    scene = glass_scene()
+    whole = trace_scene(scene, 1)
+    monkeypatch.setattr("raywalk.trace.wavefront.STRIP", 8)
+    parts = trace_scene(scene, 1)
+    assert whole.tally.faint > 0
+    assert parts.tally.as_dict() == whole.tally.as_dict()
+    np.testing.assert_array_equal(parts.picture, whole.picture)

@@ -17,13 +17,12 @@ import numpy as np
 from raywalk.bench.cases import Case
 from raywalk.geometry.compiled import Hits
 from raywalk.geometry.roots import NOWHERE
-from raywalk.optics.shade import towards_light
+from raywalk.optics.shade import towards_lights
 from raywalk.scene.model import Scene
 from raywalk.trace.bounce import Bounced
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import kept_pixels, record
 from raywalk.trace.shadows import Cast, shadow_rays
-from raywalk.trace.tally import Tally
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
@@ -111,9 +110,11 @@ class _Shooting(Tracer):
         return wave
 
     def _shoot(self, hits: Hits, lit: np.ndarray) -> None:
-        for place in self.lights.position:
-            to_light, distance, facing = towards_light(lit, hits.point, hits.geometric, place)
-            self.compiled.nearest(*shadow_rays(hits, Cast(lit, to_light, distance, facing, facing)))
+        places = self.lights.position
+        to_light, distance, facing = towards_lights(lit, hits.point, hits.geometric, places)
+        rows, light = np.tile(lit, len(places)), np.arange(len(places)).repeat(len(lit))
+        cast = Cast(rows, light, to_light, distance, facing, facing)
+        self.compiled.nearest(*shadow_rays(hits, cast))
 
 
 SKIPS = (
@@ -186,7 +187,7 @@ def partial_picture(tracer: Tracer, keeps_all: bool = False) -> Callable[[], np.
         for start in starts:
             pixels = np.arange(start, min(start + STRIP, size * size))
             waves = tracer.waves(pixels, size, size)
-            record(tracer, waves, pixels, kept, Tally())
+            record(tracer, waves, pixels, kept)
             colours.append(eight_bit(waves[0].colour))
         return np.concatenate(colours)
 

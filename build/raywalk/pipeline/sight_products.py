@@ -18,7 +18,6 @@ from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretche
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record
 from raywalk.trace.tables import compile_lights, compile_materials
-from raywalk.trace.tally import Tally
 from raywalk.trace.tree import level_pixels
 from raywalk.trace.wavefront import Threads, Tracer, in_order
 
@@ -100,7 +99,7 @@ def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
     places = level_pixels(size, n)[pixels]
     waves = tracer.waves(places, size, size)
     kept = np.isin(np.arange(size * size), places)
-    tree = assemble(tracer, [record(tracer, waves, places, kept, Tally())], size)
+    tree = assemble(tracer, [record(tracer, waves, places, kept)], size)
     in_grid = dict(zip(places.tolist(), pixels, strict=True))
     t = np.where(np.isfinite(tree.t), tree.t, 0.0)  # a leaving ray's, which nobody reads
     given = {"t": t, "base": np.ones_like(tree.point) if tree.base is None else tree.base}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from raywalk.geometry.compiled import Rays
 from raywalk.geometry.roots import NOWHERE
 from raywalk.trace.kinds import BRANCH_OF, BRANCHES
-from raywalk.trace.tally import Tally, tally_tests
+from raywalk.trace.tally import Tally, tally_tests, tally_wave
 from raywalk.trace.tree import RayTree, dense, level_pixels
 from raywalk.trace.wave import Wave
 
@@ -37,31 +38,56 @@ def kept_pixels(size: int, resolutions: tuple[int, ...]) -> np.ndarray:
     return kept
 
 
-def record(
-    tracer: Tracer, waves: list[Wave], pixels: np.ndarray, kept: np.ndarray, tally: Tally
-) -> Recorded:
-    """The kept part of a strip's waves, which is counted in the tally."""
-    chosen = np.flatnonzero(kept[pixels])
-    tally.kept_pixels += len(chosen)
-    recorded: list[dict[str, np.ndarray]] = []
-    hits = tracer.compiled.crossings(waves[0].rays.take(chosen))
-    before = np.empty(0, np.int64)
-    for depth, wave in enumerate(waves):
+def record(tracer: Tracer, waves: Sequence[Wave], pixels: np.ndarray, kept: np.ndarray) -> Recorded:
+    """The kept part of waves whose colours are gathered."""
+    recording = Recording(tracer, pixels, kept)
+    for wave in waves:
+        recording.add(wave)
+    return recording.finished([wave.colour for wave in waves])
+
+
+class Recording:
+    """Notes the kept part of a strip's waves as they come, and counts them: once a wave has sent
+    its rays on and is noted, all but what it brings back may go."""
+
+    def __init__(self, tracer: Tracer, pixels: np.ndarray, kept: np.ndarray | None):
+        """kept: None if waves are only counted."""
+        self.tally = Tally(pixels=len(pixels))
+        self._tracer, self._pixels = tracer, pixels
+        # (rays,) bool, of the wave that came last, or is to come first.
+        self._kept = None if kept is None else kept[pixels]
+        self._waves: list[dict[str, np.ndarray]] = []
+        self._rows: list[np.ndarray] = []  # of each wave, those that are kept
+        self._hits = (np.zeros(1, np.int32), np.empty(0), np.empty(0, np.int32))
+
+    def add(self, wave: Wave) -> None:
+        """The next wave; the first is of camera rays."""
+        tracer, depth = self._tracer, len(self._rows)
+        self.tally.add(tally_wave(tracer.scene, tracer.plan.asked, wave))
+        if self._kept is None:
+            return
         if depth:
-            place = np.full(len(waves[depth - 1].parent), -1)
-            place[before] = np.arange(len(before))
-            chosen = np.flatnonzero(place[wave.parent] >= 0)
-            parent = place[wave.parent[chosen]]
-        else:
-            parent = np.full(len(chosen), -1)
-        if not len(chosen):
-            break
-        tally.add(tally_tests(tracer.compiled, wave.rays.take(chosen), wave.hits.t[chosen]))
-        columns = _columns(tracer, wave, chosen, depth, parent)
-        columns["pixel"] = pixels[chosen] if depth == 0 else recorded[-1]["pixel"][parent]
-        recorded.append(columns)
-        before = chosen
-    return Recorded(recorded, hits)
+            place = np.cumsum(self._kept) - 1
+            self._kept = self._kept[wave.parent]
+        rows = np.flatnonzero(self._kept)
+        self._rows.append(rows)
+        if not depth:
+            self.tally.kept_pixels = len(rows)
+            self._hits = tracer.compiled.crossings(wave.rays.take(rows))
+        if not len(rows):
+            return
+        parent = place[wave.parent[rows]] if depth else np.full(len(rows), -1)
+        tests = tally_tests(tracer.compiled, wave.rays.take(rows), wave.hits.t[rows])
+        self.tally.add(tests)
+        columns = _columns(tracer, wave, rows, depth, parent)
+        columns["pixel"] = self._waves[-1]["pixel"][parent] if depth else self._pixels[rows]
+        self._waves.append(columns)
+
+    def finished(self, colours: Sequence[np.ndarray]) -> Recorded:
+        """All of it, with the gathered colours (n, 3) of each wave."""
+        for columns, rows, colour in zip(self._waves, self._rows, colours, strict=False):
+            columns["colour"] = colour[rows]
+        return Recorded(self._waves, self._hits)
 
 
 def _columns(
@@ -83,7 +109,6 @@ def _columns(
         "point": point,
         "normal": normal,
         "weight": wave.weight[chosen],
-        "colour": wave.colour[chosen],
         "tests": tracer.compiled.count_tests(rays, np.where(gone, np.inf, t)),
         **{key: getattr(lighting, key)[chosen] for key in LIGHT_COLUMNS},
         "local": lighting.local[chosen],
@@ -125,12 +150,13 @@ def assemble(tracer: Tracer, records: list[Recorded], size: int) -> RayTree:
         place = np.empty(len(order), np.int64)
         place[order] = np.arange(len(order))
         offset += len(order)
-        levels.append({key: column[order] for key, column in level.items()})
+        levels.append({key: level.pop(key)[order] for key in list(level)})
     return _tree(tracer, levels, records, size)
 
 
 def _join(records: list[Recorded], depth: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """All strips' rays of one depth, and for each where its strip's parents start."""
+    """All strips' rays of one depth, and for each where its strip's parents start. They are taken
+    out of the strips: held twice, they would be the most that a scene's memory holds."""
     parts, starts, start = [], [], 0
     for recorded in records:
         if depth < len(recorded.waves):
@@ -138,7 +164,9 @@ def _join(records: list[Recorded], depth: int) -> tuple[dict[str, np.ndarray], n
             starts.append(np.full(len(parts[-1]["parent"]), start))
         if 0 < depth <= len(recorded.waves):
             start += len(recorded.waves[depth - 1]["parent"])
-    joined = {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
+    joined = {"parent": np.concatenate([part["parent"] for part in parts])}
+    for key in [key for key in parts[0] if key != "parent"]:
+        joined[key] = np.concatenate([part.pop(key) for part in parts])
     return joined, np.concatenate(starts)
 
 
@@ -146,7 +174,7 @@ def _tree(
     tracer: Tracer, levels: list[dict[str, np.ndarray]], records: list[Recorded], size: int
 ) -> RayTree:
     names = [key for key in RayTree.__dataclass_fields__ if key in levels[0]]
-    columns = {key: np.concatenate([level[key] for level in levels]) for key in names}
+    columns = {key: np.concatenate([level.pop(key) for level in levels]) for key in names}
     counts = np.concatenate([np.diff(r.hits[0]) for r in records])
     return RayTree(
         size=size,

@@ -22,26 +22,31 @@ BEHIND = int(Visibility.BEHIND)
 
 
 class Cast(NamedTuple):
-    """Points that ask one light."""
+    """Pairs of a point and a light that it asks."""
 
-    rows: np.ndarray  # (r,) of the wave
-    to_light: np.ndarray  # (r, 3) unit
-    distance: np.ndarray  # (r,)
-    facing: np.ndarray  # (r,) bool: on the light's side of their surface
-    shot: np.ndarray  # (r,) bool: these shoot a shadow ray
+    rows: np.ndarray  # (p,) points, of the wave
+    light: np.ndarray  # (p,)
+    to_light: np.ndarray  # (p, 3) unit
+    distance: np.ndarray  # (p,)
+    facing: np.ndarray  # (p,) bool: on the light's side of their surface
+    shot: np.ndarray  # (p,) bool: these shoot a shadow ray
+
+    def take(self, chosen: np.ndarray) -> Cast:
+        """The pairs at these indices."""
+        return Cast(*rows_of(self, chosen))
 
 
 def cast_shadows(
-    scene: Scene, compiled: CompiledScene, materials: Materials, hits: Hits, cast: Cast, k: int,
+    scene: Scene, compiled: CompiledScene, materials: Materials, hits: Hits, cast: Cast,
     out: Lighting,
 ) -> None:  # fmt: skip
-    """Fills light k's visibility, and dims its factors where glass lets a share of it pass."""
+    """Fills the lights' visibility, and dims their factors where glass lets a share pass."""
     rays, reach = shadow_rays(hits, cast)
     found = compiled.nearest(rays, reach)
     t, met, passed = found[0], found[1], np.ones(len(reach))
     if scene.render.glass_shadows == "pass":
         t, met = through_glass(compiled, materials, rays, reach, found, passed)
-    note_shadows(cast, t, met, passed, k, out)
+    note_shadows(cast, t, met, passed, out)
 
 
 Found = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # as CompiledScene.nearest gives it
@@ -121,11 +126,11 @@ def cross_glass(transmit, hits, going, reach, base, passed, rays):
 
 
 @kernel
-def note_shadows(cast, t, met, passed, k, out):
-    """Writes light k's columns (n, l): t, met and passed are of the rays that were shot."""
+def note_shadows(cast, t, met, passed, out):
+    """Writes columns (n, l): t, met and passed are of the rays that were shot."""
     ray = 0
     for r in range(cast.rows.shape[0]):
-        i = cast.rows[r]
+        i, k = cast.rows[r], cast.light[r]
         out.visibility[i, k] = BEHIND
         if not cast.shot[r]:
             continue

@@ -46,22 +46,19 @@ class Tally:
         return asdict(self) | {"rays": {kind.name.lower(): int(self.rays[kind]) for kind in Kind}}
 
 
-def tally_waves(scene: Scene, asked: tuple[bool, ...], waves: list[Wave]) -> Tally:
-    """All rays of a strip's waves."""
-    tally = Tally(pixels=len(waves[0].parent))
-    for wave in waves:
-        tally.rays += np.bincount(wave.kind, minlength=len(Kind))
-        tally.faint += wave.faint
-        seen = wave.lighting.visibility
-        tally.turned += int((seen == Visibility.BEHIND).sum())
-        tally.shadow += int((seen <= Visibility.REACHED).sum())
-        hit = wave.hits.object != NOWHERE
-        own = wave.lighting.local_weight > 0.0
-        tally.colourless += int((hit & ~own).sum()) * sum(asked)
-        if scene.render.shadows:
-            tally.dark += int(own.sum()) * asked.count(False)
-        else:
-            tally.unshadowed += int(own.sum()) * len(asked)
+def tally_wave(scene: Scene, asked: tuple[bool, ...], wave: Wave) -> Tally:
+    """All rays of one of a strip's waves."""
+    tally = Tally(rays=np.bincount(wave.kind, minlength=len(Kind)), faint=wave.faint)
+    seen = np.bincount(wave.lighting.visibility.reshape(-1), minlength=len(Visibility))
+    tally.turned = int(seen[Visibility.BEHIND])
+    tally.shadow = int(seen[Visibility.BLOCKED] + seen[Visibility.REACHED])
+    hit = wave.hits.object != NOWHERE
+    own = wave.lighting.local_weight > 0.0
+    tally.colourless = int(np.count_nonzero(hit & ~own)) * sum(asked)
+    if scene.render.shadows:
+        tally.dark = int(np.count_nonzero(own)) * asked.count(False)
+    else:
+        tally.unshadowed = int(np.count_nonzero(own)) * len(asked)
     return tally
 
 

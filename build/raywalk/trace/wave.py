@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -35,10 +37,28 @@ class Wave:
     weight: np.ndarray  # (n,)
     share: np.ndarray  # (n,)
     media: np.ndarray  # (n, w) int32
-    faint: int  # rays that were not sent on to this wave: their share would be too small
+    faint: int  # rays that it does not send on: their share would be too small
     hits: Hits
     lighting: Lighting
     colour: np.ndarray  # (n, 3), final once the waves behind have been gathered
+
+    def brings(self) -> Brought:
+        """What gathering needs of it."""
+        return Brought(self.parent, self.weight, self.colour)
+
+
+class Brought(NamedTuple):
+    """What a wave's rays bring back to those that sent them."""
+
+    parent: np.ndarray  # (n,) int32: row in the wave before
+    weight: np.ndarray  # (n,)
+    colour: np.ndarray  # (n, 3)
+
+
+def gather(waves: Sequence[Wave | Brought]) -> None:
+    """Makes the colours of waves, the first one first, final: from the deepest to the first."""
+    for after, before in pairwise(reversed(waves)):
+        add_children(before.colour, after.parent, after.weight, after.colour)
 
 
 @kernel
