@@ -63,6 +63,15 @@ def test_the_scene_without_slips_is_in_order(tmp_path):
         ('"sphere"', "sphere", "sphere is no value", 'in quotes: "sphere"'),
         ("0.5\n", "Yes\n", "Yes is no value", "true and false"),
         ("[0, -1, 0]", "[0; -1; 0]", "; separates nothing", "by commas"),
+        ("fov = 40", "fov: 40", "a colon stands behind fov", "write fov = ..."),
+        ("[0, -1, 0]", "(0, -1, 0)", "(0, -1, 0) stands in round", "write [0, -1, 0]"),
+        ("[0, -1, 0]", "0, -1, 0", "0, -1, 0 stands in no brackets", "write [0, -1, 0]"),
+        ("[0, -1, 0]", "[0，-1，0]", "， is no comma", "type the , of"),
+        ("fov = 40", "fov = 40°", "40 has a unit, °", "write 40: lengths"),
+        ("0.5\n", "0.5 cm\n", "0.5 has a unit, cm", "write 0.5: lengths"),
+        ("0.5\n", "1/2\n", "1/2 is not worked out", "write the result"),
+        ("[0.9, 0.2, 0.1]", "[90%, 20%, 10%]", "90% is no number", "a share of 1"),
+        ("fov = 40", "fov = 40 // degrees", "// begins no comment", "begins with #"),
     ],
 )
 def test_a_slip_is_told_by_its_cause_and_with_what_to_type(tmp_path, before, after, cause, instead):

@@ -23,7 +23,25 @@ COMMA = re.compile(r"(=\s*)([-+]?\d+),(\d+)(?=\s*$)", re.MULTILINE)
 POINT_FIRST = re.compile(r"(?<![\w.])([-+]?)\.(\d+)")
 POINT_LAST = re.compile(r"(?<![\w.])([-+]?\d+)\.(?![\w.])")
 BARE = re.compile(r"^\s*[\w.-]+\s*=\s*(?!true\b|false\b|inf\b|nan\b)([A-Za-z_][\w -]*?)\s*$", re.M)
-SEMICOLON = re.compile(r";")
+NUMBER = r"[-+]?\d+(?:\.\d+)?"
+#: What other notations write: a pattern, what is wrong with its match, and what to type.
+FOREIGN = [
+    (r";", "; separates nothing", "numbers are separated by commas"),
+    (r"//", "// begins no comment", "a comment begins with #"),
+    (r"^[ \t]*([\w-]+)[ \t]*:(?=\s)", "a colon stands behind {1}", "write {1} = ..."),
+    (r"=[ \t]*(\(([^()\n]*)\))", "{1} stands in round brackets", "write [{2}]"),
+    (
+        rf"=[ \t]*({NUMBER}(?:[ \t]*,[ \t]*{NUMBER}){{2}})[ \t]*$",
+        "{1} stands in no brackets", "write [{1}]",
+    ),
+    (
+        rf"=[ \t]*({NUMBER})[ \t]*(°|[a-df-zµ]+)[ \t]*$",
+        "{1} has a unit, {2}", "write {1}: lengths are in world units, angles in degrees",
+    ),
+    (rf"({NUMBER})[ \t]*%", "{0} is no number", "write it as a share of 1, such as 0.5"),
+    (rf"=[ \t]*({NUMBER}[ \t]*[/*][ \t]*{NUMBER})", "{1} is not worked out", "write the result"),
+    (r"[，、､]", "{0} is no comma to a program", "type the , of the keyboard"),
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -73,8 +91,11 @@ def _all(code: str) -> Iterator[Slip]:
         if match[1].lower() in ("yes", "no", "true", "false", "on", "off"):
             instead = "yes and no are written true and false"
         yield Slip(match.start(1), f"{match[1]} is no value", instead)
-    for match in SEMICOLON.finditer(code):
-        yield Slip(match.start(), "; separates nothing", "numbers are separated by commas")
+    for pattern, what, instead in FOREIGN:
+        for match in re.finditer(pattern, code, re.MULTILINE):
+            words = match[0], *match.groups()
+            at = match.start(1 if match.re.groups else 0)
+            yield Slip(at, what.format(*words), instead.format(*words))
 
 
 def _name(sign: str) -> str:
