@@ -44,7 +44,8 @@ def _floor(chosen: Namespace) -> list[dict[str, Any]]:
 
 def _memory(chosen: Namespace) -> list[dict[str, Any]]:
     scenes = read_scenes(chosen.scenes)
-    return [speed_memory.memory(each.path) for each in (scenes[2:3] if chosen.quick else scenes)]
+    rows = [speed_memory.memory(each.path) for each in (scenes[2:3] if chosen.quick else scenes)]
+    return [*rows, speed_memory.many_objects(1_000 if chosen.quick else 10_000)]
 
 
 def _triangles(chosen: Namespace) -> list[dict[str, Any]]:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.scene.read import read_scene
@@ -17,6 +20,8 @@ MOST = 400.0  # MiB at 1155 x 1155
 # Bytes a pixel by which the peak may grow: picture 3, mask of kept pixels 1, and while the PNG is
 # made its rows under two filters and copies of them for zlib, 3 each.
 A_PIXEL = 16.0
+# MiB of a scene of many objects, and bytes an object beyond.
+MANY, A_THING = 400.0, 4096.0
 TIMES = 3  # the larger picture is so many times as wide: the same rays of the same grids
 MIB = 2.0**20
 
@@ -31,8 +36,6 @@ print(peak_of_this_process())
 
 def make(path: Path, times: int) -> None:
     """All files of a scene with a picture so many times as wide, into a folder that goes."""
-    import tempfile
-
     from raywalk.pipeline.trace_products import write_products
 
     scene = read_scene(path)
@@ -71,9 +74,32 @@ def memory(path: Path) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def many_objects(count: int) -> dict[str, Any]:
+    """The peak of a scene of so many small spheres."""
+    rng = np.random.default_rng(20261129)
+    radius = 0.6 / count ** (1 / 3)
+    balls = "".join(
+        f'[[objects]]\ntype = "sphere"\ncenter = {place}\nradius = {radius}\nmaterial = "white"\n'
+        for place in rng.uniform(-1.0, 1.0, (count, 3)).tolist()
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.toml"
+        path.write_text(
+            'version = 1\ntitle = "many"\nteaches = "many"\n[camera]\neye = [0, 0, 5]\n'
+            f"target = [0, 0, 0]\n[[lights]]\nposition = [5, 5, 5]\n{balls}",
+            encoding="utf-8",
+        )
+        own = peak(path, 1)
+    return {"scene": f"{count:,} spheres", "size": 1155, "peak": own / MIB, "objects": count}
+
+
 def memory_cases(rows: list[dict[str, Any]], seed: int) -> Iterator[Case]:
     """Under 400 MiB, and beyond that the picture alone grows."""
     for row in rows:
+        if "objects" in row:
+            most = MANY + A_THING * row["objects"] / MIB
+            yield Case("memory", row["scene"], "peak, MiB", most, row["peak"], 0, seed)
+            continue
         yield Case("memory", row["scene"], "peak, MiB", MOST, row["peak"], 0, seed)
         yield Case(
             "memory", row["scene"], f"bytes a pixel more at {TIMES} x {row['size']}",
