@@ -140,10 +140,10 @@ def _begin(messages: Any, left: Any, files: dict[str, bytes] | None) -> None:
     global _messages, _left
     _messages, _left = messages, left
     hold(files)
-    Thread(target=end_with_parent, daemon=True).start()
+    Thread(target=_end_with_parent, daemon=True).start()
 
 
-def end_with_parent() -> None:
+def _end_with_parent() -> None:
     """A build that is killed cannot tell its processes to end; they would wait for ever."""
     parent = multiprocessing.parent_process()
     if parent:
