@@ -63,7 +63,7 @@ for await (const line of createInterface({ input: process.stdin })) {
   try {
     reply = { answer: answer(JSON.parse(line)) };
   } catch (error) {
-    reply = { fault: error.message };
+    reply = { fault: error.code === "damaged" ? `damaged: ${error.message}` : error.message };
   }
   process.stdout.write(`${JSON.stringify(reply)}\n`);
 }

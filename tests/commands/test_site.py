@@ -17,6 +17,7 @@ from PIL import Image
 
 from raywalk.__main__ import main
 from raywalk.stops.decoded import read_trace
+from raywalk.trace_file.container import unpack
 
 SMALL = """
 version = 1
@@ -120,6 +121,24 @@ def test_every_tile_has_the_colour_of_the_pictures_pixel_at_its_centre(built):
             centres = picture[step // 2 :: step, step // 2 :: step]
             tiles = read_trace(scene / f"{n}.json.gz").tiles.reshape(n, n, 3)
             np.testing.assert_array_equal(tiles, centres)
+
+
+def test_a_pages_picture_has_the_pixels_of_the_one_to_save(built):
+    """Where WebP takes fewer bytes than PNG it is shown instead: lossless, and named by the page
+    and the scene's data."""
+    out, shown = built / "dist", 0
+    for scene in (out / "scenes").iterdir():
+        for webp in scene.glob("*.webp"):
+            png = webp.with_suffix(".png")
+            assert webp.stat().st_size < png.stat().st_size
+            pixels = [np.asarray(Image.open(path).convert("RGB")) for path in (webp, png)]
+            np.testing.assert_array_equal(*pixels)
+            shown += 1
+        name = "picture.webp" if (scene / "picture.webp").exists() else "picture.png"
+        assert json.loads(unpack((scene / "scene.js").read_bytes()))["picture"] == name
+        page = (scene / "index.html").read_text(encoding="utf-8")
+        assert f"{scene.name}/{name}" in page and f'{scene.name}/picture.png" download' in page
+    assert shown > 0
 
 
 def test_words_of_a_scene_file_cannot_become_markup(built):
@@ -364,7 +383,7 @@ def test_a_file_over_its_budget_fails_the_build_and_leaves_the_site_alone(scenes
     capsys.readouterr()
     assert site(folder, "--budgets", str(budgets)) == 1
     said = capsys.readouterr().err
-    assert "01-ball/picture.png" in said and "the budget is 10.00 bytes" in said
+    assert "01-ball/picture." in said and "the budget is 10.00 bytes" in said
     assert "a line of two bytes a second" in said and "Traceback" not in said
     after = {path: path.read_bytes() for path in (folder / "dist").rglob("*") if path.is_file()}
     assert after == before

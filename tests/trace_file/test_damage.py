@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import json
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -48,7 +47,7 @@ def test_another_scene_or_resolution_is_refused(glass: Encoded) -> None:
 
 def test_a_changed_character_is_noticed(glass: Encoded) -> None:
     columns = dict(json.loads(glass.json)["columns"])
-    columns["numbers0"] = "!" + columns["numbers0"][1:]
+    columns["numbersa"] = "!" + columns["numbersa"][1:]
     assert "checksum" in refusal(changed(glass.json, columns=columns))
 
 
@@ -59,24 +58,13 @@ def test_a_header_without_a_part_is_damaged(glass: Encoded, part: str) -> None:
     assert "the header lacks something" in refusal(json.dumps(header).encode())
 
 
-@pytest.mark.parametrize("name", ["signature", "surface", "visibility0"])
+@pytest.mark.parametrize(
+    "name", ["signature", "surface", "visibility0", "numbersa", "numbersj", "noise"]
+)
 @pytest.mark.parametrize("cut", ["shorter", "longer", "missing"])
-def test_a_column_of_symbols_of_another_length_is_damaged(
-    glass: Encoded, name: str, cut: str
-) -> None:
-    """Even with a checksum that matches."""
-    assert f"column {name}" in refusal(with_text_cut(glass.json, name, cut))
-
-
-@pytest.mark.parametrize("name", ["numbers0", "numbers6", "numbers9", "noise"])
-@pytest.mark.parametrize("cut", ["shorter", "longer", "missing"])
-def test_a_text_of_numbers_of_another_length_is_damaged(
-    glass: Encoded, name: str, cut: str
-) -> None:
-    """Likewise; which column is the first to notice depends on what was lost."""
-    said = refusal(with_text_cut(glass.json, name, cut))
-    noticed = "more numbers than columns" if cut == "longer" else "column|outside the bounds"
-    assert re.search(noticed, said)
+def test_a_text_of_another_length_is_refused(glass: Encoded, name: str, cut: str) -> None:
+    """Even with a checksum that matches; what notices it first depends on what was lost."""
+    assert "damaged: " in refusal(with_text_cut(glass.json, name, cut))
 
 
 def with_text_cut(data: bytes, name: str, cut: str) -> bytes:

@@ -219,7 +219,7 @@ const FAULTS = [
   },
   {
     name: "rays and picture are both missing: one sentence for both, one button tries both",
-    make: async () => (await gone(TRACE), gone("**/picture.png*")),
+    make: async () => (await gone(TRACE), gone("**/picture.webp*")),
     says: /^Neither the rays nor the picture could be loaded; the lesson and the scene in space still work\.$/,
     async then() {
       await wholeAgain();
@@ -229,7 +229,7 @@ const FAULTS = [
       assert.ok(await isQuiet());
     },
   },
-  { name: "the picture is not there", make: () => gone("**/picture.png*"), says: /^The picture could not be loaded; the tiles and the rays still work\.$/, then: () => theRestWorks() },
+  { name: "the picture is not there", make: () => gone("**/picture.webp*"), says: /^The picture could not be loaded; the tiles and the rays still work\.$/, then: () => theRestWorks() },
   {
     name: "the outlines of slices are not there",
     make: () => gone(`**/${rich.id}/sections.js*`),
@@ -362,7 +362,7 @@ test("a language's words for a scene are missing: it is shown in the scene's own
 });
 
 test("thumbnails are missing: every card still has its name and leads to its scene", async () => {
-  await gone("**/thumb.png");
+  await gone("**/thumb.webp");
   await page.goto(server.url);
   for (const card of await page.locator("a.scene-card").all()) assert.ok((await card.innerText()).trim().length > 3);
   await page.locator("a.scene-card").first().click();

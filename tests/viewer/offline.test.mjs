@@ -45,10 +45,10 @@ test("what was looked at is there when the host is gone; what was not is said", 
   await open(page, server.url, first.path, "still=1&tiles=filled");
   const { n } = await state(page);
   await isKept(`${first.id}/${n}.js`);
-  await isKept(`${first.id}/picture.png`);
+  await isKept(`${first.id}/picture.webp`);
   await press(page, "PageDown"); // a scene in the same page, through the worker by now
   await until(page, (s, t, id) => s.scene === id && t.tiles.length > 0, second.id);
-  await isKept(`${second.id}/picture.png`);
+  await isKept(`${second.id}/picture.webp`);
   for (const name of readdirSync(`${DIST}/assets`).filter((each) => each.startsWith("part-"))) await isKept(name);
   server.close();
   server.close = () => {};
@@ -106,7 +106,7 @@ test("a newer build says so quietly, opens when asked, and leaves nothing of the
   const own = await serve(site, "/");
   try {
     for (const name of ["index.html", "assets", "de", "model", "offline", "LICENSES.txt", "manifest.webmanifest"]) cpSync(join(DIST, name), join(site, name), { recursive: true });
-    for (const { id } of scenesOfSite()) cpSync(join(DIST, `scenes/${id}/thumb.png`), join(site, `scenes/${id}/thumb.png`));
+    for (const { id } of scenesOfSite()) cpSync(join(DIST, `scenes/${id}/thumb.webp`), join(site, `scenes/${id}/thumb.webp`));
     const worker = readFileSync(join(DIST, "sw.js"), "utf8");
     writeFileSync(join(site, "sw.js"), worker);
     const page = await newPage(browser, { worker: true });

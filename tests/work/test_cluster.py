@@ -19,7 +19,7 @@ from raywalk.pipeline.cluster import (
     made_by,
     mesh_files,
     refuse_other_makers,
-    trace_there,
+    scene_there,
     with_meshes,
 )
 from raywalk.scene.read import read_scene
@@ -185,4 +185,4 @@ def test_errors_survive_the_way_back():
     """Dask pickles what a worker raises."""
     error = SourceErrors([SourceError(Path("a.toml"), "key", "is wrong", allowed="right")])
     assert str(pickle.loads(pickle.dumps(error))) == str(error)
-    assert callable(trace_there)
+    assert callable(scene_there)

@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from raywalk.bench import (
+    speed_cluster,
     speed_cores,
+    speed_counters,
     speed_floor,
     speed_many,
     speed_memory,
@@ -27,6 +29,7 @@ class Part(NamedTuple):
     measured: Callable[[Namespace], Any]
     cases: Callable[[Any, int], Iterable[Case]]  # of the figures and the seed
     lines: Callable[[Any], Iterable[str]] = lambda figures: ()
+    table: Callable[[Any], dict[str, Any] | None] = lambda figures: None
 
 
 def part(key: str, chosen: Namespace, cases: list[Case]) -> dict[str, Any]:
@@ -34,7 +37,10 @@ def part(key: str, chosen: Namespace, cases: list[Case]) -> dict[str, Any]:
     which = PARTS[key]
     figures = which.measured(chosen)
     cases += which.cases(figures, chosen.seed)
-    return {"key": key, "title": which.title, "lines": list(which.lines(figures))}
+    return {
+        "key": key, "title": which.title, "lines": list(which.lines(figures)),
+        "table": which.table(figures),
+    }  # fmt: skip
 
 
 def _floor(chosen: Namespace) -> list[dict[str, Any]]:
@@ -81,6 +87,16 @@ PARTS = {
         "Time a ray over the number of spheres",
         lambda c: speed_primitives.primitives(3 if c.quick else 9, c.seed),
         speed_primitives.primitive_cases, speed_primitives.as_table,
+    ),
+    "counters": Part(
+        "Each stage beside what the processor could do",
+        lambda c: speed_counters.counters(c.scenes, c.quick, c.seed),
+        lambda figures, seed: (), speed_counters.as_table, speed_counters.rows_of,
+    ),
+    "cluster": Part(
+        "A cluster: one large picture, many scenes, a worker killed",
+        lambda c: speed_cluster.cluster(c.scenes, c.quick),
+        speed_cluster.cluster_cases, speed_cluster.as_table,
     ),
     "rebuild": Part(
         "Building again after a change",

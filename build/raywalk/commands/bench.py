@@ -8,7 +8,10 @@ from pathlib import Path
 from typing import Any
 
 SEED = 20_260
-PARTS = ("skips", "floor", "cores", "memory", "many", "triangles", "primitives", "rebuild")
+PARTS = (
+    "skips", "floor", "cores", "memory", "many", "triangles", "primitives", "counters", "cluster",
+    "rebuild",
+)  # fmt: skip
 
 
 def add_to(commands: Any) -> None:

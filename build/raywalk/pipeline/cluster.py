@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +35,7 @@ class ClusterError(UserError):
     """The cluster cannot be used; str() says why and what helps."""
 
 
+LARGE = 4096  # pixels across: beyond, a picture is traced in strips by all workers
 Files = dict[str, bytes]  # name -> content
 DEEP = "a/b/c/d"
 
@@ -41,7 +43,8 @@ DEEP = "a/b/c/d"
 def run_on_cluster(
     address: str, scenes: Sequence[Scene]
 ) -> Iterator[Progress | Finished[Scene, tuple[float, Files]]]:
-    """Each scene's files and the seconds they took, in the order in which they are finished.
+    """Each scene's files and the seconds they took, in the order in which they are finished: a
+    scene a worker, then the large ones one after the other, each in strips over all.
 
     Raises ClusterError, and whatever tracing a scene raises.
     """
@@ -49,15 +52,33 @@ def run_on_cluster(
     here = made_by()
     try:
         waiting = {
-            client.submit(trace_there, scene, mesh_files(scene), here, pure=False): scene
+            client.submit(scene_there, scene, mesh_files(scene), here, pure=False): scene
             for scene in scenes
+            if scene.render.size <= LARGE
         }
         for done in distributed.as_completed(waiting, loop=client.loop):
             scene = waiting.pop(done)
             yield Progress(scene.id, "", 1.0)
-            yield Finished(scene, _result(done, distributed))
+            yield Finished(scene, task_result(done))
+        for scene in scenes:
+            if scene.render.size > LARGE:
+                yield Finished(scene, _in_strips(client, scene))
     finally:
         client.close()
+
+
+def _in_strips(client: Any, scene: Scene) -> tuple[float, Files]:
+    """Seconds and files of one scene that all workers trace; its pictures and grids are written
+    here."""
+    # Only here: it needs this module, and what traces.
+    from raywalk.pipeline.cluster_strips import Wire, trace_there
+    from raywalk.work.pool import cores
+
+    begun = time.monotonic()
+    with tempfile.TemporaryDirectory() as scratch:
+        TRACE(scene, Path(scratch), cores(), trace=partial(trace_there, client, Wire()))
+        files = {path.name: path.read_bytes() for path in sorted(Path(scratch).iterdir())}
+    return time.monotonic() - begun, files
 
 
 def connected(address: str) -> tuple[Any, Any]:
@@ -83,9 +104,12 @@ def connected(address: str) -> tuple[Any, Any]:
     return client, distributed
 
 
-def _result(done: Any, distributed: Any) -> tuple[float, Files]:
+def task_result(done: Any) -> Any:
+    """What a finished task made; raises what it raised, ClusterError if its workers died."""
+    import distributed
+
     try:
-        result: tuple[float, Files] = done.result()
+        result = done.result()
     except distributed.KilledWorker as problem:
         raise ClusterError(f"--scheduler: its workers die while tracing ({problem})") from None
     done.release()
@@ -104,7 +128,7 @@ def made_by() -> Parts:
     return TRACE.parts()
 
 
-def trace_there(scene: Scene, meshes: Files, expected: Parts) -> tuple[float, Files]:
+def scene_there(scene: Scene, meshes: Files, expected: Parts) -> tuple[float, Files]:
     """On a worker: seconds, and every file that a trace of the scene makes.
 
     Raises ClusterError if the worker's code or packages are not those of the builder: its bytes

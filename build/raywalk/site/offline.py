@@ -79,7 +79,7 @@ def build_of(out: Path) -> dict[str, Any]:
     files = {}
     for path in sorted(out.rglob("*")):
         name = path.relative_to(out).as_posix()
-        if path.is_file() and not name.endswith(NEVER_KEPT) and not name.startswith(NOT_PAGES):
+        if _is_shown(path) and not name.endswith(NEVER_KEPT) and not name.startswith(NOT_PAGES):
             content = path.read_bytes()
             files[name] = [hashlib.sha256(content).hexdigest()[:HASH], len(content)]
     homes = [home_of(code) for code in languages()]
@@ -92,8 +92,15 @@ def build_of(out: Path) -> dict[str, Any]:
     }
 
 
+def _is_shown(path: Path) -> bool:
+    """A picture's PNG is to be saved where pages show its WebP."""
+    return path.is_file() and not (path.suffix == ".png" and path.with_suffix(".webp").is_file())
+
+
 def _is_first(name: str, homes: list[str]) -> bool:
     """The pages that are not a scene's, what all pages share, and the gallery's pictures."""
     own = next((name.removeprefix(home) for home in homes if home and name.startswith(home)), name)
     pages = ("index.html", "model/index.html", "offline/index.html", MANIFEST, "LICENSES.txt")
-    return own in pages or name.startswith("assets/") or name.endswith("/thumb.png")
+    return (
+        own in pages or name.startswith("assets/") or name.endswith(("/thumb.png", "/thumb.webp"))
+    )

@@ -26,6 +26,7 @@ from raywalk.site.downloads import FORMS, sorted_downloads
 from raywalk.site.figures import Figures
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
+from raywalk.site.shown_picture import shown_picture
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
@@ -60,7 +61,7 @@ def write_pages(
 
     decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
-        "home": home, "scenes": [_card(scene, home) for scene in scenes], **assets,
+        "home": home, "scenes": [_card(scene, home, out) for scene in scenes], **assets,
         "decks": decks, "forms": {word: ending for ending, word in FORMS.items()},
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
     }  # fmt: skip
@@ -68,13 +69,13 @@ def write_pages(
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
-        glass_scenes=[_glass(scene, home) for scene in scenes if scene.has_glass],
+        glass_scenes=[_glass(scene, home, out) for scene in scenes if scene.has_glass],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
-        shown = _scene(scene, figures[scene.id]) | {
+        shown = _scene(scene, figures[scene.id], out) | {
             "savings": (savings or {}).get(scene.id),
             "downloads": decks.get(scene.id),
         }
@@ -193,20 +194,22 @@ def _named(scene: Scene) -> dict[str, str]:
     return {key: getattr(scene, key) for key in ("id", "key", "title", "teaches")}
 
 
-def _card(scene: Scene, home: str) -> dict[str, str]:
+def _card(scene: Scene, home: str, out: Path) -> dict[str, str]:
     at = f"scenes/{scene.id}"
-    return _named(scene) | {"url": f"{home}{at}/index.html", "thumb": f"{at}/thumb.png"}
+    thumb = f"{at}/{shown_picture(out / at, 'thumb')}"
+    return _named(scene) | {"url": f"{home}{at}/index.html", "thumb": thumb}
 
 
-def _glass(scene: Scene, home: str) -> dict[str, str]:
-    return _card(scene, home) | {"glass_shadows": scene.render.glass_shadows}
+def _glass(scene: Scene, home: str, out: Path) -> dict[str, str]:
+    return _card(scene, home, out) | {"glass_shadows": scene.render.glass_shadows}
 
 
-def _scene(scene: Scene, figures: Figures) -> dict[str, Any]:
-    render = scene.render
+def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
+    render, at = scene.render, f"scenes/{scene.id}"
     return {
         **_named(scene),
-        "picture": f"scenes/{scene.id}/picture.png",
+        "picture": f"{at}/{shown_picture(out / at, 'picture')}",
+        "saved": f"{at}/picture.png",
         "size": render.size, "levels": sorted(render.resolutions), "depth": render.depth,
         "shadows": render.shadows, "figures": figures,
         "lesson": [

@@ -26,6 +26,7 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
+from raywalk.site.shown_picture import shown_picture
 from raywalk.trace_file.container import mark_of, write_script
 
 
@@ -42,16 +43,16 @@ class Display:
 
 
 def scene_data(
-    scene: Scene, display: Display, savings: Savings, files: dict[str, str]
+    scene: Scene, display: Display, savings: Savings, files: dict[str, str], picture: str
 ) -> SceneData:
-    """All of a scene for the viewer."""
+    """All of a scene for the viewer. picture: the name of its file."""
     return {
         "format": 1,
         "id": scene.id,
         "key": scene.key,
         "title": scene.title,
         "teaches": scene.teaches,
-        "picture": "picture.png",
+        "picture": picture,
         "size": scene.render.size,
         "camera": scene.camera,
         "background": list(scene.background),
@@ -151,7 +152,8 @@ def write_page_data(scene: Scene, traced: Path, folder: Path) -> None:
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
     display = read_display(scene, traced / "display.npz")
     marks = {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
-    data = scene_data(scene, display, savings_of(facts), marks)
+    picture = shown_picture(traced, "picture")
+    data = scene_data(scene, display, savings_of(facts), marks, picture)
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, default=asdict)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

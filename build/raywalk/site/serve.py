@@ -29,6 +29,8 @@ class _Quiet(SimpleHTTPRequestHandler):
     """Plain files, never cached: a rebuilt site shows at the next reload. Only for pages of this
     machine: a page from elsewhere could name its own host for this address (DNS rebinding)."""
 
+    extensions_map = SimpleHTTPRequestHandler.extensions_map | {".webp": "image/webp"}
+
     def parse_request(self) -> bool:
         if not super().parse_request():
             return False

@@ -8,7 +8,6 @@ import lzma
 import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,7 @@ from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
 from raywalk.site.assets import PART
 from raywalk.site.scene_data import start_of
+from raywalk.site.shown_picture import shown_picture
 from raywalk.trace_file.container import pack, script, unpack
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
@@ -96,10 +96,10 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         data = sent(folder / "scene.js")
         first = sent(folder / "index.html") + _without_meshes(folder / "scene.js")
         first += sent(folder / f"{start_of(scene)['resolution']}.json.gz")
-        rays = max(finest["rays"], FEW_RAYS)
+        rays, picture = max(finest["rays"], FEW_RAYS), shown_picture(folder, "picture")
         sizes += [
             Size(kind + "trace", f"{name}/{trace.name}", sent(trace), rays),
-            Size(kind + "picture", f"{name}/picture.png", sent(folder / "picture.png")),
+            Size(kind + "picture", f"{name}/{picture}", sent(folder / picture)),
             Size("first", name, first + styles + sum(scripts.values())),
         ]
         if triangles:
@@ -127,7 +127,7 @@ def _without_meshes(path: Path) -> int:
 def sent(path: Path) -> int:
     """Bytes as a host sends them: text gzipped, what is compressed already as it is."""
     content = path.read_bytes()
-    if path.suffix in (".gz", ".png"):
+    if path.suffix in (".gz", ".png", ".webp"):
         return len(content)
     return len(gzip.compress(content, LEVEL, mtime=0))
 
@@ -205,12 +205,15 @@ def table(out: Path, sizes: Sequence[Size], budgets: Iterable[Budget]) -> Iterat
 
 def floor_of(path: Path) -> tuple[int, str]:
     """What the best encoder at hand makes of the same content, for comparison; 0 if none."""
+    if path.suffix == ".webp":
+        return path.with_suffix(".png").stat().st_size, "its PNG"
     if path.suffix == ".png":
+        import numpy as np
         from PIL import Image
 
-        webp = BytesIO()
-        Image.open(path).save(webp, "WEBP", lossless=True, method=4, quality=50)
-        return len(webp.getvalue()), "lossless WebP"
+        from raywalk.trace_file.webp import webp
+
+        return len(webp(np.asarray(Image.open(path).convert("RGB")))), "lossless WebP"
     if not path.is_file():
         return 0, ""
     content = gzip.decompress(path.read_bytes()) if path.suffix == ".gz" else path.read_bytes()

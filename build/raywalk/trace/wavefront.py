@@ -198,30 +198,41 @@ def _trace_into(
 ) -> tuple[list[Recorded], Tally]:  # fmt: skip
     """Traces the chosen pixels (n,), in the order of their numbers, into a picture; records those
     that are kept (size * size,)."""
-    size = tracer.scene.render.size
-    strip_rays = max(1, min(STRIP, FACTORS // max(1, len(tracer.scene.lights))))
-    count = max(1, -(-len(chosen) // strip_rays))
+    count = max(1, -(-len(chosen) // strip_pixels(tracer.scene)))
     ends = np.linspace(0, len(chosen), count + 1).astype(int)
 
-    def trace_strip(strip: int) -> tuple[np.ndarray, Recorded | None, Tally]:
-        pixels = chosen[ends[strip] : ends[strip + 1]]
-        recording, brought = Recording(tracer, pixels, kept), []
-        for wave in tracer.each_wave(tracer.camera_rays(pixels, size, size), tracer.eye_media):
-            recording.add(wave)
-            brought.append(wave.brings())
-        gather(brought)
-        colours = [each.colour for each in brought]
-        recorded = None if kept is None else recording.finished(colours)
-        return eight_bit(colours[0]), recorded, recording.tally
+    def traced(strip: int) -> tuple[np.ndarray, Recorded | None, Tally]:
+        return trace_strip(tracer, chosen[ends[strip] : ends[strip + 1]], kept)
 
     records, total, flat = [], Tally(), picture.reshape(-1, 3)
-    for strip, (colours, recorded, tally) in enumerate(in_order(trace_strip, count, threads)):
+    for strip, (colours, recorded, tally) in enumerate(in_order(traced, count, threads)):
         flat[chosen[ends[strip] : ends[strip + 1]]] = colours
         records += [recorded] if recorded else []
         total.add(tally)
         if report:
             report((strip + 1) / count)
     return records, total
+
+
+def strip_pixels(scene: Scene) -> int:
+    """How many at most are traced at once."""
+    return max(1, min(STRIP, FACTORS // max(1, len(scene.lights))))
+
+
+def trace_strip(
+    tracer: Tracer, pixels: np.ndarray, kept: np.ndarray | None
+) -> tuple[np.ndarray, Recorded | None, Tally]:
+    """8-bit colours (n, 3) of these pixels of the scene's picture, the rays of those that are kept
+    (size * size,), and what was done."""
+    size = tracer.scene.render.size
+    recording, brought = Recording(tracer, pixels, kept), []
+    for wave in tracer.each_wave(tracer.camera_rays(pixels, size, size), tracer.eye_media):
+        recording.add(wave)
+        brought.append(wave.brings())
+    gather(brought)
+    colours = [each.colour for each in brought]
+    recorded = None if kept is None else recording.finished(colours)
+    return eight_bit(colours[0]), recorded, recording.tally
 
 
 def in_order(work: Callable[[int], Result], count: int, threads: Threads) -> Iterator[Result]:

@@ -17,6 +17,7 @@ KEPT = 5  # digits that a class's own text keeps; those below are noise
 MOST = 2**14 - 1  # sizes are no larger here
 BITS = 6  # of noise in a character
 SHARES = np.array([0, 256, 128, 85, 64])  # 256 by how many neighbours count
+LETTER = "abcdefghijklmnopq"  # of each class, in its text's name
 NOISE = np.maximum(np.arange(CLASSES) - KEPT, 0)  # digits of noise, by class
 
 
@@ -35,13 +36,13 @@ class NumberTexts:
         self._noise.append(_digits(codes, low))
 
     def texts(self) -> dict[str, str]:
-        """By name; those that nothing stands in are left out."""
+        """By name, also those that nothing stands in."""
         columns = {
-            f"numbers{k}": write_numbers(np.concatenate([np.empty(0, np.int64), *kept]))
+            f"numbers{LETTER[k]}": write_numbers(np.concatenate([np.empty(0, np.int64), *kept]))
             for k, kept in enumerate(self._kept)
         }
         columns["noise"] = _six_each(np.concatenate([np.empty(0, np.int64), *self._noise]))
-        return {name: text for name, text in columns.items() if text}
+        return columns
 
 
 def _digits(codes: np.ndarray, low: np.ndarray) -> np.ndarray:

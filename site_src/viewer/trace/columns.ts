@@ -5,14 +5,17 @@
  * after the first few columns at full speed.
  */
 import { damaged } from "./errors";
-import { columnBytes, type Header, type Span } from "./header";
+import { columnBytes, type ColumnBytes, type Header } from "./header";
 import { ABSENT, type Sides } from "./neighbours";
-import { KEPT, MOST, NumberTexts, SHARES } from "./number-texts";
-import { DIGITS, MORE, following, longNumber } from "./symbols";
+import { BASE, DIGITS, FOUR, LONG, MORE } from "./symbols";
 
 const UNIT = 256; // of taps
 const TAPS = 6;
-const LARGE = 2 ** 30;
+
+// Residuals stand in a text for each class of sizes that a ray's neighbours lead to expect; see expected.py.
+const KEPT = 5; // binary digits that a class's own text keeps; those below are noise
+const MOST = 2 ** 14 - 1; // sizes are no larger here
+const BITS = 6; // in a character of noise
 
 /** What an affine part is a function of: the first `width` of six values of each ray, three in each array. */
 export interface Features {
@@ -33,34 +36,41 @@ interface Prediction {
 const AFFINE = 1, OWN_TAPS = 2, NO_TAPS = 4;
 
 export class Columns {
-  private readonly bytes: Uint8Array;
-  private readonly spans = new Map<string, Span>(); // of the columns of symbols that were asked for
-  private readonly texts: NumberTexts;
+  private readonly texts: ColumnBytes;
+  private readonly at: Int32Array; // how far each text is read
+  private readonly noise: DataView;
+  private bit = 0; // of the noise
 
   /** By row, scratch: off for number - affine part, and by row + 1 size for how large residuals are. */
   constructor(private readonly header: Header, private readonly off: Float64Array, private readonly size: Int32Array) {
-    const columns = columnBytes(header);
-    this.bytes = columns.bytes;
-    this.texts = new NumberTexts(columns.bytes, columns.spans);
+    const { bytes, starts, ends } = (this.texts = columnBytes(header));
+    this.at = starts.slice();
+    const noise = this.named("noise");
+    this.noise = bitsOf(bytes.subarray(starts[noise], ends[noise]));
   }
 
-  private span(name: string): Span {
-    const span = this.spans.get(name) ?? columnBytes(this.header).spans.get(name);
-    if (!span) throw damaged(`column ${name} is missing`);
-    const own = { ...span };
-    this.spans.set(name, own);
-    return own;
+  /** Which text it is. */
+  private named(name: string): number {
+    const text = this.texts.names.indexOf(name);
+    if (text < 0) throw damaged(`column ${name}`);
+    return text;
   }
 
-  /** All must be read to the end. */
+  /** Each text must be read to its end, and no further. */
   finish() {
-    for (const [name, { at, end }] of this.spans) if (at !== end) throw damaged(`column ${name} is too long`);
-    this.texts.finish();
+    this.at[this.named("noise")] += Math.ceil(this.bit / BITS);
+    if (this.texts.ends.some((end, text) => this.at[text] !== end)) throw damaged("a column of another length");
   }
 
-  private readTo(name: string, span: Span, at: number) {
-    if (at > span.end) throw damaged(`column ${name} ends too early`);
-    span.at = at;
+  /** A number whose first digit, which is read, says that there are more. */
+  private long(text: number, first: number): number {
+    let value = first < FOUR ? first - MORE : 0;
+    for (let more = first < FOUR ? 1 : first < LONG ? 3 : 8; more > 0; more--) {
+      const digit = DIGITS[this.texts.bytes[this.at[text]++]];
+      value = digit < BASE ? value * BASE + digit : NaN;
+    }
+    if (first > LONG || !(value >= 0)) throw damaged("a column of another length");
+    return first < FOUR ? MORE + value : value;
   }
 
   /** Writes symbols below `most` of the rays from row `first` on to `end` whose kind is not ABSENT.
@@ -69,14 +79,13 @@ export class Columns {
     name: string, first: number, end: number, group: Int32Array, kind: Int32Array, kinds: number, sides: Sides, most: number, out: Int32Array,
   ) {
     const { left, up, upLeft } = sides;
-    const { bytes } = this;
-    const span = this.span(name);
+    const { at, texts: { bytes } } = this;
+    const text = this.named(name);
     const last = new Int32Array(kinds);
-    let at = span.at;
     for (let row = first; row < end; row++) {
       const of = kind[row];
       if (of === ABSENT) continue;
-      let value = DIGITS[bytes[at++]];
+      let value = DIGITS[bytes[at[text]++]];
       if (value === 0) {
         // Continues the edge that two neighbours show: if up-left equals left, take up; else left.
         const mine = group[row];
@@ -92,17 +101,12 @@ export class Columns {
           }
         }
       } else {
-        if (value >= MORE) {
-          const number = longNumber(value, bytes, at);
-          at += following(value);
-          value = number < 2 ** 30 ? number | 0 : LARGE; // NaN if a digit is foreign
-        }
+        if (value >= MORE) value = this.long(text, value) | 0;
         value--;
-        if (value >= most) throw damaged(`column ${name} names a row that is not there`);
+        if (value >= most || value < 0) throw damaged(`column ${name}`);
       }
       out[row] = last[of] = value;
     }
-    this.readTo(name, span, at);
   }
 
   /** Writes whole numbers at `rows`; what else stands in `out` stays. kind: by row, below `kinds`;
@@ -110,19 +114,16 @@ export class Columns {
   numbers(name: string, rows: Int32Array, kind: Int32Array, kinds: number, near: Sides, features: Features, out: Float64Array) {
     const same = this.header.same[name];
     if (same !== undefined) for (let k = 0; k < rows.length; k++) out[rows[k]] = same;
-    else {
-      this.predicted(rows, kind, kinds, near, this.prediction(name, kinds, features.width), features, out);
-      this.texts.check(name);
-    }
+    else this.predicted(rows, kind, kinds, near, this.prediction(name, kinds, features.width), features, out);
   }
 
   private predicted(rows: Int32Array, kind: Int32Array, kinds: number, near: Sides, { affine, taps, has }: Prediction, features: Features, out: Float64Array) {
-    const { texts, bytes, off, size } = this;
-    const { at, noise } = texts;
+    const { at, noise, off, size, texts: { bytes } } = this;
+    const texts = this.named("numbersa");
     const { left, up, upLeft, upRight } = near;
     const { width, first, second } = features;
     const last = new Int32Array(kinds).fill(-1);
-    let { bit } = texts;
+    let { bit } = this;
     size[0] = 0;
     for (let k = 0; k < rows.length; k++) {
       const row = rows[k], of = kind[row], flags = has[of];
@@ -132,12 +133,12 @@ export class Columns {
       let sizes = 2 * size[u + 1] + size[ul + 1] + size[ur + 1];
       if ((u | ul | ur) < 0) {
         const count = 4 + 2 * (u >> 31) + (ul >> 31) + (ur >> 31);
-        sizes = count > 0 ? (sizes * SHARES[count]) >> 6 : 4 * size[(l < 0 ? last[of] : l) + 1];
+        sizes = count > 0 ? (sizes * ((256 / count) | 0)) >> 6 : 4 * size[(l < 0 ? last[of] : l) + 1];
       }
-      const text = 32 - Math.clz32(sizes);
+      const length = 32 - Math.clz32(sizes), text = texts + length;
       let code = DIGITS[bytes[at[text]++]], low = 0, extra = 0, residual = 0;
-      if (text > KEPT) {
-        low = text - KEPT;
+      if (length > KEPT) {
+        low = length - KEPT;
         extra = (noise.getUint32(bit >> 3) << (bit & 7)) >>> (32 - low);
         bit += low;
       }
@@ -146,7 +147,7 @@ export class Columns {
         residual = (code >> 1) ^ -(code & 1); // 0, -1, 1, -2, 2 ...
         size[row + 1] = Math.min((code + 1) >> 1, MOST);
       } else {
-        const number = texts.long(text, code) * (1 << low) + extra;
+        const number = this.long(text, code) * (1 << low) + extra;
         residual = number % 2 === 0 ? number / 2 : -(number + 1) / 2;
         size[row + 1] = Math.min(Math.abs(residual), MOST);
       }
@@ -186,7 +187,7 @@ export class Columns {
       off[row] = value - base;
       last[of] = row;
     }
-    texts.bit = bit;
+    this.bit = bit;
   }
 
   private prediction(name: string, kinds: number, features: number): Prediction {
@@ -198,7 +199,7 @@ export class Columns {
       const of = Number(text), predictor = predictors[text];
       if (!(of < kinds)) continue; // no ray here is of that kind
       if (predictor.affine) {
-        if (predictor.affine.length !== features + 1) throw damaged("a predictor has too few coefficients");
+        if (predictor.affine.length !== features + 1) throw damaged("a predictor");
         for (let k = 0; k <= features; k++) affine[of * (features + 1) + k] = predictor.affine[k];
         has[of] |= AFFINE;
       }
@@ -207,4 +208,16 @@ export class Columns {
     }
     return { affine, taps, has };
   }
+}
+
+/** Four characters of six bits each as three bytes; four more, so that four can be read at any. */
+function bitsOf(text: Uint8Array): DataView {
+  const bits = new Uint8Array(text.length + 4);
+  for (let k = 0, to = 0; k < text.length; k += 4, to += 3) {
+    const four = (DIGITS[text[k]] << 18) | (DIGITS[text[k + 1]] << 12) | (DIGITS[text[k + 2]] << 6) | DIGITS[text[k + 3]];
+    bits[to] = four >> 16;
+    bits[to + 1] = four >> 8;
+    bits[to + 2] = four;
+  }
+  return new DataView(bits.buffer);
 }

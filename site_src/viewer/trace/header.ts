@@ -30,16 +30,12 @@ export function checkedHeader(json: unknown, expected: Expected): Header {
   return header;
 }
 
-/** Where in the bytes a text stands, and how far it is read. */
-export interface Span {
-  at: number;
-  end: number;
-}
-
 /** The columns' texts as bytes, in the order of their names, and where each stands. */
 export interface ColumnBytes {
   bytes: Uint8Array;
-  spans: Map<string, Span>;
+  names: string[];
+  starts: Int32Array; // by name
+  ends: Int32Array;
 }
 
 const asBytes = new WeakMap<object, ColumnBytes>();
@@ -49,19 +45,13 @@ export function columnBytes({ columns }: Header): ColumnBytes {
   const known = asBytes.get(columns);
   if (known) return known;
   const names = Object.keys(columns).sort();
-  let length = 0;
-  for (const name of names) {
-    if (typeof columns[name] !== "string") throw damaged(`column ${name} is no text`);
-    length += columns[name].length;
-  }
-  const all: ColumnBytes = { bytes: new Uint8Array(length), spans: new Map() };
-  const encoder = new TextEncoder();
   let at = 0;
-  for (const name of names) {
-    const { read } = encoder.encodeInto(columns[name], at ? all.bytes.subarray(at) : all.bytes);
-    if (read !== columns[name].length) throw damaged(`column ${name} holds a foreign character`);
-    all.spans.set(name, { at, end: (at += read) });
-  }
+  const ends = Int32Array.from(names, (name) => (at += columns[name]?.length));
+  const starts = Int32Array.of(0, ...ends);
+  const bytes = new Uint8Array(at), encoder = new TextEncoder();
+  for (const [k, name] of names.entries())
+    if (encoder.encodeInto(columns[name], bytes.subarray(starts[k])).read !== columns[name].length) throw damaged(`column ${name}`);
+  const all: ColumnBytes = { bytes, names, starts, ends };
   asBytes.set(columns, all);
   return all;
 }

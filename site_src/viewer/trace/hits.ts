@@ -108,7 +108,7 @@ function readImages(header: Header, columns: Columns, ends: Ends, sides: Sides, 
     const { step } = images[k], from = ends.first[k], { place } = ends;
     for (let at = 0; at < rays.length; at++) {
       const depth = number[rays[at]];
-      if (depth < 1) throw damaged(`column depth${k} leads behind the camera`);
+      if (depth < 1) throw damaged(`column depth${k}`);
       z[place[from + at]] = 1 / (depth * step);
     }
   }

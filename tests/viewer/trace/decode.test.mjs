@@ -86,7 +86,7 @@ test("another version, scene, resolution or kind of file is refused with its cod
 
 test("a changed column and a header without a part are damaged", async () => {
   const good = await json();
-  const columns = { ...good.columns, numbers0: `!${good.columns.numbers0.slice(1)}` };
+  const columns = { ...good.columns, numbersa: `!${good.columns.numbersa.slice(1)}` };
   assert.throws(() => decode({ ...good, columns }), refused("damaged"));
   assert.throws(() => decode({ ...good, rays: good.rays + 1 }), refused("damaged"));
   assert.throws(() => decode({ ...good, rays: 1e300 }), refused("damaged"));

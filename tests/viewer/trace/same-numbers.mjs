@@ -9,7 +9,8 @@ import { loadDecoder } from "./bundle.mjs";
 const [checkout, ...sites] = process.argv.slice(2).map((path) => resolve(path));
 const old = await import(pathToFileURL(`${checkout}/tests/viewer/trace/bundle.mjs`));
 const decoders = [await old.loadDecoder(), await loadDecoder()];
-const bits = (column) => (ArrayBuffer.isView(column) ? `${column.constructor.name} ${Buffer.from(column.buffer, column.byteOffset, column.byteLength).toString("base64")}` : String(column));
+/** As float64, whatever holds the column. */
+const bits = (column) => (ArrayBuffer.isView(column) ? Buffer.from(Float64Array.from(column).buffer).toString("base64") : String(column));
 
 let files = 0, columns = 0;
 for (const scene of readdirSync(`${sites[1]}/scenes`)) {
