@@ -59,7 +59,7 @@ export class Columns {
   /** Each text must be read to its end, and no further. */
   finish() {
     this.at[this.named("noise")] += Math.ceil(this.bit / BITS);
-    if (this.texts.ends.some((end, text) => this.at[text] !== end)) throw damaged("a column of another length");
+    if (this.texts.ends.some((end, text) => this.at[text] !== end)) throw damaged("a column");
   }
 
   /** A number whose first digit, which is read, says that there are more. */
@@ -69,7 +69,7 @@ export class Columns {
       const digit = DIGITS[this.texts.bytes[this.at[text]++]];
       value = digit < BASE ? value * BASE + digit : NaN;
     }
-    if (first > LONG || !(value >= 0)) throw damaged("a column of another length");
+    if (first > LONG || !(value >= 0)) throw damaged("a column");
     return first < FOUR ? MORE + value : value;
   }
 
@@ -199,7 +199,6 @@ export class Columns {
       const of = Number(text), predictor = predictors[text];
       if (!(of < kinds)) continue; // no ray here is of that kind
       if (predictor.affine) {
-        if (predictor.affine.length !== features + 1) throw damaged("a predictor");
         for (let k = 0; k <= features; k++) affine[of * (features + 1) + k] = predictor.affine[k];
         has[of] |= AFFINE;
       }

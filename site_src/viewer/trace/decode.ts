@@ -42,8 +42,10 @@ export async function decodeWithRests(json: unknown, expected: Expected, rest: (
 
 /** Throws as decode does; `light` as well. */
 export function begin(json: unknown, expected: Expected = {}): Level {
-  const header = checkedHeader(json, expected);
-  return refusing(() => read(header, takeScratch(Math.max(header.rays, header.n * header.n))));
+  return refusing(() => {
+    const header = checkedHeader(json, expected);
+    return read(header, takeScratch(Math.max(header.rays, header.n * header.n)));
+  });
 }
 
 /** What a header lacks shows itself as any error. */

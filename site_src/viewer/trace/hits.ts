@@ -122,7 +122,7 @@ function imageKeys(imageOf: Map<number, number>, keyOf: (object: number, turn: n
     const turn = turns.get(object) ?? 0;
     turns.set(object, turn + 1);
     const key = imageOf.get(keyOf(object, turn));
-    if (key === undefined) throw damaged("a depth image is missing");
+    if (key === undefined) throw damaged("a depth image");
     return key;
   });
 }

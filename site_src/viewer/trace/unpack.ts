@@ -10,6 +10,6 @@ export async function unpack(base64: string): Promise<unknown> {
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     return JSON.parse(await new Response(stream).text());
   } catch (error) {
-    throw error instanceof TraceError ? error : damaged(`not base64 of gzip of JSON: ${error}`);
+    throw error instanceof TraceError ? error : damaged(`${error}`);
   }
 }
