@@ -67,7 +67,7 @@ PARTS = {
         speed_skips.skip_cases, speed_skips.as_table,
     ),
     "floor": Part(
-        "Making a scene, over meeting its rays with surfaces and deflating",
+        "Making a scene, over meeting its rays with surfaces, shading and deflating",
         _floor, speed_floor.floor_cases, speed_floor.as_table,
     ),
     "cores": Part(
