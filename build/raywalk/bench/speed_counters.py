@@ -4,7 +4,6 @@ take at the memory's measured speed, and its arithmetic at the measured peak, in
 from __future__ import annotations
 
 import json
-import re
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -20,7 +19,6 @@ from raywalk.bench.made_scenes import bunny, compiled_mesh, scene_of, twenty_sph
 from raywalk.bench.peak import copied, multiply_add
 from raywalk.bench.run_time import interleaved
 from raywalk.geometry.compiled import CompiledScene, rays_from
-from raywalk.geometry.nearest import nearest_primitive
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene
 from raywalk.trace.lighting import light_hits
@@ -76,7 +74,7 @@ def counters(course: Path, quick: bool, seed: int) -> dict[str, Any]:
             refused = str(problem)
         rows.append(row)
     return {"rows": rows, "gflops": 1e-9 * flops, "gigabytes": 1e-9 * bandwidth,
-            "refused": refused, "vector": vector_share(nearest_primitive)}  # fmt: skip
+            "refused": refused}  # fmt: skip
 
 
 def _meetings(side: int, seed: int) -> Iterator[Stage]:
@@ -133,19 +131,6 @@ def _made(scene: Scene) -> Iterator[Stage]:
     yield Stage("lossless WebP", "byte", partial(webp, picture), count, 2)
 
 
-ARITHMETIC = r"\bv?(?:add|sub|mul|div|sqrt|max|min|cmp\w*|fn?m(?:add|sub)\d*){}\b"
-
-
-def vector_share(kernel: Any) -> float | None:
-    """Of a kernel's float64 arithmetic in machine code, the share on several lanes at once."""
-    try:
-        text = "\n".join(kernel.inspect_asm().values())
-    except (AttributeError, RuntimeError):
-        return None
-    packed, scalar = (len(re.findall(ARITHMETIC.format(kind), text)) for kind in ("pd", "sd"))
-    return packed / (packed + scalar) if packed + scalar else None
-
-
 HEAD = ("Stage", "ns", "of one", "memory alone, ns", "arithmetic alone, ns", "times the larger")
 COUNTED = ("instructions", "a cycle")
 
@@ -156,11 +141,6 @@ def as_table(found: dict[str, Any]) -> Iterator[str]:
         f"  this thread copies {found['gigabytes']:.1f} GB/s and does {found['gflops']:.1f} "
         "thousand million float64 operations a second, products and sums apart"
     )
-    if found["vector"] is not None:
-        yield (
-            f"  of the arithmetic in the spheres' kernel {found['vector']:.0%} of the instructions "
-            "work on several lanes at once"
-        )
     if found["refused"]:
         yield f"  no hardware counters here ({found['refused']}): instructions are not told"
     for row in rows_of(found)["rows"]:
