@@ -35,7 +35,8 @@ def own_cluster(workers: int) -> Iterator[tuple[str, list[subprocess.Popen[bytes
             start = ("distributed.cli.dask_scheduler", "--port", "0", "--scheduler-file")
             address = _address(begin(*start, str(file)), file)
             work = ("distributed.cli.dask_worker", address, "--nthreads", "1", "--no-nanny")
-            yield address, [begin(*work) for _ in range(workers)]
+            alone = ("--death-timeout", "60")  # seconds, where we are killed and end nobody
+            yield address, [begin(*work, *alone) for _ in range(workers)]
         finally:
             for process in reversed(processes):
                 process.kill()
