@@ -8,7 +8,7 @@ import * as switches from "./state/switches";
 import type { Switches } from "./state/switches";
 import { eventLike, type Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
-import type { LitLine, ViewState } from "./state/types";
+import type { LitLine, Tab, ViewState } from "./state/types";
 import type { SceneData } from "./trace/types";
 
 export interface Outside {
@@ -39,17 +39,20 @@ const viewActs = (doing: Doing) => ({
   nextLook: () => doing((now) => withLook(now, nextLook(now))),
   slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice: now.slice === slice ? "none" : slice })),
   nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
+  /** Chosen again, a tab closes. */
+  tab: (tab: Tab) => doing((now) => ({ ...now, tab: now.tab === tab ? "none" : tab })),
   projector: () => doing((now) => ({ ...now, projector: !now.projector })),
 });
 
 const lessonActs = (session: Session, doing: Doing, turnScene: Outside["turnScene"]) => ({
   step: (step: number | null) => doing((now, of) => change.goToStep(of, now, step)),
   turn: (by: 1 | -1) => doing((now, of) => change.turnStep(of, now, by)),
-  /** As a clicker turns pages: through the current lesson and on to the next one; without a lesson, through the scenes. */
+  /** As a clicker turns pages, which has no other keys: into the lesson, through it and on to the next one; back without a
+   *  lesson, through the scenes. */
   page(by: 1 | -1) {
     const { state, scene } = session;
     if (!state || !scene) return;
-    const next = change.turnStep(scene, state, by);
+    const next = state.step === null && by > 0 ? change.goToStep(scene, state, 0) : change.turnStep(scene, state, by);
     if (next !== state) session.set(next);
     else if (state.step === null || by > 0) turnScene(by, state.step !== null);
   },

@@ -10,14 +10,16 @@ export function createAddressBar(session: Session, page: { home: string; onDisk:
   const isKiosk = !!window.raywalkKiosk;
   let timer = 0;
 
+  const embedded = new URLSearchParams(location.hash.slice(1)).has("embed") && "embed=1";
+
   /** What all of a kiosk's addresses carry comes first: it is what the next page asks for first. */
-  const withKiosk = (hash: string) => [window.raywalkKiosk?.part, hash].filter(Boolean).join("&");
+  const withMode = (hash: string) => [window.raywalkKiosk?.part, embedded, hash].filter(Boolean).join("&");
 
   /** The address of what is shown; as long as nothing is, the one that is there. */
   function address(): string {
     const { state, scene } = session;
     if (!state || !scene) return location.href;
-    const hash = withKiosk(writeAddress(state, scene, onDisk && state.scene !== home));
+    const hash = withMode(writeAddress(state, scene, onDisk && state.scene !== home));
     const to = new URL(onDisk ? location.href : links.find((link) => link.dataset.scene === state.scene)!.href);
     to.hash = hash;
     if (!onDisk) to.search = location.search;
@@ -48,6 +50,7 @@ export function createAddressBar(session: Session, page: { home: string; onDisk:
       write("replace");
       const whole = new URL(address());
       whole.searchParams.delete("embed");
+      whole.hash = whole.hash.replace(/embed=1&?/, "");
       return whole.href;
     },
   };

@@ -4,7 +4,7 @@
  */
 const BLINK_MS = 530;
 const BLINKS = 8; // times that it changes: what blinks for longer than five seconds must have a switch (WCAG 2.2.2)
-const LONGEST_STEP = 0.1; // seconds: after a pause (another tab) time does not jump
+const LONGEST_STEP = 1; // seconds: slower frames are a machine that stood still, and time does not jump over that
 
 export interface BeatActs {
   draw: () => void;
@@ -32,6 +32,7 @@ export function createBeat(acts: BeatActs) {
     blink();
   }
   function ask() {
+    if (acts.runs()) last ||= performance.now(); // the way to the first frame counts as well
     if (!frame) frame = requestAnimationFrame(tick);
   }
   function light() {
@@ -49,6 +50,7 @@ export function createBeat(acts: BeatActs) {
         ask();
       }, BLINK_MS);
   }
+  document.addEventListener("visibilitychange", () => (last = 0)); // an unseen page's time stands still
   return {
     /** Something has changed: shows it in the next frame, the selector lit. */
     draw() {

@@ -32,6 +32,7 @@ export function listenToKeys(acts: Actions & Modes) {
     ".": () => acts.event(1),
     f: acts.fullScreen,
     j: acts.projector,
+    b: acts.black,
     "?": acts.help,
     Escape: acts.endEvents,
     "[": () => acts.bounces(-1),
@@ -58,7 +59,7 @@ export function listenToKeys(acts: Actions & Modes) {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (key.length === 1 && key !== " " && !singleKeys.on()) return;
     const act = /^\d$/.test(key) ? () => pressNumber(key) : table[key];
-    if (!act || (event.repeat && (key === " " || key === "r" || /^[ahvpfjsc?\d]$/.test(key)))) return;
+    if (!act || (event.repeat && (key === " " || key === "r" || /^[abhvpfjsc?\d]$/.test(key)))) return;
     event.preventDefault();
     act();
     acts.pressed(key);

@@ -6,6 +6,7 @@ export function listenToLinks(links: Iterable<HTMLAnchorElement>, acts: { open: 
       event.preventDefault();
       if (link.dataset.scene) acts.open(link.dataset.scene);
       else acts.turn(link.rel === "prev" ? -1 : 1);
+      link.closest<HTMLElement>("[popover]")?.hidePopover?.();
       if (event.detail > 0) link.blur();
     });
 }

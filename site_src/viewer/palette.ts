@@ -34,6 +34,16 @@ export function lightColours(light: boolean): boolean {
   return true;
 }
 
+const GREY = 0.12; // a lamp whose channels differ by less shines white: it has the sign's own colour
+const hex = (colour: readonly number[]) => `#${colour.map((v) => Math.round(255 * v).toString(16).padStart(2, "0")).join("")}`;
+
+/** Of a lamp's sign: its light's hue, as bright as a sign must be. */
+export function lampColour(light: readonly number[]): string {
+  const [least, most] = [Math.min(...light), Math.max(...light)];
+  if (most <= 0 || most - least < GREY * most) return STAGE.lamp;
+  return hex(light.map((v) => (STAGE.onPaper ? 0.78 : 1) * (STAGE.onPaper ? v / most : 0.25 + (0.75 * v) / most)));
+}
+
 /** [r, g, b], each 0..1. */
 export function rgb(hex: string): [number, number, number] {
   const value = Number.parseInt(hex.slice(1), 16);

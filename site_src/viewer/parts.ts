@@ -13,13 +13,12 @@ import { createPlayer } from "./panels/player";
 import { createSpoken } from "./panels/spoken";
 import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
-import { createViewPad } from "./panels/view-pad";
-import { createViewSwitch } from "./panels/view-switch";
+import { createToolsDrawer } from "./panels/tools-drawer";
 import { createWhatIf } from "./panels/what-if";
 import type { Session } from "./session";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
-import { isAsking } from "./state/view-state";
+import { isAsking, type ViewState } from "./state/view-state";
 import { say } from "./words";
 
 export interface Surroundings {
@@ -31,20 +30,21 @@ export interface Surroundings {
   simpler: (why: string) => void;
 }
 
-const ON_STAGE = ".view-pad, .view-switch, .view-note, .stage-tools > *"; // what must not hide a label
+const ON_STAGE = ".stage > .picture"; // what must not hide a label
+const NARROW = "(max-width: 760px)";
 
 function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
+  const whatIf = createWhatIf(acts, onDemand);
   return {
-    pad: createViewPad({ turn: stage.turn, shift: stage.shift, come: stage.come, start: () => acts.observer("start"), camera: acts.camera }),
-    viewSwitch: createViewSwitch({ look: acts.look, slice: acts.slice }),
     picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
     card: createCard(acts, onDemand),
     controls: createControls(acts),
     legend: createLegend(),
     lesson: createLesson(acts),
     player: createPlayer(acts),
-    whatIf: createWhatIf(acts, onDemand),
-    tileColours: createTileColours({ colours: acts.colours, draw: session.changed }, onDemand),
+    whatIf,
+    drawer: createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start") }, whatIf.toggle, session.changed, onDemand),
+    tileColours: createTileColours(session.changed, onDemand),
     page: createPage(page, onDemand),
     savings: createSavings(onDemand),
     spoken: createSpoken(),
@@ -52,14 +52,27 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
 }
 type Panels = ReturnType<typeof createPanels>;
 
-function layOut(home: HTMLElement, stage: Stage, { pad, viewSwitch, picture, card, controls, legend, lesson, player, whatIf, tileColours, savings, spoken }: Panels) {
-  const tools = element("div", "stage-tools", whatIf.undo, whatIf.toggle, tileColours.element);
-  const space = element("section", "stage", stage.element, viewSwitch.element, viewSwitch.note, tools, legend.element, pad.element);
+/** The stage with the drawer beside it and the ray card at its other side, and under all of them what is told and done. */
+function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, whatIf, drawer, tileColours, savings, spoken }: Panels) {
+  const space = element("section", "stage", stage.element);
+  const side = element("div", "side", card.head, card.element, legend.element, savings.element);
+  // What is told comes first for those who go through the page by Tab, wherever it stands.
   home.append(
-    element("div", "work", element("div", "stage-row", space), tileColours.legend, whatIf.element, lesson.element, player.element, controls.element),
-    element("div", "side", picture.element, card.head, card.element, savings.element),
+    element("div", "below", lesson.element, element("div", "below-row", player.element, whatIf.undo, controls.element), tileColours.element, whatIf.element),
+    element("div", "stage-row", drawer.element, space),
+    side,
     spoken.element,
   );
+  document.querySelector(".menu-open")!.before(drawer.toggle);
+  // Where the card is not beside the stage, the picture stands in the stage's corner.
+  const narrow = matchMedia(NARROW);
+  narrow.addEventListener("change", draw);
+  let isInset: boolean | null = null;
+  return (state: ViewState) => {
+    const inset = narrow.matches || document.body.classList.contains("embed") || (state.projector && state.tab === "none");
+    if (inset !== isInset) (inset ? space : side).prepend(picture.element);
+    isInset = inset;
+  };
 }
 
 /** What a frame shows; null until all of it is there. */
@@ -74,7 +87,7 @@ type Present = NonNullable<ReturnType<typeof presentOf>>;
 function showPanels(panels: Panels, session: Session, words: () => typeof import("./event-words") | null, { state, lit, missing, scene, trace, view, event, recombined, traced }: Present) {
   const asking = isAsking(state, scene);
   const last = view.timeline?.events.at(-1);
-  panels.viewSwitch.show(state);
+  panels.drawer.show(state);
   panels.legend.show(view.kinds, view.left);
   panels.picture.show(state, scene, trace, recombined);
   panels.card.show(state, scene, trace, missing, lit, event);
@@ -99,7 +112,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   const eventWords = onDemand.one("event-words", (part) => part);
   const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)) }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   const panels = createPanels(session, stage, acts, onDemand, surroundings);
-  layOut(home, stage, panels);
+  const place = layOut(home, session.changed, stage, panels);
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {
     const made = createSlice({ pick: acts.pickAlong });
     stage.element.after(made.element);
@@ -118,7 +131,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   function showStage(present: Present, dark: boolean) {
     const { state, lit, scene, trace, view, event, recombined, traced } = present;
     const flat = sliceOf(present);
-    stage.element.hidden = panels.pad.element.hidden = flat !== null;
+    stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now()!.element;
     if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
@@ -135,6 +148,8 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       renders++;
       const { state, scene, trace, view } = present;
       showPanels(panels, session, () => eventWords.nowOr(session.changed), present);
+      home.classList.toggle("opened", state.tab !== "none");
+      place(state);
       showStage(present, dark); // last: its labels keep clear of the panels that stand on it now
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },

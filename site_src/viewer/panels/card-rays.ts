@@ -1,31 +1,14 @@
 /** The selected pixel's rays as an indented list: every number of every ray. */
-import type { Actions } from "../actions";
 import { isGiving } from "../state/events";
-import type { RayEvent } from "../state/event-types";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
-import type { SceneData, Trace, Vec3 } from "../trace/types";
-import { hexOf, list as listed, number, percent, phrases, say, tone, vector, type Phrase } from "../words";
+import type { Vec3 } from "../trace/types";
+import { hexOf, list as listed, number, percent, phrases, say, tone, vector } from "../words";
 import { clickable, element, marked, swatch } from "../element";
+import type { LineActs, RaysView } from "./card-types";
+import { lightsUp } from "./lights-up";
 import { markRow } from "./lit-row";
-
-/** What the card is about. */
-export interface PixelRays {
-  rows: readonly RayRow[];
-  scene: SceneData;
-  trace: Trace;
-  pixel: number; // index into the trace
-}
-
-/** A pixel's rays as a list, a tree, a sum or code. */
-export interface RaysView {
-  element: HTMLElement;
-  show: (of: PixelRays) => void;
-  /** Marks what belongs to the line that is lit up on the stage, or else to the current event, and scrolls to it. */
-  light: (line: LitLine | null, event: RayEvent | null) => void;
-}
-
-export type LineActs = Pick<Actions, "light" | "goToEvent">;
+import { lightWords, rayWords } from "./ray-words";
 
 const MOST_ROWS = 160; // of a tree: more is no longer read
 const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for words
@@ -33,17 +16,6 @@ const DEEPEST = 6; // indents; deeper rays stay there, or no room is left for wo
 const joined = (...parts: string[]) => parts.join(" \u00b7 ");
 const sample = (colour: Vec3, words: string) => element("span", "shown-colour", swatch(hexOf(colour)), words);
 const figures = (className: string, ...parts: (Node | string)[]) => element("span", `${className} numbers`, ...parts);
-
-/** A row's first words. */
-export const rayWords = (row: RayRow): Phrase[] => (row.object ? phrases(`card.hits.${row.kind}`, { object: row.object }) : phrases(`card.leaves.${row.kind}`));
-export const lightWords = ({ seen, name, by }: LightRow): Phrase[] =>
-  seen === "blocked" ? phrases("card.blocked", { light: name, name: by }) : phrases(seen === "reached" ? "card.arrives" : seen === "away" ? "card.away" : seen === "off" ? "card.off" : "card.unasked", { light: name });
-
-/** Calls `light` while it is pointed at or has the focus. */
-export function lightsUp(row: Element, light: (on: boolean) => void) {
-  for (const on of ["pointerenter", "focus"]) row.addEventListener(on, () => light(true));
-  for (const off of ["pointerleave", "blur"]) row.addEventListener(off, () => light(false));
-}
 
 export function createRays(acts: LineActs): RaysView {
   const list = element("ul", "rays");

@@ -7,7 +7,7 @@ import { tileColour } from "../state/view-state";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
 import { fixed, number, phrases, say } from "../words";
-import type { RaysView } from "./card-rays";
+import type { RaysView } from "./card-types";
 import { clickable, element, marked } from "../element";
 import { markRow } from "./lit-row";
 

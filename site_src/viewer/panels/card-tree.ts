@@ -2,7 +2,7 @@
 import type { RayRow } from "../state/ray-rows";
 import type { LitLine } from "../state/types";
 import { say } from "../words";
-import type { LineActs, RaysView } from "./card-rays";
+import type { LineActs, RaysView } from "./card-types";
 import { element } from "../element";
 import { svg } from "./svg";
 import { walkWithArrows } from "./tree-arrows";

@@ -4,7 +4,7 @@ import { treeOf } from "../state/lines";
 import { BRANCHES, RAY_KINDS, RAYS, type SentKind } from "../trace/kinds";
 import type { Trace } from "../trace/types";
 import { say } from "../words";
-import type { PixelRays, RaysView } from "./card-rays";
+import type { PixelRays, RaysView } from "./card-types";
 import { element, named } from "../element";
 
 type Sent = Exclude<SentKind, "total">; // in place of a reflected ray: the same line

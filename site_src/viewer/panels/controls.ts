@@ -24,7 +24,7 @@ export function createControls(acts: Pick<Actions, "render" | "rays" | "level">)
     "div",
     "controls",
     element("div", "group", render),
-    joined(say("controls.rays"), "choices", ...choices.values()),
+    group(say("controls.rays"), "choices", ...choices.values()),
     joined(say("controls.grid"), "levels", coarser, size, finer),
   );
   return {

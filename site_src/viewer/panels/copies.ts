@@ -3,7 +3,7 @@ import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { Vec3 } from "../trace/types";
 import { list, number, percent, plain, say, tone, vector } from "../words";
-import { lightWords, rayWords } from "./card-rays";
+import { lightWords, rayWords } from "./ray-words";
 
 const colour = (v: Vec3) => list(v.map(number));
 

@@ -35,6 +35,7 @@ const GROUPS = [
     { name: "page", keys: ["PageUp", "PageDown"] },
     { name: "fullScreen", keys: ["f"] },
     { name: "projector", keys: ["j"] },
+    { name: "black", keys: ["b"] },
     { name: "help", keys: ["?"] },
     { name: "back", keys: ["Escape"] },
   ],

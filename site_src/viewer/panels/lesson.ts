@@ -5,7 +5,7 @@ import { memo } from "../state/memo";
 import { isAsking, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
-import { button, disable, element, marked, named } from "../element";
+import { button, disable, element, marked, named, setWord } from "../element";
 import { reachable } from "./scrolls";
 
 /** Events and why a pixel is dark, in words: null until they have come. */
@@ -20,12 +20,12 @@ function caption(event: RayEvent, words: Words): HTMLElement[] {
 /** For a lit pixel only once another than the scene's first one is selected. */
 const isWorthSaying = (why: Why | null, { pixel }: ViewState, { start }: SceneData): why is Why => !!why && (why.tone !== "lit" || pixel.join() !== start.pixel.join());
 
-export function createLesson(acts: Pick<Actions, "step" | "turn">) {
+export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
   const reveal = button(say("lesson.reveal"), say("lesson.revealHelp"), () => acts.turn(1), { className: "primary reveal" });
   const text = element("div", "lesson-text");
   const place = element("span", "lesson-place numbers");
   const previous = button("\u2039", say("lesson.previous"), () => acts.turn(-1), { className: "sign" });
-  const next = button("\u203a", say("lesson.next"), () => acts.turn(1), { className: "sign" });
+  const next = button("\u203a", say("lesson.next"), () => acts.page(1), { className: "sign next" });
   const end = button("\u00d7", say("lesson.end"), () => acts.step(null), { className: "sign quiet" });
   const start = button(say("lesson.start"), say("lesson.start"), () => acts.step(0), { className: "primary start-lesson" });
   const steps = element("div", "lesson-steps", previous, place, next, end);
@@ -40,17 +40,19 @@ export function createLesson(acts: Pick<Actions, "step" | "turn">) {
       const { step, revealed } = state;
       const running = step !== null;
       const asking = isAsking(state, scene);
+      const isLast = step === scene.lesson.length - 1 && !asking;
       if (document.activeElement === reveal && !asking) next.focus(); // the focus must not fall off the page
       reveal.hidden = !asking || !!event;
-      start.hidden = running || scene.lesson.length === 0;
       steps.hidden = !running;
+      if (document.activeElement === start && running) next.focus();
+      start.hidden = running || scene.lesson.length === 0;
       root.classList.toggle("running", running);
       root.classList.toggle("captioned", !!event);
       text.setAttribute("aria-live", state.playing ? "off" : "polite"); // playing, sentences would fall over one another
       if (running) {
         place.textContent = say("lesson.place", { step: step + 1, of: scene.lesson.length });
         disable(previous, step === 0 && !revealed);
-        disable(next, step === scene.lesson.length - 1 && !asking);
+        setWord(next, isLast ? say("lesson.on.word") : "\u203a", say(isLast ? "lesson.on.help" : "lesson.next"));
       }
       const isWhy = !event && !running && isWorthSaying(why, state, scene);
       written([scene.id, step, revealed, event, why, (event || isWhy) && !words()], () => {

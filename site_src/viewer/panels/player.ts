@@ -74,7 +74,7 @@ export function createPlayer(acts: Pick<Actions, "play" | "event" | "time" | "en
       const text = event === null || !timeline ? say("player.none") : say("player.at", { event: event + 1, of, says: sentence });
       if (range.getAttribute("aria-valuetext") !== text) range.setAttribute("aria-valuetext", text);
       count.textContent = !timeline ? "" : event === null ? say("player.count", { of }) : say("player.countAt", { event: event + 1, of });
-      end.classList.toggle("away", event === null);
+      for (const each of [back, on, end, count, speed]) each.hidden = event === null; // before the first event there is only Play
       disable(back, event === null);
       disable(on, !timeline || event === of - 1);
       setWord(speed, say("controls.speed", { speed: fraction(state.speed) }));

@@ -1,17 +1,14 @@
-/** One of several panels at a time, chosen by tabs. The choice is remembered. */
+/** One of several panels, or none: the tab that is chosen closes its panel when it is pressed once more. */
 import { button, element, named } from "../element";
-import { recall, remember } from "./remember";
 
-export interface Tab<Id extends string> {
+export interface TabChoice<Id extends string> {
   id: Id;
   word: string;
   help: string;
   panel: HTMLElement;
 }
 
-export function createTabs<Id extends string>(name: string, label: string, tabs: readonly Tab<Id>[], changed: (to: Id) => void) {
-  const kept = recall(name);
-  let chosen = tabs.find(({ id }) => id === kept)?.id ?? tabs[0].id;
+export function createTabs<Id extends string>(name: string, label: string, tabs: readonly TabChoice<Id>[], choose: (id: Id) => void) {
   const buttons = tabs.map(({ id, word, help, panel }) => {
     const made = button(word, help, () => choose(id), { className: "tab" });
     made.setAttribute("role", "tab");
@@ -27,24 +24,19 @@ export function createTabs<Id extends string>(name: string, label: string, tabs:
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!by) return;
     event.preventDefault();
-    const at = (tabs.findIndex(({ id }) => id === chosen) + by + tabs.length) % tabs.length;
+    const at = (buttons.indexOf(document.activeElement as HTMLButtonElement) + by + tabs.length) % tabs.length;
     choose(tabs[at].id);
     buttons[at].focus();
   });
-
-  function show() {
-    tabs.forEach(({ id, panel }, k) => {
-      panel.hidden = id !== chosen;
-      buttons[k].setAttribute("aria-selected", String(id === chosen));
-      buttons[k].tabIndex = id === chosen ? 0 : -1;
-    });
-  }
-  function choose(id: Id) {
-    chosen = id;
-    remember(name, id);
-    show();
-    changed(id);
-  }
-  show();
-  return { bar, panels: tabs.map(({ panel }) => panel), chosen: () => chosen };
+  return {
+    bar,
+    panels: tabs.map(({ panel }) => panel),
+    show(chosen: Id | "none") {
+      tabs.forEach(({ id, panel }, k) => {
+        panel.hidden = id !== chosen;
+        buttons[k].setAttribute("aria-selected", String(id === chosen));
+        buttons[k].tabIndex = id === chosen || (chosen === "none" && k === 0) ? 0 : -1;
+      });
+    },
+  };
 }

@@ -21,7 +21,7 @@ export function createTools(acts: ToolActs) {
     const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts[what]((file) => sayDone(made, say(`tools.${what}.done`, { file }))));
     return made;
   };
-  const projector = button(say("tools.projector.word"), say("tools.projector.help"), acts.projector);
+  const lecture = button(say("tools.projector.word"), say("tools.projector.help"), acts.projector, { key: "J", className: "lecture" });
   const screen = button(say("tools.fullScreen.word"), say("tools.fullScreen.help"), acts.fullScreen);
   screen.hidden = !document.fullscreenEnabled;
   const root = element(
@@ -30,9 +30,8 @@ export function createTools(acts: ToolActs) {
     link,
     saving("save"),
     saving("slide"),
-    projector,
     screen,
-    button("?", say("tools.keys"), acts.help, { className: "sign" }),
+    button(say("tools.keys.word"), say("tools.keys.help"), acts.help, { key: "?" }),
   );
   const whole = element("a", "whole", say("tools.whole"));
   whole.target = "_blank";
@@ -42,10 +41,11 @@ export function createTools(acts: ToolActs) {
 
   return {
     element: named(root, say("tools.region"), "group"),
+    lecture,
     /** For a page within another one. */
     whole: element("p", "embed-bar", whole),
     show(isProjector: boolean) {
-      pressed(projector, isProjector);
+      pressed(lecture, isProjector);
       if (!whole.href) direct();
     },
   };

@@ -1,8 +1,8 @@
 /** The same stage drawn with Canvas2D, for browsers that give no WebGL: far things first, rays on top. */
-import { LINES, STAGE } from "../palette";
+import { lampColour, LINES, STAGE } from "../palette";
 import type { BoxLines } from "../state/box-lines";
 import { onPlane, planeCorners } from "../state/frustum";
-import type { Line } from "../state/lines";
+import { faintness, worthOf, type Line } from "../state/lines";
 import { memo } from "../state/memo";
 import { seenPart, type Projection } from "../state/projection";
 import { dot, length, sub, triple, type Vec3 } from "../state/vectors";
@@ -140,10 +140,10 @@ function drawPiece(brush: Brush, projection: Projection, piece: Piece) {
 }
 
 function drawLines(brush: Brush, { thin, chosen, lit, boxLines }: StageView, projection: Projection, near: number) {
-  brush.globalAlpha = thin.length > 1000 ? 0.25 : 0.6;
+  brush.globalAlpha = faintness(thin.length);
   for (const line of thin) drawLine(brush, projection, line, 0.9, near);
   brush.globalAlpha = 1;
-  for (const line of chosen) drawLine(brush, projection, line, lit?.ray === line.ray && lit.light === line.light ? 5 : 3, near);
+  for (const line of chosen) drawLine(brush, projection, line, lit?.ray === line.ray && lit.light === line.light ? 5 : 3 * worthOf(line), near);
   drawEdges(brush, projection, boxLines.missed, STAGE.boxMissed, near);
   drawEdges(brush, projection, boxLines.entered, STAGE.boxEntered, near);
 }
@@ -156,8 +156,8 @@ function drawSigns(brush: Brush, { thin, chosen, switched }: StageView, projecti
   ends(thin, 2);
   ends(chosen, 4.5);
   for (const line of chosen) if (line.kind === "blocked" && !line.growing) drawCross(brush, projection, line.to, 9, LINES.blocked.colour, false);
-  for (const { position, intensity } of switched.lights)
-    if (intensity > 0) drawDot(brush, projection, position, 8, STAGE.lamp);
+  for (const { position, intensity, colour } of switched.lights)
+    if (intensity > 0) drawDot(brush, projection, position, 8, lampColour(colour));
     else drawCross(brush, projection, position, 8, STAGE.lampOff, true);
 }
 

@@ -64,6 +64,7 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
   }
 
   function wheel(event: WheelEvent) {
+    if (window.parent !== window && !document.hasFocus()) return; // the page around this one scrolls
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === 1 ? WHEEL_LINE : 1) * (event.ctrlKey ? 6 : 1); // ctrl: a pinch on a trackpad
     acts.zoom(Math.exp(pixels * WHEEL_PER_PIXEL));

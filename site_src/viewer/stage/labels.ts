@@ -10,7 +10,6 @@ export interface Label {
   below?: boolean; // rather than beside: the thing is wide
 }
 
-const LARGE = { wide: 1.36, high: 27 }; // on a projector: 19 pixels instead of 14
 
 export interface Box {
   left: number;
@@ -30,9 +29,9 @@ const SPOTS = [[2, 1], [0, 1], [1, 2], [1, 0], [2, 2], [2, 0], [0, 2], [0, 0]];
 
 /** Of these spots the first that is free, inside and not struck through by a line; failing
  *  that, the first that is free. strokes: places along the lines, x y x y ... */
-function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[], large: boolean): Box | null {
-  const w = label.text.length * CHAR[label.kind] * (large ? LARGE.wide : 1) + 8;
-  const high = large ? LARGE.high : HEIGHT;
+function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[], large: number): Box | null {
+  const w = label.text.length * CHAR[label.kind] * large + 8;
+  const high = HEIGHT * large;
   const [xs, ys] = [[label.x - GAP - w, label.x - w / 2, label.x + GAP], [label.y - GAP - high, label.y - high / 2, label.y + GAP]];
   const spots = SPOTS.map(([x, y]) => [xs[x], ys[y]]);
   if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - high]);
@@ -70,8 +69,8 @@ export function createLabels() {
 
   return {
     element: root,
-    /** Most important first; taken: places that are not free. */
-    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = [], large = false) {
+    /** Most important first; taken: places that are not free; large: times as large as on a desk. */
+    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = [], large = 1) {
       const used = [...taken];
       const alive = new Set(labels.map((label) => label.key));
       for (const [key, span] of spans) if (!alive.has(key)) span.remove(), spans.delete(key);

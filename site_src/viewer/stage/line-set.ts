@@ -1,13 +1,11 @@
 /** A set of rays drawn together: thick for the selected pixel, hair-thin for a row, a column or all. */
 import { BufferAttribute, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial } from "three";
 import { LINES, rgb } from "../palette";
-import type { Line } from "../state/lines";
+import { faintness, worthOf, type Line } from "../state/lines";
 import type { LitLine } from "../state/types";
 import { createLineMaterial } from "./line-shader";
 
-const ARROWS_UP_TO = 500; // lines; beyond that heads would cover the lines
-const FAINTEST_FROM = 15000;
-const FAINT_FROM = 1000; // lines; so many would cover the scene
+const OF_MISSES = 0.4; // of a thin line's opacity, where the ray leaves the scene
 
 const RIBBON = { position: [0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], index: [0, 1, 2, 0, 2, 3] };
 const HAIR = { position: [0, 0, 0, 1, 0, 0], index: [0, 1] };
@@ -36,7 +34,7 @@ export function createLineSet(thick: boolean) {
   if (thick) put(body, createLineMaterial("casing", 3, 0.75), 3.5);
   const drawn = createLineMaterial("line", thick ? 3 : 1, thick ? 1 : 0.6);
   put(body, drawn, 4);
-  put(heads, createLineMaterial("arrow", thick ? 13 : 8, thick ? 1 : 0.75), 4);
+  if (thick) put(heads, createLineMaterial("arrow", 13, 1), 4);
   // What an object hides of the selected rays shines through it faintly: they must be followed.
   if (thick) put(body, createLineMaterial("line", 3, 0.28, { depthFunc: GreaterDepth }), 6);
 
@@ -44,12 +42,13 @@ export function createLineSet(thick: boolean) {
     object,
     show(lines: readonly Line[], lit: LitLine | null) {
       const attribute = (size = 3) => new Float32Array(size * lines.length);
-      const [from, to, tints, styles] = [attribute(), attribute(), attribute(), attribute(4)];
+      const [from, to, tints, styles, worths] = [attribute(), attribute(), attribute(), attribute(4), attribute(1)];
       lines.forEach((line, k) => {
         from.set(line.from, 3 * k);
         to.set(line.to, 3 * k);
         tints.set(rgb(LINES[line.kind].colour), 3 * k);
         styles.set([...LINES[line.kind].dash, lit && lit.ray === line.ray && lit.light === line.light ? 1 : 0, LINES[line.kind].wide], 4 * k);
+        worths[k] = thick ? worthOf(line) : line.leaves ? OF_MISSES : 1;
       });
       for (const geometry of [body, heads]) {
         geometry.dispose(); // sizes differ from pixel to pixel: let three make new buffers
@@ -57,11 +56,11 @@ export function createLineSet(thick: boolean) {
         geometry.setAttribute("lineTo", new InstancedBufferAttribute(to, 3));
         geometry.setAttribute("tint", new InstancedBufferAttribute(tints, 3));
         geometry.setAttribute("style", new InstancedBufferAttribute(styles, 4));
+        geometry.setAttribute("worth", new InstancedBufferAttribute(worths, 1));
         geometry.instanceCount = lines.length;
       }
-      heads.instanceCount = lines.length > ARROWS_UP_TO ? 0 : lines.length;
       object.visible = lines.length > 0;
-      if (!thick) drawn.uniforms.opacity.value = lines.length > FAINTEST_FROM ? 0.07 : lines.length > FAINT_FROM ? 0.2 : 0.6;
+      if (!thick) drawn.uniforms.opacity.value = faintness(lines.length);
     },
     /** CSS pixels. */
     resize(width: number, height: number) {

@@ -7,12 +7,13 @@ import { STAGE } from "../palette";
 
 const VERTEX = `
 attribute vec3 lineFrom, lineTo, tint;
+attribute float worth; // of width and opacity
 attribute vec4 style; // drawn and gap in pixels; 1 if the line is lit up; times as wide as others
 uniform vec2 stage;   // pixels
 uniform float width, around; // of a casing on both sides of its line
 varying vec3 vTint;
 varying vec2 vDash;
-varying float vLit, vAlong;
+varying float vLit, vAlong, vWorth;
 
 vec4 inFront(vec4 a, vec4 b) { // the part before the near plane
   float da = a.z + a.w, db = b.z + b.w;
@@ -31,16 +32,17 @@ void main() {
   vec2 ahead = span > 0.0 ? run / span : vec2(1.0, 0.0);
   vec2 aside = vec2(-ahead.y, ahead.x);
 #ifdef ARROW
-  float size = span < 3.0 * width ? 0.0 : width * (1.0 + 0.3 * style.z) * sqrt(style.w);
+  float size = span < 3.0 * width ? 0.0 : width * (0.3 + 0.7 * worth) * (1.0 + 0.3 * style.z) * sqrt(style.w);
   vec3 at = mix(p, q, 0.56);
   at.xy += (ahead * position.x + aside * position.y) * size * 2.0 / stage;
 #else
   vec3 at = mix(p, q, position.x);
-  at.xy += aside * position.y * (width * (1.0 + 0.6 * style.z) * style.w + around) / stage;
+  at.xy += aside * position.y * (width * worth * (1.0 + 0.6 * style.z) * style.w + around) / stage;
 #endif
   vTint = tint;
   vDash = style.xy;
   vLit = style.z;
+  vWorth = worth;
   vAlong = position.x * span;
   gl_Position = vec4(at, 1.0);
 }`;
@@ -50,16 +52,16 @@ uniform float opacity;
 uniform vec3 casing;
 varying vec3 vTint;
 varying vec2 vDash;
-varying float vLit, vAlong;
+varying float vLit, vAlong, vWorth;
 void main() {
 #ifdef CASING
-  gl_FragColor = vec4(casing, opacity);
+  gl_FragColor = vec4(casing, opacity * vWorth);
   return;
 #endif
 #ifndef ARROW
   if (mod(vAlong, vDash.x + vDash.y) > vDash.x) discard;
 #endif
-  gl_FragColor = vec4(mix(vTint, vec3(1.0), 0.25 * vLit), opacity);
+  gl_FragColor = vec4(mix(vTint, vec3(1.0), 0.25 * vLit), opacity * vWorth);
 }`;
 
 /** width: of the line, or of its arrow head, in CSS pixels. */

@@ -29,7 +29,7 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     drawSlice(brush, now, sheet);
     const { on } = sheet;
     const strokes = now.chosen.flatMap((line) => strokesAlong(on(line.from), on(line.to)));
-    labels.show(namesOf(now, sheet), width, height, [], strokes, now.large);
+    labels.show(namesOf(now, sheet), width, height, [], strokes, now.large ? 1.43 : 1);
   }
 
   function pick(event: PointerEvent) {

@@ -1,7 +1,7 @@
 /** The present view as a figure for slides: an SVG whose rays and words can be edited. What is shaded, the tiles
  *  and the thin rays are one picture inside of it; the selected pixel's rays, their ends and the labels are drawn. */
 import { LINES } from "../palette";
-import type { Line } from "../state/lines";
+import { worthOf, type Line } from "../state/lines";
 import { seenPart, type Projection } from "../state/projection";
 
 const CAPTION = 34; // CSS pixels high, as under a saved picture
@@ -20,7 +20,7 @@ function ray(line: Line, projection: Projection, near: number): string {
   const [ux, uy] = [((b.x - a.x) / long) * HEAD, ((b.y - a.y) / long) * HEAD];
   const head = [[b.x, b.y], [b.x - ux - 0.4 * uy, b.y - uy + 0.4 * ux], [b.x - ux + 0.4 * uy, b.y - uy - 0.4 * ux]];
   return (
-    `<line x1="${n(a.x)}" y1="${n(a.y)}" x2="${n(b.x)}" y2="${n(b.y)}" stroke="${colour}" stroke-width="${3 * wide}"${dashes}/>` +
+    `<line x1="${n(a.x)}" y1="${n(a.y)}" x2="${n(b.x)}" y2="${n(b.y)}" stroke="${colour}" stroke-width="${n(3 * wide * worthOf(line))}"${dashes}/>` +
     (long > 2 * HEAD ? `<polygon points="${head.map((p) => p.map(n).join()).join(" ")}" fill="${colour}"/>` : "") +
     (line.light < 0 && !line.leaves && !line.growing ? `<circle cx="${n(b.x)}" cy="${n(b.y)}" r="4.5" fill="${colour}"/>` : "") +
     (line.kind === "blocked" && !line.growing ? `<path d="M${n(b.x - 6)} ${n(b.y - 6)}l12 12m0 -12l-12 12" stroke="${colour}" stroke-width="3"/>` : "")

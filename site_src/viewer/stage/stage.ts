@@ -51,7 +51,7 @@ export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, 
     drawn = { view, observer, projection };
     drawing.renderer().draw(drawn);
     traced.show(state.look === "traced" && state.observer === "camera" ? scene : null, plane, projection, recombined);
-    labels.show(namesOf(drawn), size.width, size.height, takenOn(root, over()), strokesOf(chosen, projection), state.projector);
+    labels.show(namesOf(drawn), size.width, size.height, takenOn(root, over()), strokesOf(chosen, projection), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
     frames++;
   }
   const redraw = () => drawn && draw(drawn.view);

@@ -1,6 +1,6 @@
 /** The stage drawn with three. One frame for each call of draw: nothing runs by itself. */
 import { ColorManagement, LinearSRGBColorSpace, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
-import { LINES, STAGE } from "../palette";
+import { lampColour, LINES, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { memo } from "../state/memo";
 import { dot, length, sub } from "../state/vectors";
@@ -20,9 +20,9 @@ const endsOf = (lines: readonly Line[], blocked: boolean): Dot[] =>
 
 /** How bright a lamp's sign is: a faint light is a fainter sign, one that is off a struck ring. */
 const lampDots = ({ scene, switched }: StageView): Dot[] =>
-  scene.lights.map(({ position, intensity }, k) => {
+  scene.lights.map(({ position, intensity, colour }, k) => {
     const share = intensity > 0 ? switched.lights[k].intensity / intensity : 1;
-    return share > 0 ? { at: position, colour: STAGE.lamp, bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
+    return share > 0 ? { at: position, colour: lampColour(colour), bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
   });
 
 const OPTIONS = { alpha: true, antialias: true, powerPreference: "low-power" } as const;

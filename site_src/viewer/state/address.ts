@@ -2,14 +2,14 @@
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, type RayChoice } from "./view-state";
-import type { Kept, ViewState } from "./types";
+import { TABS, type Kept, type ViewState } from "./types";
 import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
 import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
 import { TILE_VIEWS } from "./tile-views";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "speed", "projector", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "tab", "embed", "speed", "projector", "still", "gl"];
 
 const FARTHEST = 50; // radii of the scene from its centre, for eye and target
 const NEAREST = 1e-6;
@@ -38,6 +38,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
+  if (state.tab !== "none") put("tab", state.tab);
   if (state.speed !== 1) put("speed", state.speed);
   if (state.projector) put("projector", 1);
   if (state.still) put("still", 1);
@@ -153,8 +154,9 @@ export function followAddress(fields: ReadonlyMap<string, string>, scene: SceneD
   const view = viewOf(reader, scene, step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view);
   const event = read("e", (text) => within("e", text, 1, MOST_EVENTS)); // how many there are is known with the trace
   const speed = read("speed", (text) => nearest("speed", text, SPEEDS)) ?? kept.speed;
+  const tab = read("tab", oneOf(TABS)) ?? kept.tab;
   const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
-  const state = applyView(scene, startState(scene, { ...kept, speed, projector }), view);
+  const state = applyView(scene, startState(scene, { ...kept, speed, projector, tab }), view);
   const switches = read("if", (text) => (text === "none" ? AS_TRACED : readSwitches(text, scene))) ?? state.switches;
   return { state: { ...state, step, revealed, event: event === undefined ? null : event - 1, switches }, damaged: [...damaged] };
 }

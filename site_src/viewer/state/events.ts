@@ -18,7 +18,9 @@ const TURN = 180 / Math.PI;
 export function lightShares(trace: Trace, scene: SceneData, ray: number): LightShare[] {
   return scene.lights.map(({ name, colour }, light) => {
     const at = ray * trace.lights + light;
-    return { name, colour, seen: SEEN[trace.visibility[at] as keyof typeof SEEN], diffuse: trace.diffuse[at], specular: trace.specular[at] };
+    const seen = SEEN[trace.visibility[at] as keyof typeof SEEN];
+    // Nobody asked, but the stored factor tells: with n.l <= 0 a surface faces away, shadows or not.
+    return { name, colour, seen: seen === "unasked" && trace.diffuse[at] === 0 && trace.specular[at] === 0 ? "away" : seen, diffuse: trace.diffuse[at], specular: trace.specular[at] };
   });
 }
 

@@ -12,8 +12,18 @@ export interface Line {
   ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
   light: number; // of a shadow ray, else -1
   leaves: boolean; // a ray that leaves the scene ends nowhere: no dot at its end
+  share: number; // of the pixel's colour that came along it; of a shadow ray: of its hit's own colour
   growing?: true; // `to` is only as far as it has come: no dot either
 }
+
+const LEAST_WORTH = 0.42; // of width and opacity: no ray of the selected pixel vanishes
+
+/** How wide and how opaque a line is drawn: by the square root of its share, so that a tenth of the light is still half as wide. */
+export const worthOf = ({ share }: Pick<Line, "share">): number => LEAST_WORTH + (1 - LEAST_WORTH) * Math.sqrt(Math.min(1, Math.max(0, share)));
+
+/** Opacity of thin lines, [up to so many, opacity]: the more there are, the fainter is each, or they would bury the scene. */
+const FAINTNESS = [[60, 0.5], [400, 0.28], [1500, 0.16], [15000, 0.09], [Infinity, 0.06]] as const;
+export const faintness = (lines: number): number => FAINTNESS.find(([most]) => lines <= most)![1];
 
 /** Counting sort by pixel, without what a switch leaves out: keeps the trace's order, so a parent comes before its children.
  *  Rays of pixel p: order[start[p]] .. order[start[p + 1]]. By Trace.pixel, which some switches leave as it is. */
@@ -51,20 +61,23 @@ export function originOf(trace: Trace, scene: SceneData, ray: number): Vec3 {
   return trace.parent[ray] < 0 ? scene.camera.eye : triple(trace.point, trace.parent[ray]);
 }
 
-function shadowLine(trace: Trace, scene: SceneData, ray: number, light: number): Line | null {
+function shadowLine(trace: Trace, scene: SceneData, ray: number, light: number, share: number): Line | null {
   const at = ray * trace.lights + light;
   const seen = trace.visibility[at];
   if (seen !== VISIBILITY.reached && seen !== VISIBILITY.blocked) return null;
   const from = triple(trace.point, ray);
   const position = scene.lights[light].position;
   const to = seen === VISIBILITY.blocked ? along(from, position, trace.blockedAt[at]) : position;
-  return { kind: seen === VISIBILITY.blocked ? "blocked" : "reached", from, to, ray, light, leaves: false };
+  return { kind: seen === VISIBILITY.blocked ? "blocked" : "reached", from, to, ray, light, leaves: false, share };
 }
 
 /** Every line of a pixel: its rays, and the shadow rays from their hits. */
 export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
   const lines: Line[] = [];
+  const shares = new Map<number, number>(); // a parent comes before its children
   for (const ray of raysOf(trace, pixel)) {
+    const share = (shares.get(trace.parent[ray]) ?? 1) * (trace.parent[ray] < 0 ? 1 : trace.weight[ray]);
+    shares.set(ray, share);
     lines.push({
       kind: RAY_KINDS[trace.kind[ray]],
       from: originOf(trace, scene, ray),
@@ -72,9 +85,10 @@ export function linesOf(trace: Trace, scene: SceneData, pixel: number): Line[] {
       ray,
       light: -1,
       leaves: trace.object[ray] < 0,
+      share,
     });
     for (let light = 0; light < trace.lights; light++) {
-      const line = shadowLine(trace, scene, ray, light);
+      const line = shadowLine(trace, scene, ray, light, share * trace.localWeight[ray]);
       if (line) lines.push(line);
     }
   }

@@ -2,6 +2,9 @@
 import type { Vec3, View } from "../trace/types";
 import type { Switches } from "./switches";
 
+export const TABS = ["rays", "tree", "sum", "code"] as const;
+export type Tab = (typeof TABS)[number] | "none";
+
 export interface ViewState {
   scene: string;
   n: number; // tiles across and down
@@ -17,6 +20,7 @@ export interface ViewState {
   look: NonNullable<View["look"]>;
   before: ViewState["observer"] | null; // in the traced look: the observer to whom any other look goes back
   slice: NonNullable<View["slice"]>; // the plane of the selected row's or column's rays, drawn flat instead of the stage
+  tab: Tab; // of the ray card; "none": what the colour is made of
   step: number | null; // of the lesson
   revealed: boolean; // the step's answer
   projector: boolean; // large type on a light page
@@ -30,7 +34,7 @@ export interface ViewState {
 }
 
 /** What stays when another scene or a lesson's step is shown. */
-export type Kept = Pick<ViewState, "speed" | "still" | "gl"> & { projector?: boolean };
+export type Kept = Pick<ViewState, "speed" | "still" | "gl"> & Partial<Pick<ViewState, "projector" | "tab">>;
 
 export interface Observer {
   eye: Vec3;

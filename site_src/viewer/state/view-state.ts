@@ -11,7 +11,7 @@ export type RayChoice = ViewState["rays"][number];
 export const RAY_CHOICES: readonly RayChoice[] = ["pixel", "row", "column", "all"];
 export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4, 8];
 
-const FILL_SECONDS = 10; // a whole picture at speed 1, whatever the resolution
+const FILL_SECONDS = 3; // a whole picture at speed 1, whatever the resolution
 
 const middle = (pixel: readonly [number, number], n: number): readonly [number, number] => [
   (pixel[0] + 0.5) / n,
@@ -23,6 +23,7 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
   return {
     ...kept,
     projector: kept.projector ?? false,
+    tab: kept.tab ?? "none",
     scene: scene.id,
     n: resolution,
     pixel,

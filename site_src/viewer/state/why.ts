@@ -8,7 +8,6 @@ const LITTLE = 0.25; // of the light, by its stored diffuse factor
 const HOWS: readonly Reason["how"][] = ["blocked", "away", "little", "off", "reached", "paint"]; // causes first
 
 function howOf({ seen, diffuse }: LightShare, dark: boolean): Reason["how"] {
-  if (seen === "unasked" && diffuse === 0) return "away";
   if (seen === "reached" || seen === "unasked") return dark && diffuse < LITTLE ? "little" : "reached";
   return seen;
 }

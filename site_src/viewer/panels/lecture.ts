@@ -1,0 +1,39 @@
+/** A lecture: what is not needed goes while the pointer rests, and B turns the screen black until anything is pressed. */
+import { say } from "../words";
+import { button } from "../element";
+
+const RESTS = 2500; // ms without the pointer moving
+
+export function createLecture(body: HTMLElement) {
+  let timer = 0;
+  let isOn = false;
+  const black = button("", say("lecture.black"), () => light(), { className: "blackout" });
+  function moved() {
+    clearTimeout(timer);
+    body.classList.remove("resting");
+    if (isOn) timer = window.setTimeout(() => body.classList.add("resting"), RESTS);
+  }
+  for (const what of ["pointermove", "pointerdown"]) window.addEventListener(what, moved);
+  function light() {
+    black.remove();
+    window.removeEventListener("keydown", anyKey, true);
+  }
+  function anyKey(event: KeyboardEvent) {
+    event.preventDefault();
+    event.stopPropagation();
+    light();
+  }
+  return {
+    show(on: boolean) {
+      if (on === isOn) return;
+      isOn = on;
+      moved();
+      if (!on) light();
+    },
+    black() {
+      body.append(black);
+      black.focus();
+      window.addEventListener("keydown", anyKey, true);
+    },
+  };
+}

@@ -1,0 +1,73 @@
+/** What the selected pixel's colour is made of: a bar as long as each share of it, and beside it which rays brought it. */
+import type { RayRow } from "../state/ray-rows";
+import { clickable, element, swatch } from "../element";
+import { hexOf, list as listed, percent, say } from "../words";
+import { lightsUp } from "./lights-up";
+import type { LineActs, RaysView } from "./card-types";
+import { markRow } from "./lit-row";
+
+const MOST = 4; // shares with words of their own
+const LEAST = 5e-4; // of the pixel: less is not worth a word, and "0 %" would be none
+
+/** The kinds of the rays that lead to it from the camera ray on. */
+function wayTo(row: RayRow, rows: readonly RayRow[]): string {
+  const kinds: string[] = [];
+  for (let at = row; at.of; at = rows[at.of - 1]) kinds.unshift(say(`line.${at.kind}`));
+  return listed(kinds);
+}
+
+const ownShare = ({ share, keeps }: RayRow) => share * keeps;
+
+export function createShares(acts: LineActs): RaysView {
+  const bar = element("div", "shares-bar");
+  const list = element("ul", "shares");
+  bar.setAttribute("aria-hidden", "true"); // the list says it in words
+  const root = element("div", "made-of", bar, list);
+  // One stop for the Tab key, however many shares there are.
+  list.addEventListener("keydown", (event) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const items = [...list.querySelectorAll<HTMLElement>(".share")];
+    const next = by && items[items.indexOf(document.activeElement as HTMLElement) + by];
+    if (!by) return;
+    event.preventDefault();
+    if (!next) return;
+    for (const each of items) each.tabIndex = each === next ? 0 : -1;
+    next.focus();
+  });
+
+  function piece(row: RayRow): HTMLElement {
+    const made = element("span");
+    made.style.flexGrow = String(ownShare(row));
+    made.style.backgroundColor = hexOf(row.local);
+    lightsUp(made, (on) => acts.light(on ? { ray: row.ray, light: -1 } : null));
+    return made;
+  }
+
+  function item(row: RayRow, rows: readonly RayRow[]): HTMLElement {
+    const object = row.object || say("card.background");
+    const words = row.of ? say("card.sharedBy", { way: wayTo(row, rows), object }) : object;
+    const made = element("li", "share", swatch(hexOf(row.local)), element("b", "numbers", percent(ownShare(row))), element("span", "", words));
+    made.dataset.ray = String(row.ray);
+    lightsUp(made, (on) => acts.light(on ? { ray: row.ray, light: -1 } : null));
+    return clickable(made, () => acts.goToEvent(row.ray, -1));
+  }
+
+  return {
+    element: root,
+    show({ rows }) {
+      const parts = rows.filter((row) => ownShare(row) >= LEAST).sort((a, b) => ownShare(b) - ownShare(a));
+      const [told, untold] = [parts.slice(0, MOST), parts.slice(MOST)];
+      const more = untold.reduce((sum, row) => sum + ownShare(row), 0);
+      bar.replaceChildren(...parts.map(piece));
+      const rest = untold.length ? [element("li", "share-rest numbers", say("card.moreShares", { count: untold.length, share: percent(more) }))] : [];
+      const items = told.map((row) => item(row, rows));
+      for (const each of items.slice(1)) each.tabIndex = -1;
+      list.replaceChildren(...items, ...rest);
+    },
+    light(line, event) {
+      const ray = String((line ?? event)?.ray);
+      const items = [...list.querySelectorAll<HTMLElement>(".share")];
+      markRow(list, items, items.find(({ dataset }) => dataset.ray === ray) ?? null, !line);
+    },
+  };
+}

@@ -1,0 +1,33 @@
+/** The drawer of tools beside the stage, and the button that opens it. What is in it comes when it is first opened. */
+import type { OnDemand } from "../on-demand";
+import type { ViewState } from "../state/view-state";
+import { say } from "../words";
+import { button, element, named } from "../element";
+import type { DrawerActs } from "./drawer";
+
+/** draw: what the page shows, once tools have come. whatIf: the button that opens the switches. */
+export function createToolsDrawer(acts: DrawerActs, whatIf: HTMLElement, draw: () => void, onDemand: OnDemand) {
+  const toggle = button(say("drawer.word"), say("drawer.help"), turn, { className: "open-drawer" });
+  const root = named(element("section", "drawer"), say("drawer.word"));
+  root.id = "drawer";
+  root.hidden = true;
+  toggle.setAttribute("aria-controls", root.id);
+  const content = onDemand.one("drawer", ({ createDrawer }) => {
+    const made = createDrawer(acts, whatIf);
+    root.append(...made.parts);
+    return made;
+  });
+  function turn() {
+    root.hidden = !root.hidden;
+    toggle.setAttribute("aria-expanded", String(!root.hidden));
+    if (!root.hidden) content.use(draw);
+  }
+  toggle.setAttribute("aria-expanded", "false");
+  return {
+    element: root,
+    toggle,
+    show(state: ViewState) {
+      if (!root.hidden) content.now()?.show(state);
+    },
+  };
+}
