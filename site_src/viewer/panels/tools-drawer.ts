@@ -20,7 +20,7 @@ export function createToolsDrawer(acts: DrawerActs, whatIf: HTMLElement, draw: (
   function turn() {
     root.hidden = !root.hidden;
     toggle.setAttribute("aria-expanded", String(!root.hidden));
-    if (!root.hidden) content.use(draw);
+    if (!root.hidden) content.use(() => (draw(), root.scrollIntoView({ block: "nearest" })));
   }
   toggle.setAttribute("aria-expanded", "false");
   return {
