@@ -33,8 +33,8 @@ export function exposeSession(session: Session, asked: Asked) {
       return asked.ready();
     },
     state: () => structuredClone(session.state),
-    /** What is still loading. */
-    loading: () => [...asked.loading(), ...[...document.images].filter(({ complete }) => !complete).map(({ src }) => src)],
+    /** What is still loading; pictures that wait to be seen are not. */
+    loading: () => [...asked.loading(), ...[...document.images].filter(({ complete, loading }) => !complete && loading !== "lazy").map(({ src }) => src)],
     /** What the page waits for; nothing: it is at rest, and a picture of it is the picture. */
     pending: () => [...read.loading(), ...asked.moving()],
     lesson: () => session.scene?.lesson ?? [],

@@ -1,7 +1,7 @@
 /** The whole view is in the address. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
@@ -24,6 +24,7 @@ test("what a person does is written into the address, and the address gives it b
 
 test("a moved observer comes back where it was", async () => {
   await open(page, ON_DISK, rich.path, "still=1");
+  await openDrawer(page);
   await page.getByRole("button", { name: "Turn the view left" }).click();
   await hashWith("cam=");
   const eye = (await stats(page)).eye;

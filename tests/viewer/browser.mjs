@@ -167,3 +167,29 @@ export async function tileOnPage(page, column, row) {
   const at = await page.evaluate(([c, r]) => window.raywalk.stats().tile(c, r), [column, row]);
   return { x: box.x + at.x, y: box.y + at.y };
 }
+
+/** What stands behind a button is opened unless it is open: the drawer of tools, the page's menu, the scene chooser. */
+export async function openDrawer(page) {
+  if ((await page.locator(".open-drawer").getAttribute("aria-expanded")) === "false") await page.locator(".open-drawer").click();
+  await page.locator(".drawer .view-switch").waitFor(); // its part comes when asked for
+  await settled(page);
+}
+const openPopover = (opener, popover) => async (page) => {
+  if (!(await page.locator(popover).isVisible())) await page.locator(opener).click();
+  await page.locator(popover).waitFor();
+};
+export const openMenu = openPopover(".menu-open", "#menu");
+export const openChooser = openPopover(".chooser", "nav.scenes");
+
+/** Another scene, chosen by its picture. */
+export async function openScene(page, id) {
+  await openChooser(page);
+  await page.locator(`nav.scenes a[data-scene="${id}"]`).click();
+}
+
+/** A tab of the ray card, unless it is the chosen one, which a press would close. tab: rays, tree, sum or code. */
+export async function chooseTab(page, tab) {
+  if ((await state(page)).tab !== tab) await page.locator(`#tab-card-${tab}`).click();
+  await page.locator(`#panel-card-${tab} > *`).waitFor(); // its part comes when asked for
+  await settled(page);
+}

@@ -1,7 +1,7 @@
 /** The ray card: its numbers are the trace's; list, tree, sum and copies say the same; a click goes to the ray's event. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { chooseTab, follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -65,26 +65,35 @@ const button = (name) => page.getByRole("button", { name, exact: true });
 const tab = (name) => page.getByRole("tab", { name });
 const current = async () => (await state(page)).event;
 
-test("tabs show one panel at a time, by click and by arrow key, and the choice outlasts a reload", async () => {
+test("tabs show one panel or none, by click and by arrow key; the choice is part of the address and outlasts a reload", async () => {
   const visible = () => page.locator("[role=tabpanel]").evaluateAll((panels) => panels.filter((panel) => panel.checkVisibility()).map((panel) => panel.firstElementChild.className));
-  assert.deepEqual(await visible(), ["rays"]);
+  assert.deepEqual(await visible(), []);
+  assert.equal(await page.locator(".made-of").isVisible(), true, "at first what the colour is made of");
   await tab("The tree").click();
+  await settled(page);
   assert.deepEqual(await visible(), ["tree"]);
+  assert.equal(await page.locator(".made-of").isVisible(), false);
   await tab("The tree").focus();
   await press(page, "ArrowRight");
   assert.deepEqual(await visible(), ["sums"]);
   assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows belong to the tabs");
+  await page.waitForFunction(() => location.hash.includes("tab=sum"));
   await page.reload();
   await page.evaluate(() => window.raywalk.ready);
-  await settled(page);
+  await page.locator(".sums").waitFor();
   assert.deepEqual(await visible(), ["sums"]);
+  await tab("How the pixel").click();
+  await settled(page);
+  assert.deepEqual(await visible(), [], "pressed once more it closes");
+  assert.equal(await page.locator(".made-of").isVisible(), true);
+  await page.waitForFunction(() => !location.hash.includes("tab="));
 });
 
 test("a row, a node and a sum go to their event by click and by Enter, and the current one is marked in each", async () => {
   await follow(page, START);
   const { events } = await stats(page);
   const at = (ray, ...whats) => events.findIndex((event) => event.ray === ray && event.light < 0 && whats.includes(event.what));
-  await tab("Every ray").click();
+  await chooseTab(page, "rays");
   const second = page.locator("li.ray").nth(1);
   const ray = Number(await second.getAttribute("data-ray"));
   await second.click();
@@ -92,7 +101,7 @@ test("a row, a node and a sum go to their event by click and by Enter, and the c
   await page.locator("li.ray").nth(2).focus();
   await press(page, "Enter");
   assert.equal(await current(), events.findIndex(({ light }) => light >= 0));
-  await tab("The tree").click();
+  await chooseTab(page, "tree");
   assert.equal(await page.locator(".node").count(), new Set(events.map((event) => event.ray)).size);
   await page.locator(".node").nth(0).click();
   assert.equal(await current(), at(events[0].ray, "meets"));
@@ -104,7 +113,7 @@ test("a row, a node and a sum go to their event by click and by Enter, and the c
   await page.evaluate(() => document.activeElement.blur());
   await settled(page);
   assert.equal(await page.locator(".node.lit").count(), 1);
-  await tab("How the pixel").click();
+  await chooseTab(page, "sum");
   await page.locator(".sum").first().click();
   await settled(page);
   assert.equal(await current(), events.length - 1);
@@ -113,7 +122,7 @@ test("a row, a node and a sum go to their event by click and by Enter, and the c
 
 test("the sum is native MathML with the pixel's numbers put in", async () => {
   await follow(page, START);
-  await tab("How the pixel").click();
+  await chooseTab(page, "sum");
   const { scene, trace } = await readTrace(rich.id, 15);
   const [pixel] = await page.locator(".sum").evaluateAll((sums) => sums.map((sum) => [...sum.querySelectorAll("math")].map((math) => math.textContent).join(" ")));
   const [first] = rayRows(trace, scene, 8 * 15 + 5);
@@ -129,7 +138,7 @@ test("a large tree folds what hardly counts, unfolds at a press, and shows the c
   for (let k = 0; k < trace.count; k++) sizes[trace.pixel[k]]++;
   const largest = sizes.indexOf(Math.max(...sizes));
   await open(page, ON_DISK, glass.path, `still=1&gl=none&n=105&p=${largest % 105},${Math.floor(largest / 105)}`);
-  await tab("The tree").click();
+  await chooseTab(page, "tree");
   const folds = page.locator(".node.fold");
   assert.ok((await folds.count()) > 0);
   assert.ok((await page.locator(".node").count()) < sizes[largest]);
@@ -143,16 +152,16 @@ test("a large tree folds what hardly counts, unfolds at a press, and shows the c
     }));
     assert.equal(seen, true, `event ${k}`);
   }
-  await follow(page, `still=1&gl=none&n=105&p=${(largest % 105) - 1},${Math.floor(largest / 105)}`);
-  await follow(page, `still=1&gl=none&n=105&p=${largest % 105},${Math.floor(largest / 105)}`);
+  await follow(page, `still=1&gl=none&n=105&p=${(largest % 105) - 1},${Math.floor(largest / 105)}&tab=tree`);
+  await follow(page, `still=1&gl=none&n=105&p=${largest % 105},${Math.floor(largest / 105)}&tab=tree`);
   await folds.first().focus();
   await press(page, "Enter");
   assert.equal(await page.locator(".node").count(), sizes[largest]);
 });
 
 test("a tree larger than its panel fades where it goes on, can be fitted, and its names stay inside their nodes", async () => {
-  await open(page, ON_DISK, glass.path, "still=1&gl=none&n=15&p=2,11");
-  await tab("The tree").click();
+  await open(page, ON_DISK, glass.path, "still=1&gl=none&n=15&p=2,11&tab=tree");
+  await page.locator(".node").first().waitFor();
   const panel = page.locator(".tree-window");
   const goesOn = () => panel.evaluate((e) => [e.scrollWidth > e.clientWidth + 1 || e.scrollHeight > e.clientHeight + 1, /more-(right|bottom|left|top)/.test(e.className)]);
   assert.deepEqual(await goesOn(), [true, true]);
@@ -169,7 +178,7 @@ test("a tree larger than its panel fades where it goes on, can be fitted, and it
 });
 
 test("Copy and CSV fill the clipboard; where it is refused, a sheet has the text selected", async () => {
-  await open(page, ON_DISK, rich.path, START);
+  await open(page, ON_DISK, rich.path, `${START}&tab=rays`);
   const { scene, trace } = await readTrace(rich.id, 15);
   const rows = rayRows(trace, scene, 8 * 15 + 5);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { atRest, DIST, launch, newPage, open, pass, press, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { atRest, DIST, launch, newPage, open, openMenu, openScene, pass, press, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -84,7 +84,15 @@ async function theRestWorks(of = page) {
   await press(of, "ArrowRight");
   assert.deepEqual((await state(of)).pixel, [(pixel[0] + 1) % n, pixel[1]], "the arrows pick");
   assert.ok(await of.locator(".lesson").isVisible());
+  await openMenu(of);
   assert.ok(await of.locator(".tools button").last().isVisible());
+  await of.keyboard.press("Escape");
+}
+/** The one choice that the browser is to keep. */
+async function turnKeysOff() {
+  await press(page, "?");
+  await page.getByRole("button", { name: "Letters, digits and signs" }).click();
+  await page.keyboard.press("Escape");
 }
 async function thePlainPageIsThere() {
   assert.equal(await isLive(), false);
@@ -181,7 +189,7 @@ const FAULTS = [
     says: /^The scene's data is damaged, so nothing can be moved here; the picture, the lesson and the figures below are complete\.$/,
     async then() {
       await thePlainPageIsThere();
-      await page.locator(`nav.scenes a[data-scene="${other.id}"]`).click();
+      await openScene(page, other.id);
       await until(page, (s, t, id) => t.shown.scene === id, other.id);
       assert.ok(await isQuiet());
     },
@@ -190,7 +198,7 @@ const FAULTS = [
   {
     name: "the next scene is not there: this one goes on, and a second try brings it",
     make: () => gone(`**/${other.id}/scene.js*`),
-    act: () => page.locator(`nav.scenes a[data-scene="${other.id}"]`).click(),
+    act: () => openScene(page, other.id),
     says: /^“[^”]+” could not be loaded; this scene goes on\.$/,
     async then() {
       assert.equal((await state(page)).scene, rich.id);
@@ -263,12 +271,12 @@ const FAULTS = [
     query: "?fault=storage",
     act: async () => {
       assert.ok(await isQuiet());
-      await page.getByRole("tab").nth(1).click();
+      await turnKeysOff();
     },
     says: KEPT,
     then: () => theRestWorks(),
   },
-  { name: "storage is full", query: "?fault=quota", act: () => page.getByRole("tab").nth(1).click(), says: KEPT, then: () => theRestWorks() },
+  { name: "storage is full", query: "?fault=quota", act: turnKeysOff, says: KEPT, then: () => theRestWorks() },
   { name: "the browser cannot unpack", query: "?fault=unpacking", says: /^This browser is too old to unpack the rays; the picture, the lesson and the figures below are complete\.$/, then: () => thePlainPageIsThere() },
   {
     name: "the address cannot be written: the link is right all the same",
@@ -278,6 +286,7 @@ const FAULTS = [
     async then() {
       await theRestWorks();
       await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
+      await openMenu(page);
       await page.getByRole("button", { name: "Copy the link" }).click();
       assert.match(await page.evaluate(() => window.copied), /rays=pixel,row/);
     },
@@ -286,7 +295,7 @@ const FAULTS = [
   {
     name: "the clipboard is refused: the link stands there to be copied by hand",
     query: "?fault=clipboard",
-    act: () => page.getByRole("button", { name: "Copy the link" }).click(),
+    act: () => openMenu(page).then(() => page.getByRole("button", { name: "Copy the link" }).click()),
     says: null,
     async then() {
       assert.match(await page.getByRole("dialog").getAttribute("aria-label"), /copy/i);
@@ -295,8 +304,8 @@ const FAULTS = [
       await theRestWorks();
     },
   },
-  { name: "saving is refused", query: "?fault=download", act: () => page.getByRole("button", { name: "Save this view" }).click().then(() => until(page, (s, t) => t.notice !== "")), says: NOT_SAVED, then: () => theRestWorks() },
-  { name: "no memory for the picture to be saved", query: "?fault=drawing", act: () => page.getByRole("button", { name: "Save this view" }).click().then(() => until(page, (s, t) => t.notice !== "")), says: NOT_SAVED, then: () => theRestWorks() },
+  { name: "saving is refused", query: "?fault=download", act: () => openMenu(page).then(() => page.getByRole("button", { name: "Save this view" }).click()).then(() => until(page, (s, t) => t.notice !== "")), says: NOT_SAVED, then: () => theRestWorks() },
+  { name: "no memory for the picture to be saved", query: "?fault=drawing", act: () => openMenu(page).then(() => page.getByRole("button", { name: "Save this view" }).click()).then(() => until(page, (s, t) => t.notice !== "")), says: NOT_SAVED, then: () => theRestWorks() },
   {
     name: "something breaks that nobody foresaw",
     act: () => page.evaluate(() => void Promise.reject(new Error("made by a test"))).then(() => until(page, (s, t) => t.notice !== "")),
@@ -445,7 +454,7 @@ test("three scenes in a row while they load slowly: only the last one is shown, 
     await route.continue();
   });
   await open(page, server.url, rich.path, "still=1&gl=none");
-  for (const id of ids.slice(0, 3)) await page.locator(`nav.scenes a[data-scene="${id}"]`).click();
+  for (const id of ids.slice(0, 3)) await openScene(page, id);
   await until(page, (s, t, id) => t.shown.scene === id, ids[2]);
   lastIsShown.open();
   await atRest(page); // the others have come
@@ -454,8 +463,8 @@ test("three scenes in a row while they load slowly: only the last one is shown, 
   assert.ok(await isQuiet());
   await page.goBack();
   await until(page, (s, t, id) => t.shown.scene === id, rich.id);
-  await page.locator(`nav.scenes a[data-scene="${ids[3]}"]`).click();
-  await page.locator(`nav.scenes a[data-scene="${rich.id}"]`).click();
+  await openScene(page, ids[3]);
+  await openScene(page, rich.id);
   await atRest(page);
   assert.equal((await state(page)).scene, rich.id, "asked back before the other came");
   await wholeAgain();
@@ -473,7 +482,7 @@ test("three grids in a row while they load slowly: only the last one is shown; a
   for (const late of asked) await late.continue();
   await atRest(page);
   assert.deepEqual([(await stats(page)).shown.n, (await stats(page)).tiles.length], [n, 3 * n * n]);
-  await page.locator(`nav.scenes a[data-scene="${other.id}"]`).click();
+  await openScene(page, other.id);
   await page.keyboard.press("+");
   await until(page, (s, t, id) => t.shown.scene === id, other.id);
   assert.ok(await isQuiet());
@@ -524,9 +533,10 @@ test("in a frame that may not keep, save or write anything the scene is there", 
   await page.goto(`${server.url}course.html`);
   const inner = await (await page.locator("iframe").elementHandle()).contentFrame();
   await inner.waitForFunction(() => window.raywalk?.state());
-  await inner.locator("li.ray").first().waitFor();
-  await inner.locator("li.ray").first().click();
-  assert.equal(await inner.evaluate(() => window.raywalk.state().event), 1);
+  await inner.evaluate(() => window.raywalk.ready);
+  await inner.getByRole("slider", { name: "Event" }).press("ArrowRight");
+  await inner.locator(".event-says").waitFor();
+  assert.equal(await inner.evaluate(() => window.raywalk.state().event), 0);
   await wholeAgain();
 });
 
@@ -534,6 +544,7 @@ test("without JavaScript: picture, lesson, figures, one sentence", async () => {
   const plain = await newPage(browser, { javaScriptEnabled: false });
   await plain.goto(server.url + rich.path);
   assert.equal(await plain.locator("noscript .notice").innerText(), "JavaScript is off: the rays cannot be moved; the picture, the lesson and the figures are here.");
+  await plain.locator(".chooser").click(); // opened by the browser alone
   for (const part of [".plain-picture", ".plain-lesson li", ".figures dt", "nav.scenes a"]) assert.ok(await plain.locator(part).first().isVisible(), part);
   assert.ok(!(await plain.locator("#viewer").isVisible()));
   await plain.goto(server.url);

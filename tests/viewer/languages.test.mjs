@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, PATIENCE, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, openMenu, PATIENCE, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -38,6 +38,7 @@ for (const where of ["a disk", "a server, in a folder"])
     await open(page, base, rich.path, "still=1&n=15&p=5,8&e=3&rays=pixel,row");
     const before = await state(page);
     for (const [code, name] of [["de", "Deutsch"], ["en", "English"]]) {
+      await openMenu(page);
       assert.equal(await language().innerText(), name);
       await Promise.all([page.waitForURL((url) => url.pathname.includes("/de/") === (code === "de")), language().click()]);
       await page.evaluate(() => window.raywalk.ready);
@@ -52,6 +53,7 @@ test("after another scene was opened in the page, the link leads to that one", a
   await press(page, other.key);
   await page.waitForFunction((id) => window.raywalk.state().scene === id, other.id);
   await page.waitForURL(`**/${other.id}/**`);
+  await openMenu(page);
   await Promise.all([page.waitForURL("**/de/**"), language().click()]);
   await page.evaluate(() => window.raywalk.ready);
   assert.equal((await state(page)).scene, other.id);

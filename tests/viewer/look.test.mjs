@@ -1,7 +1,7 @@
 /** Rasterised against ray traced: the stage plain, with tricks, and the traced picture in its place. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, follow, newPage, ON_DISK, open, pictureOf, press, richScene, settled, state, tileOnPage } from "./browser.mjs";
+import { launch, follow, newPage, ON_DISK, open, openDrawer, pictureOf, press, richScene, settled, state, tileOnPage } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
@@ -9,6 +9,7 @@ before(async () => {
   browser = await launch();
   page = await newPage(browser, { sharp: true });
   await open(page, ON_DISK, rich.path, "still=1&n=5&p=2,2");
+  await openDrawer(page); // looks and views are in it; it stays open
 });
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
@@ -76,7 +77,8 @@ test("the stage follows switches: a light that is off is struck and gives nothin
 });
 
 test("a blocked shadow ray ends at what blocks it, which is named there", async () => {
-  await follow(page, "still=1&n=15&p=7,12");
+  await follow(page, "still=1&n=15&p=7,12&tab=rays");
+  await page.locator("li.ray").first().waitFor();
   const names = await page.locator("li.ray.blocked b:last-child").allInnerTexts();
   assert.ok(names.length > 0);
   assert.deepEqual(await page.locator(".labels .stop:visible").allInnerTexts(), names.slice(0, 3));

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, press, richScene, settled, state, until } from "./browser.mjs";
+import { chooseTab, DIST, launch, newPage, ON_DISK, open, openMenu, press, richScene, settled, state, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -18,7 +18,7 @@ before(async () => {
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
 
-const places = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("header *, .tools *, .side > *, .card-head *, .stage-view")].map((each) => each.getBoundingClientRect())));
+const places = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll("header *, .top-tools *, .tools *, .side > *, .card-head *, .stage-view")].map((each) => each.getBoundingClientRect())));
 /** What was done is said, its button ticked, and nothing has moved. */
 async function isSaid(before, says) {
   const ticked = page.locator("button.done");
@@ -31,6 +31,7 @@ test("Link copies the address of this very view, and says so without moving anyt
   await open(page, ON_DISK, rich.path, START);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
   await press(page, "ArrowRight", "h");
+  await openMenu(page);
   const before = await places();
   await button("Copy the link").click();
   await isSaid(before, /link .* is copied/);
@@ -44,6 +45,7 @@ for (const how of ["", "&gl=none", "&slice=row"])
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();
+    await openMenu(page);
     const before = await places();
     const [download] = await Promise.all([page.waitForEvent("download"), button("Save this view").click()]);
     await isSaid(before, new RegExp(`saved: ${rich.id}-5-8.png`));
@@ -60,6 +62,7 @@ for (const how of ["", "&gl=none", "&slice=row"])
 for (const how of ["", "&gl=none"])
   test(`Slide gives the view as an SVG whose rays end where the stage shows them (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
+    await openMenu(page);
     const before = await places();
     const [download] = await Promise.all([page.waitForEvent("download"), button("A figure of this view").click()]);
     await isSaid(before, new RegExp(`saved: ${rich.id}-5-8.svg`));
@@ -92,6 +95,7 @@ test("the help sheet lists every key, keeps the focus, and closes with Esc, its 
   }
   assert.deepEqual((await state(page)).rays, ["pixel"], "the page keeps still under a sheet");
   assert.equal((await state(page)).scene, rich.id);
+  await openMenu(page);
   await button("All keys").click();
   const listed = await page.locator("dialog kbd").allInnerTexts();
   const keys = readFileSync("site_src/viewer/keys.ts", "utf8").match(/const table.*? = \{\n(.*?)\n {2}\};/s)[1];
@@ -124,7 +128,7 @@ test("the projector page is light, large, in the address, and shows pressed keys
   await press(page, "2");
   await until(page, (s, t) => t.shown.scene === s.scene && t.shown.scene.startsWith("02"));
   assert.equal((await state(page)).projector, true, "it stays from scene to scene");
-  await button("Large type").click();
+  await button("Lecture mode").click();
   assert.equal((await state(page)).projector, false);
 });
 
@@ -140,9 +144,11 @@ for (const where of ["a file", "another origin"])
       const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
       await frame.waitForFunction(() => window.raywalk?.state());
       await frame.evaluate(() => window.raywalk.ready);
-      await frame.locator("li.ray").first().waitFor();
-      assert.deepEqual(await frame.locator(".top, nav.scenes").evaluateAll((parts) => parts.map((part) => part.checkVisibility())), [false, false]);
-      await frame.locator("li.ray").first().click();
+      const isThere = (parts) => Promise.all(parts.map((part) => frame.locator(part).isVisible()));
+      assert.deepEqual(await isThere([".stage-view", ".picture", ".lesson-text", ".start-lesson", ".play", ".scrub"]), Array(6).fill(true));
+      assert.deepEqual(await isThere([".top", ".top-tools", "nav.scenes", ".card", ".controls", ".legend"]), Array(6).fill(false));
+      await frame.getByRole("slider", { name: "Event" }).press("ArrowRight");
+      await frame.getByRole("button", { name: "One event on" }).click();
       assert.equal((await frame.evaluate(() => window.raywalk.state())).event, 1);
       const whole = frame.getByRole("link", { name: "Open in Raywalk" });
       await whole.focus();
@@ -159,13 +165,15 @@ for (const where of ["a file", "another origin"])
     }
   });
 
-test("the pseudo-code has a tab of the card, marks the current event's line, also while a question waits, and is remembered", async () => {
+test("the pseudo-code has a tab of the card, marks the current event's line, also while a question waits, and is part of the address", async () => {
   await open(page, ON_DISK, rich.path, START);
   const code = page.getByRole("region", { name: "The algorithm" });
   assert.equal(await code.isVisible(), false);
+  await chooseTab(page, "rays");
   const stage = await page.locator(".stage-view").boundingBox();
   await page.getByRole("tab", { name: /pseudo-code/ }).click();
-  assert.deepEqual(await page.locator(".stage-view").boundingBox(), stage, "the stage keeps its room");
+  await code.waitFor();
+  assert.deepEqual(await page.locator(".stage-view").boundingBox(), stage, "the stage keeps its room from tab to tab");
   const lines = [];
   const events = await page.evaluate(() => window.raywalk.stats().events.map((event) => event.what));
   for (const what of events) {
@@ -179,14 +187,13 @@ test("the pseudo-code has a tab of the card, marks the current event's line, als
   assert.match(of.get("reached"), /shadow ray/);
   assert.match(of.get("reflected"), /trace\(reflected\)/);
   assert.match(of.get("pixel"), /^pixel/);
+  await page.waitForFunction(() => location.hash.includes("tab=code"));
   await page.reload();
   await page.evaluate(() => window.raywalk.ready);
-  await settled(page);
-  assert.equal(await code.isVisible(), true);
+  await code.waitFor();
   const asking = await page.evaluate(() => window.raywalk.lesson().findIndex((step) => step.answer));
-  await open(page, ON_DISK, rich.path, `still=1&gl=none&step=${asking + 1}`);
+  await open(page, ON_DISK, rich.path, `still=1&gl=none&step=${asking + 1}&tab=code`);
   assert.equal(await code.isVisible(), true);
-  await page.evaluate(() => localStorage.clear());
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import { bundleViewer } from "../../site_src/bundle.mjs";
 import { asOfferedPart } from "../../site_src/parts.mjs";
-import { DIST, launch, newPage, ON_DISK, press, richScene, scenesOfSite, settled, state } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, openChooser, openDrawer, openMenu, press, richScene, scenesOfSite, settled, state } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -23,6 +23,7 @@ after(async () => {
 const tab = (name) => (page) => page.locator(`#tab-card-${name}`).click();
 const tool = (name) => (page) => page.getByRole("button", { name }).click();
 const download = (name) => async (page) => {
+  await openMenu(page);
   const [file] = await Promise.all([page.waitForEvent("download"), tool(name)(page)]);
   return file.suggestedFilename();
 };
@@ -33,16 +34,19 @@ const PARTS = {
   "tile-legend": [(page) => page.keyboard.press("c"), ".tile-legend .means"],
   "event-words": [(page) => page.keyboard.press("."), ".event-says"],
   slice: [(page) => page.keyboard.press("x"), ".slice canvas"],
+  drawer: [(page) => page.locator(".open-drawer").click(), ".drawer .view-switch"],
   "what-if-switches": [(page) => page.locator(".open-what-if").click(), ".what-if .lamp"],
   "what-if": [(page) => page.keyboard.press("s"), ".recombined-size"],
+  "card-rays": [tab("rays"), "li.ray"],
   "card-tree": [tab("tree"), ".tree .node"],
   "card-sum": [tab("sum"), ".sums .formula"],
   code: [tab("code"), ".code-lines li"],
   copies: [tool("Copy the pixel's rays as text"), "textarea.by-hand, button.done"],
   saving: [download("Save this view"), "button.done"],
   help: [(page) => page.keyboard.press("?"), "dialog[open] .keys"],
-  article: [(page) => page.locator(`nav.scenes a[data-scene="${mesh.id}"]`).click(), `#page img[src*="${mesh.id}"]`],
+  article: [(page) => openChooser(page).then(() => page.locator(`nav.scenes a[data-scene="${mesh.id}"]`).click()), `#page img[src*="${mesh.id}"]`],
   "box-lines": [(page) => page.locator(".tile-menu").selectOption("tests"), ".tile-values span:nth-child(3)"],
+  lecture: [(page) => press(page, "j", "b"), ".blackout"],
 };
 
 /** A page whose browser is never idle, or whose idle time comes when the test says so, and the parts it asks for. */
@@ -107,6 +111,7 @@ test("what was left open at the last visit, or is in the address, comes by itsel
   for (const name of ["slice", "what-if-switches", "what-if", "event-words"]) await page.locator(PARTS[name][1]).first().waitFor();
   assert.ok(page.asked.includes("flat"), "without WebGL");
   await tab("tree")(page);
+  await page.waitForFunction(() => location.hash.includes("tab=tree"));
   await page.reload();
   await page.locator(".tree .node").first().waitFor();
   assert.ok(!page.asked.includes("card-sum"));
@@ -135,7 +140,7 @@ test("a part that is late does not show where something else was asked for meanw
   letGo();
   await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /part-card-tree/.test(name)));
   await settled(page);
-  assert.ok(await page.locator("li.ray").first().isVisible());
+  await page.locator("li.ray").first().waitFor();
   assert.ok(!(await page.locator(".tree").isVisible()));
   await page.close();
 });
@@ -172,6 +177,7 @@ for (const [what, reply] of Object.entries({
 
 test("several parts that cannot be had are one sentence, and the network's return brings all that was asked for", async () => {
   const page = await pageAt(server.url);
+  await openDrawer(page); // it holds what opens the switches
   await page.context().setOffline(true);
   await page.locator(".open-what-if").click();
   await tab("tree")(page);

@@ -5,7 +5,7 @@ import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, settled
 import { readTrace } from "./scene-files.mjs";
 
 const rich = richScene();
-const START = "still=1&n=15&p=5,8";
+const START = "still=1&n=15&p=5,8&tab=rays";
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -59,13 +59,18 @@ test("full stop and comma go on and back: each event's line, row and sentence be
 
 test("the buttons do the same", async () => {
   await follow(page, START);
-  await button("One event on").click();
+  const shown = () => Promise.all(["One event back", "One event on", "Leave the step-by-step player"].map((name) => button(name).isVisible()));
+  assert.deepEqual(await shown(), [false, false, false], "before the first event there is Play and the bar");
+  await press(page, ".");
+  assert.deepEqual(await shown(), [true, true, true]);
   await button("One event on").click();
   assert.equal(await current(), 1);
   await button("One event back").click();
   await button("One event back").click();
   assert.equal(await current(), null);
-  await button("One event on").click();
+  await settled(page);
+  assert.deepEqual(await shown(), [false, false, false]);
+  await press(page, ".");
   await button("Leave the step-by-step player").click();
   await settled(page);
   assert.equal(await current(), null);

@@ -1,7 +1,7 @@
 /** The slice view: the plane of a row's or a column's camera rays, drawn flat. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
 import { readSections, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -48,6 +48,7 @@ test("X goes round: space, row, column, space; the buttons do the same; the addr
     await press(page, "x");
     assert.equal((await state(page)).slice, slice);
   }
+  await openDrawer(page);
   await page.getByRole("button", { name: /Slice down this column/ }).click();
   await canvas().waitFor({ state: "visible" });
   assert.match(await canvas().getAttribute("aria-label"), /column's camera rays.*row 8/);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { launch, newPage, ON_DISK, open, press, scenesOfSite, state, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openMenu, press, scenesOfSite, state, until } from "./browser.mjs";
 
 const scenes = scenesOfSite();
 let browser, page;
@@ -18,6 +18,7 @@ const boxes = () => page.evaluate(() => JSON.stringify([...document.querySelecto
 const links = () => page.evaluate(() => [...document.querySelectorAll("#take a")].filter((a) => !a.parentElement.hidden).map((a) => ({ href: a.href, size: a.textContent })));
 
 test("it opens and closes by keyboard, nothing of the page moves, and the keys of the page rest meanwhile", async () => {
+  await openMenu(page);
   const [still, pixel] = [await boxes(), (await state(page)).pixel];
   await page.focus(".take-open");
   await press(page, "Enter");

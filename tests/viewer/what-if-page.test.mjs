@@ -1,7 +1,7 @@
 /** Switches and tile views on the page: by key, by mouse, by finger, from a link; all parts follow at once. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats, tileOnPage, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, settled, state, stats, tileOnPage, until } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -57,7 +57,8 @@ test("L and a number turn that light off and on; without L a number is a scene",
 });
 
 test("S turns shadows off: tiles, lines, card, sentence and sum follow in the same frame", async () => {
-  await follow(page, START);
+  await follow(page, `${START}&tab=rays`);
+  await page.locator("li.ray").first().waitFor();
   const blocked = await page.locator("li.ray.blocked").count();
   assert.ok(blocked > 0, "the pixel has a blocked light");
   await press(page, "s");
@@ -96,6 +97,7 @@ test("the first switch fills empty tiles: they show what it does", async () => {
 
 test("by mouse: boxes and sliders do the same; As traced undoes all and goes", async () => {
   await follow(page, START);
+  await openDrawer(page);
   await opener().click();
   if (!(await panel().isVisible())) await opener().click();
   await panel().getByLabel("specular").click();
@@ -146,6 +148,7 @@ test("the picture follows in the finest tiles, says so, and is itself again with
 
 test("by keyboard alone: Tab reaches every switch, Space ticks, arrows dim", async () => {
   await follow(page, START);
+  await openDrawer(page);
   if (!(await panel().isVisible())) await opener().press("Enter");
   await panel().getByRole("checkbox", { name: "shadows" }).focus();
   await page.keyboard.press("Space");
@@ -180,6 +183,7 @@ test("C goes round all tile views; the menu does the same; legend and numbers fo
     assert.equal(await page.locator(".tile-legend").isVisible(), seen.at(-1) !== "picture");
   } while (seen.at(-1) !== "picture" && seen.length < 20);
   assert.deepEqual(seen, ["rays", "depth", "tests", "distance", "shadow", "normal", "picture"]);
+  await openDrawer(page);
   await page.getByRole("combobox", { name: "Tiles show" }).selectOption("rays");
   await settled(page);
   const { lines } = await stats(page);
@@ -203,6 +207,7 @@ test("with tests shown, a mesh's boxes that the selected ray tested are drawn, w
   const pixel = mesh.trace.object.findIndex((object, k) => k < 225 && mesh.scene.objects[object]?.type === "mesh");
   await open(page, ON_DISK, at.path, `still=1&n=15&p=${pixel % 15},${Math.floor(pixel / 15)}&tiles=filled`);
   assert.equal((await stats(page)).boxes, 0);
+  await openDrawer(page);
   await page.getByRole("combobox", { name: "Tiles show" }).selectOption("tests");
   await until(page, (s, t) => t.boxes > 5);
   await settled(page);
@@ -218,11 +223,12 @@ describe("on a phone", () => {
     await open(phone, ON_DISK, rich.path, START);
   });
   test("by finger: the panel opens, a box is ticked, all targets are 44 pixels at least and nothing sticks out", async () => {
+    await phone.locator(".open-drawer").tap();
     await phone.getByRole("button", { name: /^What if: / }).tap();
     await phone.getByRole("checkbox", { name: "diffuse" }).tap();
     await settled(phone);
     assert.deepEqual((await state(phone)).switches.without, ["diffuse"]);
-    const boxes = await phone.locator(".what-if label:visible, .what-if button, .what-if input[type=range], .stage-tools button:visible, .tile-menu").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()));
+    const boxes = await phone.locator(".what-if label:visible, .what-if button, .what-if input[type=range], .drawer button:visible, .tile-menu").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()));
     assert.ok(boxes.length > 8);
     for (const box of boxes) {
       assert.ok(box.height >= 44 && box.width >= 44, JSON.stringify(box));

@@ -1,4 +1,4 @@
-/** Small choices that outlast a visit: which tab, what is folded. Browsers may refuse to keep anything. */
+/** Small choices that outlast a visit. Browsers may refuse to keep anything. */
 export function recall(name: string): string | null {
   try {
     return localStorage.getItem(`raywalk ${name}`);
