@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { DIST, follow, launch, newPage, ON_DISK, open, pass, press, richScene, settled, state, stats, until } from "./browser.mjs";
+import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, richScene, settled, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -48,17 +48,21 @@ const STATES = [
   ["the player", "n=15&p=5,8&e=5"],
   ["what a link asked for in vain", "n=16&p=99,99"],
   ["all keys", "", (page) => press(page, "?"), (page) => press(page, "Escape")],
-  ["the link to be copied by hand", "", (page) => page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: () => Promise.reject() } })).then(() => click(".tools button")(page)).then(() => page.locator("dialog").waitFor()), (page) => press(page, "Escape")],
-  ["the projector", "e=3&projector=1"],
-  ["the projector's question", "step=7&projector=1"],
+  ["the link to be copied by hand", "", (page) => page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: () => Promise.reject() } })).then(() => openMenu(page)).then(() => click(".tools button")(page)).then(() => page.locator("dialog").waitFor()), (page) => press(page, "Escape")],
+  ["a lecture", "e=3&projector=1"],
+  ["a lecture's question", "step=7&projector=1"],
+  ["a lecture, blackened", "projector=1", (page) => press(page, "b"), (page) => press(page, "b")],
   ["a slice", "slice=row", (page) => page.locator(".slice canvas").waitFor()],
   ["the traced picture on the stage", "look=traced"],
-  ["what-if switches, one of them thrown", "if=-shadows", click(".open-what-if"), click(".open-what-if")],
+  ["the drawer of tools, and what-if switches, one of them thrown", "if=-shadows", (page) => openDrawer(page).then(() => page.locator(".what-if .lamp").first().waitFor()), click(".open-drawer")],
+  ["the choice of scenes", "", openChooser, (page) => press(page, "Escape")],
+  ["the page's menu", "", openMenu, (page) => press(page, "Escape")],
   ["tiles coloured by tests", "colours=tests&tiles=filled"],
-  ["the tree", "n=15&p=5,8", (page) => page.getByRole("tab").nth(1).click()],
-  ["the sum", "n=15&p=5,8", (page) => page.getByRole("tab").nth(2).click(), (page) => page.getByRole("tab").nth(0).click()],
-  ["the slides to take away", "", click(".take-open"), (page) => press(page, "Escape")],
-  ["the pseudo-code", "e=3", (page) => page.getByRole("tab").nth(3).click(), (page) => page.getByRole("tab").nth(0).click()],
+  ["every ray", "n=15&p=5,8", (page) => chooseTab(page, "rays")],
+  ["the tree", "n=15&p=5,8", (page) => chooseTab(page, "tree")],
+  ["the sum", "n=15&p=5,8", (page) => chooseTab(page, "sum")],
+  ["the slides to take away", "", (page) => openMenu(page).then(() => click(".take-open")(page)), (page) => press(page, "Escape", "Escape")],
+  ["the pseudo-code", "e=3", (page) => chooseTab(page, "code")],
 ];
 /** Where the page is otherwise: size, theme. */
 const SURROUNDINGS = [
@@ -194,6 +198,7 @@ test("keys of one character can be turned off, and stay off; Space, arrows and b
     assert.notDeepEqual((await state(page)).pixel, pixel);
     await open(page, ON_DISK, rich.path, "still=1");
   }
+  await openMenu(page);
   await page.getByRole("button", { name: "All keys" }).click();
   await page.getByRole("button", { name: "Letters, digits and signs" }).click();
   await page.keyboard.press("Escape");
@@ -222,7 +227,8 @@ for (const home of ["", "de/"])
 
 test("where the system's own colours replace the page's, what is chosen differs from what is not, and swatches keep theirs", async () => {
   await page.emulateMedia({ forcedColors: "active" });
-  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8");
+  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8&tab=rays");
+  await openChooser(page); // all that can be chosen is to be seen
   const colours = (selector) => page.locator(selector).first().evaluate((each) => [getComputedStyle(each).backgroundColor, getComputedStyle(each).color]);
   const [plain] = await colours(".controls button[aria-pressed=false]");
   for (const chosen of [".controls button[aria-pressed=true]", "[role=tab][aria-selected=true]", "nav.scenes a[aria-current]"]) {
@@ -235,13 +241,17 @@ test("where the system's own colours replace the page's, what is chosen differs 
 
 test("the card is a list of rays, the page has its landmarks, each with a name", async () => {
   await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+  assert.ok((await page.getByRole("list").filter({ has: page.locator(".share") }).getByRole("listitem").count()) >= 1);
+  await chooseTab(page, "rays");
   assert.ok((await page.getByRole("list").filter({ has: page.locator("li.ray") }).getByRole("listitem").count()) >= 3);
+  await openChooser(page); // the navigation
   for (const role of ["banner", "main", "navigation"]) assert.ok((await page.getByRole(role).count()) >= 1, role);
   for (const section of await page.locator("#viewer section").all()) assert.ok((await section.getAttribute("aria-label")) || (await section.getAttribute("class")) === "stage", await section.getAttribute("class"));
 });
 
 test("what dragging does, buttons do: turn, shift and zoom the view, scrub pixels and events, switch a light", async () => {
-  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8");
+  await open(page, server.url, rich.path, "still=1&gl=none&n=15&p=5,8&tab=rays&e=1");
+  await openDrawer(page);
   const press = async (name) => {
     await page.getByRole("button", { name }).first().click();
     await settled(page);
@@ -258,8 +268,9 @@ test("what dragging does, buttons do: turn, shift and zoom the view, scrub pixel
   assert.notDeepEqual((await stats(page)).target, target);
   await press("Pixel to the right");
   assert.deepEqual((await state(page)).pixel, [6, 8]);
-  for (const name of ["One event on", "One event on", "One event back"]) await press(name);
-  assert.equal((await state(page)).event, 0);
+  await press("Play the rays"); // without a clock it is at the end at once
+  for (const name of ["One event back", "One event back", "One event on"]) await press(name);
+  assert.equal((await state(page)).event, (await stats(page)).events.length - 2);
   await page.locator(".open-what-if").click();
   await page.locator(".lamp label").first().click();
   assert.equal((await state(page)).switches.lamps[0], 0);

@@ -140,10 +140,10 @@ for (const where of ["a disk", "a server, in a folder"]) {
 
     onDisk("R looks through the ray-tracing camera; dragging, Shift and the wheel turn, move and zoom", async () => {
       await fresh();
+      await openDrawer(page); // it takes its room from the stage, which the start view fits
       const start = await stats(page);
       await press(page, "r");
       assert.equal((await state(page)).observer, "camera");
-      await openDrawer(page);
       await button("Observer back to the start view").click();
       assert.equal((await state(page)).observer, "start");
       const box = await page.locator(".stage-view").boundingBox();

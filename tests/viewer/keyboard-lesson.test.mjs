@@ -7,6 +7,7 @@ import { readScene } from "./scene-files.mjs";
 const { id, path } = scenesOfSite()[1];
 const { lesson } = readScene(id);
 const MOST_TABS = 60; // from one thing to another
+const TO_START = 6; // Tabs from the top of the page to the lesson
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -32,8 +33,8 @@ const focused = () =>
     };
   });
 
-async function tabTo(name) {
-  for (let k = 0; k < MOST_TABS; k++) {
+async function tabTo(name, most = MOST_TABS) {
+  for (let k = 0; k < most; k++) {
     await page.keyboard.press("Tab");
     const now = await focused();
     if (!now.name.includes(name)) continue;
@@ -56,10 +57,11 @@ const fits = async (step, revealed) => {
 test(`${id} by keyboard alone: from the address to the last answer, ${lesson.length} steps, each question revealed`, async () => {
   await page.goto(ON_DISK + path);
   await page.evaluate(() => window.raywalk.ready);
-  await tabTo("Start the lesson");
+  await tabTo("Start the lesson", TO_START);
   await page.keyboard.press("Enter");
   await fits(0, false);
-  await tabTo("Next step");
+  assert.match((await focused()).name, /Next step/, "the focus goes on to the lesson");
+  assert.ok((await focused()).outlined, "and is seen there");
   for (const [step, { answer }] of lesson.entries()) {
     await fits(step, false);
     if (answer) {
@@ -68,11 +70,13 @@ test(`${id} by keyboard alone: from the address to the last answer, ${lesson.len
       assert.match((await focused()).name, /Reveal the answer/);
       await page.keyboard.press(step % 2 ? "Enter" : " ");
       await fits(step, true);
-      assert.match((await focused()).name, /Next step/, "the focus goes on");
+      assert.match((await focused()).name, step < lesson.length - 1 ? /Next step/ : /On to the next scene's lesson/, "the focus goes on");
     }
     if (step < lesson.length - 1) await page.keyboard.press("Enter");
   }
   // The steps ask to look: turn the view, pick a neighbour, walk its rays, all without a pointer.
+  await tabTo("Tools");
+  await page.keyboard.press("Enter");
   await tabTo("Turn the view left");
   const { observer } = await state(page);
   await page.keyboard.press("Enter");

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openMenu, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const scenes = scenesOfSite();
@@ -53,13 +53,14 @@ test("a touch begins with the scene that is shown, at its start; what lay under 
   await open(page, ON_DISK, first.path, FLAT);
   await until(page, isAttract);
   assert.equal(await page.locator(".kiosk-begin").innerText(), "Touch to begin\nZum Beginnen berühren");
-  const next = await page.locator("nav.scenes a[rel=next]").boundingBox();
-  await page.mouse.click(next.x + 20, next.y + 20);
+  const below = await page.locator(".chooser").boundingBox();
+  await page.mouse.click(below.x + 20, below.y + 20);
   await until(page, isVisited);
   await settled(page);
   const now = await state(page);
   assert.deepEqual([now.scene, now.step], [first.id, 0]);
   assert.match(page.url(), /visitor=1/);
+  assert.equal(await page.locator("nav.scenes").isVisible(), false);
 });
 
 test("a key begins too, and is not one of the viewer's yet", async () => {
@@ -73,6 +74,7 @@ test("a key begins too, and is not one of the viewer's yet", async () => {
 
 test("left alone it asks, counts down, goes on at a touch, and else starts again with nothing kept", async () => {
   await begun("kiosk=1&idle=80&warn=15&still=1&gl=none");
+  await openMenu(page);
   await page.getByRole("link", { name: "Deutsch" }).click();
   await until(page, isVisited);
   assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
@@ -163,7 +165,8 @@ test("no menu, no selection, no zoom, no shortcut of the browser, no way out", a
     return Promise.resolve().then(() => [...document.querySelectorAll(".lesson-text a")].map((link) => link.hasAttribute("href")));
   });
   assert.deepEqual(made, [false, false, true]);
-  assert.ok(!(await page.locator(".tools").isVisible()), "nothing that is saved or copied");
+  await openMenu(page);
+  for (const part of [".tools", ".take-open"]) assert.ok(!(await page.locator(part).isVisible()), `${part}: nothing that is saved or copied`);
 });
 
 test("the gallery and the model page are the kiosk's too: no way out, a way back, and idle they start again", async () => {

@@ -1,7 +1,7 @@
 /** Sizes: nothing is cut off, everything can be hit, everything can be read. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
+import { chooseTab, follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
 
 const rich = richScene();
 let browser, page;
@@ -12,7 +12,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-const SIZES = [[1280, 800], [1920, 1080], [1280, 720], [1024, 768], [390, 844], [360, 640]];
+const SIZES = [[1280, 800], [1366, 768], [1920, 1080], [1280, 720], [1024, 768], [820, 1180], [390, 844], [360, 640]];
 const size = (page, width, height) => page.setViewportSize({ width, height });
 
 for (const [width, height] of SIZES)
@@ -35,28 +35,32 @@ for (const [width, height] of SIZES)
     if (width > 760) assert.equal(tall, 0, "the main view needs no page scroll");
   });
 
-test("on a phone the order is picture, sentence and player, stage, card, controls", async () => {
+test("on a phone the order is stage with the picture in its corner, sentence, player, controls, card", async () => {
   await size(page, 390, 844);
   await open(page, ON_DISK, rich.path, "still=1");
   const tops = await page.evaluate(() =>
-    [".picture", ".lesson", ".player", ".stage", ".card", ".controls"].map((part) => document.querySelector(part).getBoundingClientRect().top),
+    [".stage", ".lesson", ".player", ".controls", ".card-head", ".card"].map((part) => document.querySelector(part).getBoundingClientRect().top),
   );
   assert.deepEqual(tops, [...tops].sort((a, b) => a - b));
+  assert.equal(await page.locator(".stage > .picture").count(), 1);
 });
 
-test("on a phone picture, sentence, player and stage are seen together, and stepping moves none of them", async () => {
-  await size(page, 390, 844);
-  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
-  const box = () => page.evaluate(() => Object.fromEntries([".picture-frame", ".lesson", ".play", ".timeline", ".stage-view"].map((part) => [part, document.querySelector(part).getBoundingClientRect().toJSON()])));
-  const before = await box();
-  for (const [part, { top, bottom }] of Object.entries(before)) assert.ok(top >= 0 && bottom <= 844, `${part}: ${top} to ${bottom}`);
-  assert.ok(before[".stage-view"].height >= 240 && before[".picture-frame"].width >= 160);
-  for (const act of [() => page.getByRole("button", { name: "One event on" }).click(), () => press(page, ".", "."), () => press(page, "Escape"), () => page.getByRole("button", { name: "Start the lesson" }).click(), () => press(page, "PageDown", ".")]) {
-    await act();
-    await press(page);
-    assert.deepEqual(await box(), before);
-  }
-});
+for (const [width, height] of [[390, 844], [360, 640]])
+  test(`on a phone of ${width} x ${height} the stage stays in sight, and stepping moves nothing around the player`, async () => {
+    await size(page, width, height);
+    await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+    const box = () => page.evaluate(() => Object.fromEntries([".stage-view", ".picture-frame", ".lesson", ".controls", ".card-head"].map((part) => [part, document.querySelector(part).getBoundingClientRect().toJSON()])));
+    const before = await box();
+    for (const act of [() => page.locator(".play").click(), () => press(page, ","), () => press(page, "Escape"), () => page.getByRole("button", { name: "Start the lesson" }).click(), () => press(page, "PageDown", ".")]) {
+      await act();
+      await press(page);
+      assert.deepEqual(await box(), before);
+    }
+    await press(page, "Escape");
+    await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+    const { top, bottom } = await page.evaluate(() => document.querySelector(".stage-view").getBoundingClientRect().toJSON());
+    assert.ok(Math.abs(top) < 2 && bottom < height, `scrolled to the page's end, the stage is at ${top} to ${bottom}`);
+  });
 
 test("the pixel's name and colour have room for three digits each: nothing beside them moves", async () => {
   await size(page, 1280, 800);
@@ -88,8 +92,13 @@ for (const scene of [rich, scenesOfSite().find(({ key }) => key === "9") ?? rich
 test("with the keyboard alone every control can be reached, seen and used", async () => {
   await size(page, 1280, 800);
   await open(page, ON_DISK, rich.path, "still=1");
+  await openDrawer(page);
+  await page.locator(".open-what-if").click();
+  await page.locator(".what-if .lamp").first().waitFor();
+  await chooseTab(page, "rays");
+  await press(page, ".");
   const reached = new Set();
-  for (let k = 0; k < 80; k++) {
+  for (let k = 0; k < 100; k++) {
     await page.keyboard.press("Tab");
     const here = await page.evaluate(() => {
       const e = document.activeElement;
@@ -99,7 +108,7 @@ test("with the keyboard alone every control can be reached, seen and used", asyn
     reached.add(here[0]);
   }
   const missing = await page.evaluate(
-    (seen) => [...document.querySelectorAll("button:not([role=tab][aria-selected=false])")].filter((e) => e.checkVisibility({ visibilityProperty: true })).map((e) => e.getAttribute("aria-label")).filter((name) => !seen.includes(name)),
+    (seen) => [...document.querySelectorAll("button:not([role=tab][aria-selected=false], :disabled)")].filter((e) => e.checkVisibility({ visibilityProperty: true })).map((e) => e.getAttribute("aria-label")).filter((name) => !seen.includes(name)),
     [...reached],
   );
   assert.deepEqual(missing, []);
