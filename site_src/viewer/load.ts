@@ -7,7 +7,7 @@ import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { Boxes } from "./state/box-lines";
-import type { SceneData, SectionsData, Trace } from "./trace/types";
+import type { SceneData, SectionsData, SurroundingsData, Trace } from "./trace/types";
 import { languageCode } from "./words";
 
 export type Loss = "missing" | "damaged" | "other version" | "old browser";
@@ -114,6 +114,7 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
   const boxes = kept<Boxes>(KEPT_SCENES, async (json, name) => (await reading()).boxesFrom(json, name.split("/")[0]));
   const traces = kept(KEPT_TRACES, traceFrom);
   const sections = kept(KEPT_SCENES, sectionsFrom);
+  const surroundings = kept(KEPT_SCENES, surroundingsFrom);
   const words = kept(KEPT_SCENES, wordsFrom);
   const spoken = async (id: string): Promise<SceneData> => {
     const [scene, translated] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
@@ -122,6 +123,7 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
   return {
     scene: (id: string) => (languageCode() === OWN_LANGUAGE ? scenes(`${id}/scene`) : spoken(id)),
     sections: (id: string) => sections(`${id}/sections`),
+    surroundings: (id: string) => surroundings(`${id}/surroundings`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
     /** Of a scene with a mesh. */
     boxes: (id: string) => boxes(`${id}/boxes`),
@@ -144,6 +146,12 @@ function sceneFrom(json: unknown): SceneData {
   if (!scene?.format || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
   for (const file in scene.files) mark(`${scene.id}/${file}`, scene.files[file]);
   return scene;
+}
+
+function surroundingsFrom(json: unknown): SurroundingsData {
+  const surroundings = json as SurroundingsData;
+  if (surroundings?.format !== 1 || !surroundings.objects?.length) throw new Error("not surroundings");
+  return surroundings;
 }
 
 function sectionsFrom(json: unknown): SectionsData {

@@ -18,6 +18,7 @@ const PARTS = {
   saving: () => import("./saving"),
   drawer: () => import("./panels/drawer"),
   lecture: () => import("./panels/lecture"),
+  surroundings: () => import("./stage/surroundings"),
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),
   flat: () => import("./stage/flat"),

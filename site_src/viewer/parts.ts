@@ -134,7 +134,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now()!.element;
-    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === traced.scene.id && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
   let shownSlice: HTMLElement | null = null;

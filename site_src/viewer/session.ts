@@ -7,6 +7,7 @@ import type { CostsOf } from "./state/tile-views";
 import type { Timeline } from "./state/timeline";
 import type { LitLine, ViewState } from "./state/types";
 import type { WhatIf } from "./state/what-if";
+import type { Surrounded } from "./stage/surroundings";
 import type { TilePicture } from "./tile-picture";
 import type { SceneData, SectionsData, Trace } from "./trace/types";
 
@@ -31,6 +32,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
     missing: false, // the trace could not be loaded
     finest: null as Trace | null, // of the finest grid, once switches were set
+    surroundings: null as Surrounded | null, // of the scene's mirrors and glass, once the look asked for them
     boxes: null as Boxes | null, // of the scene's meshes, once they were wanted
     lit: null as LitLine | null, // what the pointer is on
     pointed: null as readonly [number, number] | null, // the tile it is on

@@ -19,7 +19,7 @@ interface Supply<T> {
 }
 
 /** Asked for once while it is wanted; what comes when another scene is shown is dropped. */
-function supply<K extends "sections" | "boxes" | "finest">(session: Session, draw: () => void, name: K, { isWanted, load, missing }: Supply<Session[K]>) {
+function supply<K extends "sections" | "boxes" | "finest" | "surroundings">(session: Session, draw: () => void, name: K, { isWanted, load, missing }: Supply<Session[K]>) {
   let asked = ""; // the scene it was asked for
   return async function ask() {
     const { state, scene } = session;
@@ -47,6 +47,12 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
         session.set({ ...session.state!, slice: "none" });
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });
       },
+    }),
+    // What mirrors and glass have round them; without it they are painted.
+    supply(session, draw, "surroundings", {
+      isWanted: ({ look, gl }, { files }) => gl && look === "approximate" && "surroundings" in files,
+      load: async ({ id }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(id)),
+      missing: () => {},
     }),
     // The boxes that rays are tested against, where the tiles show how many tests there were.
     supply(session, draw, "boxes", {

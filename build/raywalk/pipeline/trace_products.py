@@ -17,6 +17,7 @@ from raywalk.scene.shapes import Mesh, Plane
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.scene_warnings import scene_warnings
 from raywalk.trace.sections import sections_of
+from raywalk.trace.surroundings import surroundings_of
 from raywalk.trace.tally import OF_KEPT
 from raywalk.trace.tree import SHOT, RayTree
 from raywalk.trace.wavefront import (
@@ -49,7 +50,8 @@ def write_products(
     trace: Callable[..., Traced] | None = None, ready: Sequence[Path] = (),
 ) -> None:  # fmt: skip
     """Traces a scene and writes picture.png, thumb.png, .webp of both, <n>.js, <n>.json.gz,
-    sections.js, boxes.js where there is a mesh, facts.json, display.npz into a folder.
+    sections.js, boxes.js where there is a mesh, surroundings.js where there are mirrors or glass,
+    facts.json, display.npz into a folder.
 
     report: called with the stage and the share that is done. trace: trace_grids, or by default
     trace_picture. ready: the files that trace_grids gave, of which only the pictures are made anew.
@@ -65,10 +67,11 @@ def write_products(
     )
     # The longest first, or a thread waits at the end.
     grids = sorted(scene.render.resolutions, reverse=True)
-    stages = ["picture", "sections", *(f"grid {n}" for n in grids)]
+    stages = ["picture", "sections", "surroundings", *(f"grid {n}" for n in grids)]
     works: list[Callable[[], int | None]] = [
         partial(_write_pictures, folder, traced.picture, is_final=trace is not trace_grids),
         partial(_write_cuts, folder, tracer),
+        partial(_write_surroundings, folder, tracer),
         *(partial(_write_grid, folder, scene, traced, n) for n in grids),
     ]
     made: list[int | None] = []
@@ -132,8 +135,17 @@ def _write_cuts(folder: Path, tracer: Tracer) -> None:
 
         drawn["boxes"] = boxes_of(tracer)
     for name, data in drawn.items():
-        text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-        write_script(folder / f"{name}.js", f"{tracer.scene.id}/{name}", text.encode())
+        _write_json(folder, tracer.scene, name, data)
+
+
+def _write_surroundings(folder: Path, tracer: Tracer) -> None:
+    if (data := surroundings_of(tracer)) is not None:
+        _write_json(folder, tracer.scene, "surroundings", data)
+
+
+def _write_json(folder: Path, scene: Scene, name: str, data: dict[str, Any]) -> None:
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    write_script(folder / f"{name}.js", f"{scene.id}/{name}", text.encode())
 
 
 def thumbnail(picture: np.ndarray) -> np.ndarray:

@@ -177,6 +177,24 @@ class SectionsData(TypedDict):
     columns: dict[str, SectionRecord]
 
 
+class Surroundings(TypedDict):
+    """Of one mirror or glass body; see trace/surroundings.py."""
+
+    object: int  # index into SceneData.objects
+    centre: Vec3
+    radius: float
+    picture: str  # a data URI
+    turns: list[list[float]]
+
+
+class SurroundingsData(TypedDict):
+    """scenes/<id>/surroundings.js, as trace/surroundings.py writes it."""
+
+    format: Literal[1]
+    scene: str
+    objects: list[Surroundings]
+
+
 class MeshBoxes(TypedDict):
     """A mesh's bounding volumes. parents: -1 for the first box; each stands before its children.
     levels: by n, of the sphere and then of each box, how many camera rays one after the other

@@ -17,7 +17,13 @@ from pydantic import TypeAdapter
 
 import raywalk.trace_file
 from raywalk.scene.schema import BRIGHTEST, ViewTable
-from raywalk.site.scene_types import BoxesData, SceneData, SceneWords, SectionsData
+from raywalk.site.scene_types import (
+    BoxesData,
+    SceneData,
+    SceneWords,
+    SectionsData,
+    SurroundingsData,
+)
 from raywalk.trace.tree import Visibility
 
 # Besides tables: constants whose values the viewer says again, to be refused where they differ.
@@ -41,7 +47,7 @@ def viewer_types() -> str:
     """The text of the viewer's pipeline-types.d.ts."""
     file = Path(raywalk.trace_file.__file__).parent / "trace.schema.json"
     named = {"Header": json.loads(file.read_text(encoding="utf-8"))}
-    for of in (SceneData, SceneWords, SectionsData, BoxesData, ViewTable):
+    for of in (SceneData, SceneWords, SectionsData, SurroundingsData, BoxesData, ViewTable):
         whole = TypeAdapter(of).json_schema()
         named |= whole.pop("$defs", {}) | {of.__name__: whole}
     return HEAD + "".join(_declaration(name, schema) for name, schema in sorted(named.items()))

@@ -4,6 +4,7 @@ import type { Shown } from "../state/shown";
 import type { LitLine, Observer, ViewState } from "../state/types";
 import type { TilePicture } from "../tile-picture";
 import type { SceneData, Trace } from "../trace/types";
+import type { Surrounded } from "./surroundings";
 
 export interface StageView extends Pick<Shown, "plane" | "tiles" | "costs" | "boxLines" | "chosen" | "thin"> {
   scene: SceneData; // as it was traced
@@ -12,6 +13,7 @@ export interface StageView extends Pick<Shown, "plane" | "tiles" | "costs" | "bo
   trace: Trace | null; // null while it loads or if it is missing
   state: ViewState;
   lit: LitLine | null;
+  surroundings: Surrounded | null; // of mirrors and glass, once they have come
   ring: string | null; // outline of the selected tile; null while it blinks off
 }
 

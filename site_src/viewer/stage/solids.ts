@@ -14,6 +14,7 @@ import {
   Mesh,
   PointLight,
   SphereGeometry,
+  type Material,
   type Side,
 } from "three";
 import { meshOf } from "../state/mesh";
@@ -23,6 +24,8 @@ import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
+import { surroundedLook } from "./surrounded";
+import type { Surrounded } from "./surroundings";
 import { createWall } from "./wall";
 
 // Segments round a sphere: no corner shows at full screen. Of thousands, which are small there, as few
@@ -101,7 +104,8 @@ export function createSolids(scene: SceneData, plain: boolean) {
   const lights = lightsOf(scene, plain);
   const made = new Map<string, BufferGeometry>(); // one of each shape
   object.add(lights.group);
-  for (const each of scene.objects) {
+  const painted: { mesh: Mesh; look: Material; at: number }[] = [];
+  for (const [at, each] of scene.objects.entries()) {
     const material = scene.materials[each.material];
     if (each.type === "plane") {
       object.add(createWall(each, scene, looks));
@@ -118,9 +122,18 @@ export function createSolids(scene: SceneData, plain: boolean) {
     mesh.receiveShadow = true;
     if (looks.isClear(material)) mesh.renderOrder = 2;
     object.add(mesh);
+    painted.push({ mesh, look, at });
   }
   return {
     object,
+    /** Mirrors and glass show what is round them; null: they are painted. */
+    surround(surroundings: Surrounded | null) {
+      for (const { mesh, look, at } of plain ? [] : painted) {
+        if (mesh.material !== look) (mesh.material as Material).dispose();
+        const around = surroundings?.lookOf(at, !mesh.geometry.getAttribute("normal"));
+        mesh.material = around ? surroundedLook(around, look.side) : look;
+      }
+    },
     /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of
      *  lights or shadow maps would compile every shader anew. */
     follow(switched: SceneData, { without, bounces }: Switches) {

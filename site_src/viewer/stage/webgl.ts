@@ -42,7 +42,7 @@ function createSet(view: StageView) {
   const [hits, thinHits, stops] = [9, 6, 19].map((size) => createDots(size));
   const boxes = createBoxSet();
   world.add(...[solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes].map((part) => part.object));
-  const [forChosen, forThin, forBoxes, forSwitches] = [1, 2, 3, 4].map(() => memo<void>());
+  const [forChosen, forThin, forBoxes, forSwitches, forSurroundings] = [1, 2, 3, 4, 5].map(() => memo<void>());
   return {
     of: view.scene,
     world,
@@ -59,6 +59,7 @@ function createSet(view: StageView) {
         thinHits.show(now.thin.length > DOTS_UP_TO ? [] : endsOf(now.thin, false));
       });
       forBoxes([now.boxLines], () => boxes.show(now.boxLines));
+      forSurroundings([now.surroundings], () => solids.surround(now.surroundings));
       forSwitches([now.switched], () => {
         solids.follow(now.switched, now.state.switches);
         lamps.show(lampDots(now));
