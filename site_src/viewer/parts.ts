@@ -157,7 +157,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     recolour: stage.recolour,
     linesDrawn: () => drawn.lines,
     /** For tests. */
-    stats: () => ({ ...stage.stats(), shown: drawn, renders }),
+    stats: () => ({ ...stage.stats(), shown: drawn, renders, surrounded: session.surroundings?.scene === session.scene?.id }),
     loseContext: stage.loseContext,
   };
 }
