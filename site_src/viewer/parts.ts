@@ -87,7 +87,7 @@ type Present = NonNullable<ReturnType<typeof presentOf>>;
 function showPanels(panels: Panels, session: Session, words: () => typeof import("./event-words") | null, { state, lit, missing, scene, trace, view, event, recombined, traced }: Present) {
   const asking = isAsking(state, scene);
   const last = view.timeline?.events.at(-1);
-  panels.drawer.show(state);
+  panels.drawer.show(state, traced.scene);
   panels.legend.show(view.kinds, view.left);
   panels.picture.show(state, scene, trace, recombined);
   panels.card.show(state, scene, trace, missing, lit, event);

@@ -1,4 +1,4 @@
-"""What mirrors and glass have round them, for the stage's approximate look: FORMAT of surroundings.js.
+"""What mirrors and glass have round them, for the approximate look: FORMAT of surroundings.js.
 
 A rasteriser draws a mirror by looking up, for each pixel, which way a ray would go on and what is
 seen that way from the mirror's place. Both are traced here, once an object: a picture of all
@@ -19,12 +19,11 @@ from PIL import Image
 from raywalk.geometry.compiled import Rays, rays_from
 from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
-from raywalk.scene.materials import Material
-from raywalk.scene.model import SceneObject
+from raywalk.scene.model import Material, SceneObject
 from raywalk.scene.shapes import Box, Disc, Plane, Triangle
 from raywalk.trace.wavefront import Tracer, eight_bit
 
-SIDE = 160  # pixels of a picture of all directions: a little over a degree each
+SIDE = 192  # pixels of a picture of all directions: a degree each
 ANGLES = 64  # rows of a table of turns, by the cosine of the angle of incidence from 0 to 1
 QUALITY = 90  # of WebP: a mean error of about 2 of 255
 # Of a surface: less is not seen as a mirror or as something to look through.
@@ -140,8 +139,8 @@ def turns(material: Material, flat: bool = False) -> list[list[float]]:
     bent = _turn(way, refracted)
     # On a ball a ray comes out at the angle at which it went in: it turns by the same once more.
     between = np.pi - 2 * np.arctan2(refracted[:, 0], -refracted[:, 1])
-    if flat:
-        bent, between = 0 * ones, 0 * ones
+    if flat:  # both faces mirror, again and again: s + (1 - s)^2 s + ... = 2 s / (1 + s)
+        bent, between, share = 0 * ones, 0 * ones, 2 * share / (1 + share)
     return np.stack([mirrored, share, 2 * bent, between], axis=1).round(5).tolist()
 
 

@@ -3,6 +3,7 @@ import type { Actions } from "../actions";
 import { group } from "../element";
 import type { Moves } from "../state/observer";
 import type { ViewState } from "../state/view-state";
+import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { createTileMenu } from "./tile-menu";
 import { createViewPad } from "./view-pad";
@@ -17,8 +18,8 @@ export function createDrawer(acts: DrawerActs, whatIf: HTMLElement) {
   const pad = createViewPad(acts);
   return {
     parts: [view.element, view.note, tiles.element, whatIf, group(say("pad.name"), "", pad.element)],
-    show(state: ViewState) {
-      view.show(state);
+    show(state: ViewState, scene: SceneData) {
+      view.show(state, scene);
       tiles.show(state);
       pad.element.parentElement!.hidden = state.slice !== "none";
     },

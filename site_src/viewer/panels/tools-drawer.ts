@@ -1,6 +1,7 @@
 /** The drawer of tools beside the stage, and the button that opens it. What is in it comes when it is first opened. */
 import type { OnDemand } from "../on-demand";
 import type { ViewState } from "../state/view-state";
+import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { button, element, named } from "../element";
 import type { DrawerActs } from "./drawer";
@@ -26,8 +27,8 @@ export function createToolsDrawer(acts: DrawerActs, whatIf: HTMLElement, draw: (
   return {
     element: root,
     toggle,
-    show(state: ViewState) {
-      if (!root.hidden) content.now()?.show(state);
+    show(state: ViewState, scene: SceneData) {
+      if (!root.hidden) content.now()?.show(state, scene);
     },
   };
 }

@@ -3,13 +3,23 @@
  * row's or a column's rays drawn flat. Under it one sentence says what is seen.
  */
 import type { Actions } from "../actions";
-import { LOOKS } from "../state/look";
+import { LOOKS, type Look } from "../state/look";
 import { SLICES, type Slice, type ViewState } from "../state/view-state";
-import { say } from "../words";
+import type { SceneData } from "../trace/types";
+import { list, say } from "../words";
 import { button, element, named, pressed } from "../element";
 
 type Direction = Exclude<Slice, "none">;
 const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none");
+
+/** What is seen, and by which tricks: only those that the scene needs. */
+function noteOf(look: Look, { shadows, files, materials }: SceneData): string {
+  if (look !== "approximate") return say(`look.${look}.note`);
+  const shown = "surroundings" in files;
+  const [isMirror, isGlass] = [materials.some(({ reflect }) => reflect > 0.5), materials.some(({ transmit }) => transmit > 0)];
+  const tricks = [...(shadows ? [say("look.tricks.shadows")] : []), ...(shown && isMirror ? [say("look.tricks.mirrors")] : []), ...(shown && isGlass ? [say("look.tricks.glass")] : [])];
+  return tricks.length ? say("look.approximate.note", { tricks: list(tricks) }) : say("look.plain.note");
+}
 
 export function createViewSwitch(acts: Pick<Actions, "look" | "slice">) {
   const looks = LOOKS.map((look) => ({ look, choice: button(say(`look.${look}.word`), say(`look.${look}.help`), () => acts.look(look)) }));
@@ -25,10 +35,10 @@ export function createViewSwitch(acts: Pick<Actions, "look" | "slice">) {
   return {
     element: named(root, say("slice.view"), "group"),
     note,
-    show({ look, slice }: ViewState) {
+    show({ look, slice }: ViewState, scene: SceneData) {
       for (const each of looks) pressed(each.choice, slice === "none" && each.look === look);
       for (const each of slices) pressed(each.choice, each.slice === slice);
-      note.textContent = slice === "none" ? say(`look.${look}.note`) : say(`slice.${slice}.note`);
+      note.textContent = slice === "none" ? noteOf(look, scene) : say(`slice.${slice}.note`);
     },
   };
 }

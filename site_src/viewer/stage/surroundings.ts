@@ -14,7 +14,8 @@ export interface SurroundedLook {
   isClear: boolean; // rays go through it, and must be seen
 }
 
-const STEPS = 5; // towards what is seen from a place beside the centre, by how far things are
+const STEPS = 9; // towards what is seen from a place beside the centre, by how far things are
+const CAREFUL = 0.6; // of each step: with all of it edges would swing to and fro
 const FARTHEST = 60; // radii: what is farther, or nothing, lies as well there
 
 const VERTEX = `
@@ -47,7 +48,7 @@ vec3 seen(vec3 from, vec3 way) { // radii from the centre
   float gone = farTowards(way);
   for (int k = 0; k < ${STEPS}; k++) {
     vec3 at = from + gone * way;
-    gone = max(0.0, gone + farTowards(at) - length(at));
+    gone = max(0.0, gone + ${CAREFUL} * (farTowards(at) - length(at)));
   }
   return towards(from + gone * way).rgb;
 }
