@@ -7,7 +7,7 @@ import type { CostsOf } from "./state/tile-views";
 import type { Timeline } from "./state/timeline";
 import type { LitLine, ViewState } from "./state/types";
 import type { WhatIf } from "./state/what-if";
-import type { Surrounded } from "./stage/surroundings";
+import type { Surrounded } from "./state/surrounded";
 import type { TilePicture } from "./tile-picture";
 import type { SceneData, SectionsData, Trace } from "./trace/types";
 

@@ -4,7 +4,7 @@ import type { Shown } from "../state/shown";
 import type { LitLine, Observer, ViewState } from "../state/types";
 import type { TilePicture } from "../tile-picture";
 import type { SceneData, Trace } from "../trace/types";
-import type { Surrounded } from "./surroundings";
+import type { Surrounded } from "../state/surrounded";
 
 export interface StageView extends Pick<Shown, "plane" | "tiles" | "costs" | "boxLines" | "chosen" | "thin"> {
   scene: SceneData; // as it was traced

@@ -25,7 +25,7 @@ import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
 import { surroundedLook } from "./surrounded";
-import type { Surrounded } from "./surroundings";
+import type { Surrounded } from "../state/surrounded";
 import { createWall } from "./wall";
 
 // Segments round a sphere: no corner shows at full screen. Of thousands, which are small there, as few

@@ -1,6 +1,6 @@
 /** A material that shows what a body has round it, out of what the part `surroundings` says of it. */
 import { LinearFilter, ShaderMaterial, Texture, type Side } from "three";
-import type { SurroundedLook } from "./surroundings";
+import type { SurroundedLook } from "../state/surrounded";
 
 export function surroundedLook({ picture, uniforms, isClear, ...shaders }: SurroundedLook, side: Side): ShaderMaterial {
   const around = new Texture(picture);

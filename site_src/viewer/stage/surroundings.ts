@@ -2,17 +2,8 @@
  * Mirrors and glass as the pipeline's surroundings show them (trace/surroundings.py says what they hold). For each pixel a
  * look-up says how far a ray turns at this angle, another what is seen that way: nothing is worked out but places in pictures.
  */
+import type { Surrounded, SurroundedLook } from "../state/surrounded";
 import type { Surroundings, SurroundingsData } from "../trace/types";
-
-/** What makes a body look as its surroundings; the stage makes a material of it. */
-export interface SurroundedLook {
-  vertexShader: string;
-  fragmentShader: string;
-  defines: Readonly<Record<string, number>>;
-  picture: HTMLImageElement; // uniform `around`
-  uniforms: Record<string, { value: unknown }>;
-  isClear: boolean; // rays go through it, and must be seen
-}
 
 const STEPS = 9; // towards what is seen from a place beside the centre, by how far things are
 const CAREFUL = 0.6; // of each step: with all of it edges would swing to and fro
@@ -98,16 +89,13 @@ async function pictureOf(uri: string): Promise<HTMLImageElement> {
   return image;
 }
 
-export async function createSurroundings({ scene, objects }: SurroundingsData) {
+export async function createSurroundings({ scene, objects }: SurroundingsData): Promise<Surrounded> {
   const pictures = await Promise.all(objects.map(({ picture }) => pictureOf(picture)));
   return {
     scene,
-    /** null: this object neither mirrors nor lets through. */
-    lookOf(object: number, faces: boolean): SurroundedLook | null {
+    lookOf(object, faces) {
       const at = objects.findIndex((each) => each.object === object);
       return at < 0 ? null : lookOf(objects[at], pictures[at], faces);
     },
   };
 }
-
-export type Surrounded = Awaited<ReturnType<typeof createSurroundings>>;
