@@ -102,6 +102,7 @@ test("parts come in idle time, after the scene is there", async () => {
   await page.evaluate(() => window.raywalk.whole);
   assert.deepEqual(page.asked.sort(), Object.keys(PARTS).sort());
   await tab("tree")(page);
+  await settled(page);
   assert.ok(await page.locator(".tree .node").first().isVisible(), "at once");
   await page.close();
 });
@@ -167,6 +168,7 @@ for (const [what, reply] of Object.entries({
     await press(page, "ArrowRight");
     assert.notDeepEqual((await state(page)).pixel, pixel);
     await tab("tree")(page);
+    await settled(page);
     assert.ok(await page.locator(".tree .node").first().isVisible());
     await page.unrouteAll({ behavior: "ignoreErrors" });
     await page.getByRole("button", { name: "Try again" }).click();

@@ -3,6 +3,7 @@ import { say } from "../words";
 import { button, element, setWord } from "../element";
 
 const LEGIBLE = 0.92; // smaller than this a tree is drawn on request only
+const DESK = 13; // px: the type in a node, unscaled
 
 /** fitted: the tree is now drawn in the other way. */
 export function createTreeWindow(drawing: SVGElement, fitted: () => void) {
@@ -18,9 +19,11 @@ export function createTreeWindow(drawing: SVGElement, fitted: () => void) {
   function scale() {
     if (!size.width) return;
     const room = Math.min(root.clientWidth / size.width, root.clientHeight / size.height);
-    const share = room > 0 ? Math.min(1, fits ? room : Math.max(LEGIBLE, room)) : 1;
+    const full = Math.max(1, parseFloat(getComputedStyle(root).fontSize) / DESK); // larger in a lecture
+    const legible = LEGIBLE * full;
+    const share = room > 0 ? Math.min(full, fits ? room : Math.max(legible, room)) : full;
     for (const side of ["width", "height"] as const) drawing.setAttribute(side, String(Math.floor(size[side] * share)));
-    fit.hidden = !fits && (room <= 0 || room >= LEGIBLE);
+    fit.hidden = !fits && (room <= 0 || room >= legible);
     const does = fits ? "large" : "fit";
     setWord(fit, say(`tree.${does}.word`), say(`tree.${does}.help`));
     cue();

@@ -1,0 +1,120 @@
+/** A lecture: what can be read from the last row, what goes while the pointer rests, and what a clicker does. */
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
+
+const rich = richScene();
+const HALL = { width: 1920, height: 1080 };
+const QUICK = "still=1&gl=none&projector=1";
+const RESTS = 2500; // ms without the pointer moving
+let browser, page;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+beforeEach(async () => (page = await newPage(browser, { held: true, sharp: true, viewport: HALL })));
+afterEach(async () => {
+  assert.deepEqual(page.faults, []);
+  await page.close();
+});
+
+/** The smallest type in these parts, px, where they are seen; each of them must be. */
+const smallest = (...parts) =>
+  page.evaluate((parts) => parts.map((part) => {
+    const scaled = (each) => (each instanceof SVGGraphicsElement ? each.getScreenCTM().a : 1); // a tree is drawn larger
+    const sizes = [...document.querySelectorAll(part)].filter((each) => each.checkVisibility({ visibilityProperty: true }) && each.textContent.trim()).map((each) => parseFloat(getComputedStyle(each).fontSize) * scaled(each));
+    return [part, Math.min(...sizes)];
+  }), parts);
+async function atLeast(px, ...parts) {
+  for (const [part, size] of await smallest(...parts)) assert.ok(size >= px && size < 200, `${part}: ${size} px`);
+}
+
+test("at 1920 x 1080 the sentence has at least 36 px, numbers 26, labels 20", async () => {
+  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
+  await atLeast(20, ".labels span");
+  await atLeast(36, ".lesson-text p");
+  await press(page, ".", ".", ".");
+  await page.locator(".event-numbers").waitFor();
+  await settled(page);
+  await atLeast(36, ".event-says");
+  await atLeast(26, ".event-numbers");
+  await atLeast(20, ".labels span", ".event-count");
+  await open(page, ON_DISK, rich.path, `${QUICK}&step=2`);
+  await atLeast(36, ".lesson-text p");
+  await atLeast(20, ".lesson-place");
+  const numbers = { rays: [".says", ".where", ".brings"], tree: [".tree .node-name"], sum: [".sum-title", ".formula"], code: [".code-lines li"] };
+  for (const [tab, parts] of Object.entries(numbers)) {
+    await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8&tab=${tab}`);
+    await page.locator(parts[0]).first().waitFor();
+    await atLeast(tab === "tree" ? 20 : 26, ".pixel", ...parts); // a node's name is a label
+  }
+});
+
+test("no sentence of the event bar is cut off at that size, and the stage keeps its room", async () => {
+  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
+  const box = () => page.locator(".stage-view").boundingBox();
+  const before = await box();
+  assert.ok(before.width === HALL.width && before.height >= 0.8 * HALL.height, `the stage has ${before.width} x ${before.height}`);
+  const events = await page.evaluate(() => window.raywalk.stats().events.length);
+  for (let k = 0; k < events; k++) {
+    await press(page, ".");
+    assert.deepEqual(await box(), before);
+    const cut = await page.evaluate(() => document.querySelector(".lesson-text").scrollHeight - document.querySelector(".lesson-text").clientHeight);
+    assert.ok(cut <= 0, `event ${k + 1}: ${cut} px are cut off`);
+  }
+});
+
+test("controls go while the pointer rests and come when it moves; what has the keyboard's focus stays", async () => {
+  await open(page, ON_DISK, rich.path, `${QUICK}&step=1`);
+  const HIDDEN = [".top", ".top-tools", ".below-row"];
+  const shown = () => page.evaluate((parts) => parts.filter((part) => getComputedStyle(document.querySelector(part)).opacity !== "0"), HIDDEN);
+  const gone = async () => {
+    await pass(page, RESTS + 100);
+    await page.waitForFunction((parts) => parts.every((part) => getComputedStyle(document.querySelector(part)).opacity === "0"), HIDDEN);
+  };
+  const stage = await page.locator(".stage-view").boundingBox();
+  await page.mouse.move(600, 400);
+  await gone();
+  assert.ok(await page.locator(".lesson-text").isVisible());
+  assert.deepEqual(await page.locator(".stage-view").boundingBox(), stage, "it keeps its place");
+  await page.mouse.move(620, 400);
+  await page.waitForFunction((parts) => parts.every((part) => getComputedStyle(document.querySelector(part)).opacity === "1"), HIDDEN);
+  await page.locator(".render").focus();
+  await pass(page, RESTS + 100);
+  await page.waitForFunction(() => getComputedStyle(document.querySelector(".top")).opacity === "0");
+  assert.deepEqual(await shown(), [".below-row"]);
+  await press(page, "j");
+  assert.equal((await state(page)).projector, false);
+  await pass(page, RESTS + 100);
+  await page.waitForFunction((parts) => parts.every((part) => getComputedStyle(document.querySelector(part)).opacity === "1"), HIDDEN);
+});
+
+test("B blackens all of it until a key or a click, which does nothing else; outside of a lecture B is no key", async () => {
+  await open(page, ON_DISK, rich.path, QUICK);
+  const black = page.locator(".blackout");
+  const { pixel } = await state(page);
+  for (const again of [() => press(page, "ArrowRight"), () => press(page, "b"), () => page.mouse.click(700, 500)]) {
+    await press(page, "b");
+    await black.waitFor();
+    assert.deepEqual(await black.boundingBox(), { x: 0, y: 0, ...HALL });
+    assert.equal(await black.evaluate((each) => getComputedStyle(each).backgroundColor), "rgb(0, 0, 0)");
+    await again();
+    await settled(page);
+    assert.equal(await black.count(), 0);
+    assert.deepEqual((await state(page)).pixel, pixel);
+  }
+  await press(page, "j", "b");
+  assert.equal(await black.count(), 0);
+});
+
+test("a clicker has Page down alone: it begins the lesson, and at its end the next scene's", async () => {
+  const [first, second] = scenesOfSite();
+  await open(page, ON_DISK, first.path, QUICK);
+  await press(page, "PageDown");
+  assert.deepEqual([(await state(page)).scene, (await state(page)).step], [first.id, 0]);
+  const stops = await page.evaluate(() => window.raywalk.lesson().reduce((sum, { answer }) => sum + (answer ? 2 : 1), 0));
+  for (let k = 1; k < stops; k++) await press(page, "PageDown");
+  assert.equal((await state(page)).revealed, true);
+  await press(page, "PageDown");
+  await until(page, (s, t, id) => t.shown.scene === id, second.id);
+  const now = await state(page);
+  assert.deepEqual([now.scene, now.step, now.projector], [second.id, 0, true]);
+});
