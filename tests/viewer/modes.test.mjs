@@ -112,14 +112,14 @@ test("F asks for the full screen, and a refusal is said", async () => {
   assert.match(await page.locator("#notice").innerText(), /does not let this page fill the screen/);
 });
 
-test("the projector page is light, large, in the address, and shows pressed keys", async () => {
+test("a lecture's page is light, large, in the address, and shows pressed keys", async () => {
   await open(page, ON_DISK, rich.path, START);
   const looks = () => page.evaluate(() => ["body", ".lesson-text"].map((part) => getComputedStyle(document.querySelector(part))).map((style, k) => (k ? parseFloat(style.fontSize) : style.backgroundColor)));
   const [, plain] = await looks();
   await press(page, "j", "h");
   const [ground, large] = await looks();
   assert.equal(ground, "rgb(255, 255, 255)");
-  assert.ok(large >= 1.35 * plain);
+  assert.ok(large >= 1.2 * plain); // how large in a hall: lecture.test.mjs
   assert.match(await page.locator(".key-sign").innerText(), /H\s+rays of the selected row/);
   await page.waitForFunction(() => location.hash.includes("projector=1"));
   await page.reload();
@@ -145,6 +145,7 @@ for (const where of ["a file", "another origin"])
       await frame.waitForFunction(() => window.raywalk?.state());
       await frame.evaluate(() => window.raywalk.ready);
       const isThere = (parts) => Promise.all(parts.map((part) => frame.locator(part).isVisible()));
+      await frame.locator(".lesson-text").filter({ hasText: /\w/ }).waitFor();
       assert.deepEqual(await isThere([".stage-view", ".picture", ".lesson-text", ".start-lesson", ".play", ".scrub"]), Array(6).fill(true));
       assert.deepEqual(await isThere([".top", ".top-tools", "nav.scenes", ".card", ".controls", ".legend"]), Array(6).fill(false));
       await frame.getByRole("slider", { name: "Event" }).press("ArrowRight");
