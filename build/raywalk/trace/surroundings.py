@@ -23,7 +23,7 @@ from raywalk.scene.model import Material, SceneObject
 from raywalk.scene.shapes import Box, Disc, Plane, Triangle
 from raywalk.trace.wavefront import Tracer, eight_bit
 
-SIDE = 192  # pixels of a picture of all directions: a degree each
+SIDE = 240  # pixels of a picture of all directions: less than a degree each
 ANGLES = 64  # rows of a table of turns, by the cosine of the angle of incidence from 0 to 1
 QUALITY = 90  # of WebP: a mean error of about 2 of 255
 # Of a surface: less is not seen as a mirror or as something to look through.
