@@ -29,10 +29,29 @@ test("it opens and closes by keyboard, nothing of the page moves, and the keys o
   assert.deepEqual((await state(page)).pixel, pixel);
   await press(page, "Escape");
   assert.ok(!(await isOpen()));
-  assert.equal(await page.evaluate(() => document.activeElement.className), "take-open");
+  const focused = () => page.evaluate(() => document.activeElement.classList[0]);
+  assert.equal(await focused(), "take-open");
   const { width, height } = await page.locator(".take-open").boundingBox();
   assert.ok(width >= 44 && height >= 44);
+  await press(page, "Escape");
+  assert.equal(await page.locator("#menu").isVisible(), false, "one Escape a layer");
+  assert.equal(await focused(), "menu-open");
 });
+
+for (const opener of [".menu-open", ".chooser"])
+  test(`Escape closes what ${opener} has opened, and does not leave the player as well`, async () => {
+    const opened = page.locator(`#${await page.locator(opener).getAttribute("popovertarget")}`);
+    await press(page, ".");
+    const { event } = await state(page);
+    await page.focus(opener);
+    await press(page, "Enter");
+    await opened.waitFor();
+    await press(page, "Escape");
+    assert.equal(await opened.isVisible(), false);
+    assert.equal((await state(page)).event, event);
+    await press(page, "Escape");
+    assert.equal((await state(page)).event, null);
+  });
 
 test("every file it names is there, with its size; another scene's after turning to it", async () => {
   for (const { id } of [scenes[0], scenes[scenes.length - 1]]) {

@@ -16,7 +16,8 @@ function wayTo(row: RayRow, rows: readonly RayRow[]): string {
   return listed(kinds);
 }
 
-const ownShare = ({ share, keeps }: RayRow) => share * keeps;
+/** What a ray brings of its own: a surface's part of its colour, or all of the background's. */
+const ownShare = ({ share, keeps, object }: RayRow) => (object ? share * keeps : share);
 
 export function createShares(acts: LineActs): RaysView {
   const bar = element("div", "shares-bar");
@@ -57,9 +58,11 @@ export function createShares(acts: LineActs): RaysView {
     show({ rows }) {
       const parts = rows.filter((row) => ownShare(row) >= LEAST).sort((a, b) => ownShare(b) - ownShare(a));
       const [told, untold] = [parts.slice(0, MOST), parts.slice(MOST)];
-      const more = untold.reduce((sum, row) => sum + ownShare(row), 0);
+      const sum = (of: readonly RayRow[]) => of.reduce((sum, row) => sum + ownShare(row), 0);
+      const [more, none] = [sum(untold), 1 - sum(rows)]; // none: no bounce was left, or a switch has left them out
       bar.replaceChildren(...parts.map(piece));
-      const rest = untold.length ? [element("li", "share-rest numbers", say("card.moreShares", { count: untold.length, share: percent(more) }))] : [];
+      const line = (words: string) => element("li", "share-rest numbers", words);
+      const rest = [...(untold.length ? [line(say("card.moreShares", { count: untold.length, share: percent(more) }))] : []), ...(none >= LEAST ? [line(say("card.noShare", { share: percent(none) }))] : [])];
       const items = told.map((row) => item(row, rows));
       for (const each of items.slice(1)) each.tabIndex = -1;
       list.replaceChildren(...items, ...rest);
