@@ -75,8 +75,10 @@ test(`${id} by keyboard alone: from the address to the last answer, ${lesson.len
     if (step < lesson.length - 1) await page.keyboard.press("Enter");
   }
   // The steps ask to look: turn the view, pick a neighbour, walk its rays, all without a pointer.
-  await tabTo("Tools");
+  await tabTo("Tools: ");
   await page.keyboard.press("Enter");
+  await page.locator(".view-pad").waitFor();
+  assert.match((await focused()).name, /Plain/, "the focus goes on into the drawer");
   await tabTo("Turn the view left");
   const { observer } = await state(page);
   await page.keyboard.press("Enter");

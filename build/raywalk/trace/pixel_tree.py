@@ -73,6 +73,7 @@ def _lights(scene: Scene, wave: Wave, k: int) -> list[dict[str, Any]]:
     lighting, listed = wave.lighting, []
     for column, light in enumerate(scene.lights):
         seen = Visibility(lighting.visibility[k, column])
+        turned = bool((light.position - wave.hits.point[k]) @ wave.hits.geometric[k] <= 0.0)
         blocker = int(lighting.blocker[k, column])
         if seen == Visibility.BEHIND:
             blocker = int(wave.hits.object[k])  # it turns its back on the light
@@ -80,7 +81,7 @@ def _lights(scene: Scene, wave: Wave, k: int) -> list[dict[str, Any]]:
             "name": light.name,
             "visible": seen in LIT,
             "blocker": None if blocker == NOWHERE else scene.objects[blocker].name,
-            "faces_away": seen == Visibility.BEHIND,
+            "faces_away": seen == Visibility.BEHIND or (seen == Visibility.UNTESTED and turned),
             "diffuse": float(lighting.diffuse[k, column]),
             "specular": float(lighting.specular[k, column]),
         })  # fmt: skip

@@ -21,7 +21,12 @@ export function createToolsDrawer(acts: DrawerActs, whatIf: HTMLElement, draw: (
   function turn() {
     root.hidden = !root.hidden;
     toggle.setAttribute("aria-expanded", String(!root.hidden));
-    if (!root.hidden) content.use(() => (draw(), root.scrollIntoView({ block: "nearest" })));
+    if (root.hidden) return;
+    content.use(() => {
+      draw();
+      root.scrollIntoView({ block: "nearest" });
+      if (toggle.matches(":focus-visible")) root.querySelector("button")?.focus(); // opened by key, whose way on this is
+    });
   }
   toggle.setAttribute("aria-expanded", "false");
   return {
