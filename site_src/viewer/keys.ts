@@ -52,7 +52,7 @@ export function listenToKeys(acts: Actions & Modes) {
   function press(event: KeyboardEvent) {
     if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
     if (event.key !== "?" && document.querySelector("dialog[open]")) return; // the page below a sheet keeps still
-    if (event.key === "Escape" && [...document.querySelectorAll("[popover]")].some((each) => each.getClientRects().length)) return; // it closes that
+    if (event.key === "Escape" && document.querySelector(":popover-open")) return; // it closes that
     const target = event.target instanceof Element ? event.target : null;
     if (target?.closest(TYPING) || target?.closest("[popover]")) return;
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button

@@ -2,7 +2,7 @@
 import type { Actions } from "./actions";
 import { lightColours } from "./palette";
 import type { OnDemand } from "./on-demand";
-import { createTools } from "./panels/tools";
+import { button, pressed } from "./element";
 import type { Views } from "./saving";
 import type { Session } from "./session";
 import { say } from "./words";
@@ -24,19 +24,22 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
   const help = () => sheet.use((turn) => turn());
   const lecture = onDemand.one("lecture", ({ createLecture }) => createLecture(body));
 
-  function fullScreen() {
-    const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
-    (done ?? Promise.reject()).catch(() => notify(say("tools.noScreen")));
-  }
-
-  const tools = createTools({ link, save: (done) => saving.use(({ save }) => save(done)), slide: (done) => saving.use(({ slide }) => slide(done)), fullScreen, projector: acts.projector, help });
+  const menu = document.querySelector("#menu");
+  const tools = onDemand.one("tools", ({ createTools, createWayOut }) => {
+    const made = createTools({ link, save: (what, done) => saving.use((saves) => saves[what](done)), notify, help });
+    menu?.prepend(made.element);
+    if (isEmbedded) document.querySelector(".below-row")?.append(createWayOut(link));
+    return made;
+  });
+  const bring = () => tools.use(() => {});
+  menu?.addEventListener("beforetoggle", bring);
+  if (isEmbedded) bring();
+  const lecturing = button(say("tools.projector.word"), say("tools.projector.help"), acts.projector, { key: "J", className: "lecture" });
   body.classList.toggle("embed", isEmbedded);
-  if (isEmbedded) document.querySelector(".below-row")?.append(tools.whole);
-  document.querySelector("#menu")?.prepend(tools.element);
-  document.querySelector(".menu-open")?.before(tools.lecture);
+  document.querySelector(".menu-open")?.before(lecturing);
 
   return {
-    fullScreen,
+    fullScreen: () => tools.use(({ fullScreen }) => fullScreen()),
     help,
     black() {
       if (session.state?.projector) lecture.use(({ black }) => black());
@@ -50,7 +53,7 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
       body.classList.toggle("projector", isProjector);
       if (lightColours(isProjector)) recolour();
       if (isProjector || lecture.now()) lecture.use(({ show }) => show(isProjector));
-      tools.show(isProjector);
+      pressed(lecturing, isProjector);
     },
   };
 }

@@ -17,6 +17,7 @@ const PARTS = {
   copies: () => import("./panels/copies"),
   saving: () => import("./saving"),
   drawer: () => import("./panels/drawer"),
+  tools: () => import("./panels/tools"),
   lecture: () => import("./panels/lecture"),
   surroundings: () => import("./stage/surroundings"),
   "tile-legend": () => import("./panels/tile-legend"),

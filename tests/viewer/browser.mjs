@@ -178,7 +178,10 @@ const openPopover = (opener, popover) => async (page) => {
   if (!(await page.locator(popover).isVisible())) await page.locator(opener).click();
   await page.locator(popover).waitFor();
 };
-export const openMenu = openPopover(".menu-open", "#menu");
+export async function openMenu(page) {
+  await openPopover(".menu-open", "#menu")(page);
+  await page.locator("#menu .tools").waitFor({ state: "attached" }); // its part comes when asked for; a kiosk does not show it
+}
 export const openChooser = openPopover(".chooser", "nav.scenes");
 
 /** Another scene, chosen by its picture. */

@@ -97,6 +97,7 @@ async function course(query, hash, [width, height]) {
   const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
   await frame.waitForFunction(() => window.raywalk?.state());
   await frame.evaluate(() => window.raywalk.ready);
+  await frame.locator(".embed-bar a").waitFor(); // its part comes by itself
   await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
   return { outer, frame };
 }

@@ -41,6 +41,7 @@ const PARTS = {
   "card-tree": [tab("tree"), ".tree .node"],
   "card-sum": [tab("sum"), ".sums .formula"],
   code: [tab("code"), ".code-lines li"],
+  tools: [(page) => page.locator(".menu-open").click(), ".tools button"],
   copies: [tool("Copy the pixel's rays as text"), "textarea.by-hand, button.done"],
   saving: [download("Save this view"), "button.done"],
   help: [(page) => page.keyboard.press("?"), "dialog[open] .keys"],

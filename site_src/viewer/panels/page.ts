@@ -23,11 +23,6 @@ function writeSlides(root: string, { id }: SceneData, slides: string | undefined
 }
 
 export function createPage({ root, article, title, links }: PageParts, onDemand: OnDemand) {
-  // Opened, the panel takes the focus. Written in the page, the word would ask for it at once, which frames may not.
-  const take = document.querySelector("#take");
-  take?.setAttribute("autofocus", "");
-  // Closed, it gives it back: browsers do so for the menu that it was opened from, but not for what is over that.
-  take?.addEventListener("toggle", (event) => (event as ToggleEvent).newState === "closed" && document.querySelector<HTMLElement>(".take-open")!.focus());
   const writing = onDemand.one("article", (part) => part);
   let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
 

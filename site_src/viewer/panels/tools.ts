@@ -1,28 +1,50 @@
-/** The page's own buttons: link, picture, full screen, projector, help; and embedded, the way to the whole page. */
-import type { Actions } from "../actions";
+/** The page's own buttons: link, picture, full screen, help; and embedded, the way to the whole page. They come when the
+ *  page's menu is first opened. */
 import { say } from "../words";
 import { copy } from "./clipboard";
 import { sayDone } from "./done";
-import { button, element, named, pressed } from "../element";
+import { button, element, named } from "../element";
 
-export type ToolActs = Pick<Actions, "projector"> & {
+export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
   link: () => string;
   /** done: with the file's name. */
-  save: (done: (file: string) => void) => void;
-  slide: (done: (file: string) => void) => void;
-  fullScreen: () => void;
+  save: (what: "save" | "slide", done: (file: string) => void) => void;
+  notify: (sentence: string) => void;
   help: () => void;
-};
+}
+
+/** From a page within another one to the whole page, with the same view. */
+export function createWayOut(link: () => string) {
+  const whole = element("a", "whole", say("tools.whole"));
+  whole.target = "_blank";
+  whole.rel = "noopener";
+  const direct = () => void (whole.href = link());
+  for (const on of ["pointerenter", "focus", "pointerdown"]) whole.addEventListener(on, direct);
+  direct();
+  return element("p", "embed-bar", whole);
+}
+
+/** Opened from the menu, the panel of slides takes the focus, and closed it gives it back: browsers do so for the menu, but not
+ *  for what is over it. Written in the page, the word would ask for the focus at once, which frames may not. */
+function letSlidesFocus() {
+  const panel = document.querySelector("#take");
+  panel?.setAttribute("autofocus", "");
+  panel?.addEventListener("toggle", (event) => (event as ToggleEvent).newState === "closed" && document.querySelector<HTMLElement>(".take-open")!.focus());
+}
 
 export function createTools(acts: ToolActs) {
+  letSlidesFocus();
   const link = button(say("tools.link.word"), say("tools.link.help"), () => void copy(acts.link(), () => sayDone(link, say("tools.link.done"))));
   const saving = (what: "save" | "slide") => {
-    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts[what]((file) => sayDone(made, say(`tools.${what}.done`, { file }))));
+    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts.save(what, (file) => sayDone(made, say(`tools.${what}.done`, { file }))));
     return made;
   };
-  const lecture = button(say("tools.projector.word"), say("tools.projector.help"), acts.projector, { key: "J", className: "lecture" });
-  const screen = button(say("tools.fullScreen.word"), say("tools.fullScreen.help"), acts.fullScreen);
+  function fullScreen() {
+    const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
+    (done ?? Promise.reject()).catch(() => acts.notify(say("tools.noScreen")));
+  }
+  const screen = button(say("tools.fullScreen.word"), say("tools.fullScreen.help"), fullScreen);
   screen.hidden = !document.fullscreenEnabled;
   const root = element(
     "div",
@@ -33,20 +55,5 @@ export function createTools(acts: ToolActs) {
     screen,
     button(say("tools.keys.word"), say("tools.keys.help"), acts.help, { key: "?" }),
   );
-  const whole = element("a", "whole", say("tools.whole"));
-  whole.target = "_blank";
-  whole.rel = "noopener";
-  const direct = () => void (whole.href = acts.link());
-  for (const on of ["pointerenter", "focus", "pointerdown"]) whole.addEventListener(on, direct);
-
-  return {
-    element: named(root, say("tools.region"), "group"),
-    lecture,
-    /** For a page within another one. */
-    whole: element("p", "embed-bar", whole),
-    show(isProjector: boolean) {
-      pressed(lecture, isProjector);
-      if (!whole.href) direct();
-    },
-  };
+  return { element: named(root, say("tools.region"), "group"), fullScreen };
 }
