@@ -10,7 +10,7 @@ import { serve } from "./server.mjs";
 
 const rich = richScene();
 const mesh = scenesOfSite().find(({ id }) => Object.keys(readScene(id).meshes).length);
-const HASH = "#still=1";
+const HASH = "#still=1&look=plain"; // the approximate look would ask for what mirrors show
 let browser, server;
 before(async () => {
   [browser, server] = await Promise.all([launch(), serve(DIST)]);
@@ -30,6 +30,7 @@ const download = (name) => async (page) => {
 
 /** Part -> [what asks for it, what then is there]; in an order in which none asks for another's. */
 const PARTS = {
+  surroundings: [(page) => page.keyboard.press("t"), ".stage-view canvas"],
   flat: [(page) => page.evaluate(() => window.raywalk.loseContext()), "body[data-renderer=flat] .stage-view canvas"],
   "tile-legend": [(page) => page.keyboard.press("c"), ".tile-legend .means"],
   "event-words": [(page) => page.keyboard.press("."), ".event-says"],
