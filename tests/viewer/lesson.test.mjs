@@ -93,6 +93,21 @@ test("after the last answer Page down begins the next scene's lesson: a clicker 
   assert.equal((await state(page)).step, 0);
 });
 
+test("at a lesson's end the button beside its place names the way on and leads there, on a phone too", async () => {
+  const { scene } = await readTrace(scenes[0].id, 15);
+  const narrow = await newPage(browser, { viewport: { width: 390, height: 844 } });
+  for (const of of [page, narrow]) {
+    await open(of, ON_DISK, scenes[0].path, `${QUICK}&step=${scene.lesson.length}&answer=1`);
+    const next = of.locator(".lesson-steps .next");
+    assert.match(await next.innerText(), /Next lesson/);
+    await next.click();
+    await until(of, (s, t, id) => t.shown.scene === id, scenes[1].id);
+    assert.equal((await state(of)).step, 0);
+  }
+  assert.deepEqual(narrow.faults, []);
+  await narrow.close();
+});
+
 test("Reveal works by keyboard, and the focus goes on to Next", async () => {
   const { scene } = await readTrace(scenes[0].id, 15);
   const asking = scene.lesson.findIndex((step) => step.answer);
