@@ -76,7 +76,7 @@ function start(own: HTMLScriptElement) {
   reducedMotion.addEventListener("change", () => beat.draw());
 
   navigation.followPage();
-  const whole = navigation.ready().then(onDemand.bringAll);
+  const whole = navigation.ready().then(onDemand.bringAll).then(session.changed);
   window.raywalkKiosk?.attach({ session, acts, begin: navigation.begin, ready: navigation.ready, ids: links.map((link) => link.dataset.scene!) });
   exposeSession(session, {
     ready: navigation.ready,

@@ -19,6 +19,7 @@ const PARTS = {
   drawer: () => import("./panels/drawer"),
   tools: () => import("./panels/tools"),
   lecture: () => import("./panels/lecture"),
+  spoken: () => import("./panels/spoken"),
   surroundings: () => import("./stage/surroundings"),
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),

@@ -10,7 +10,6 @@ import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
-import { createSpoken } from "./panels/spoken";
 import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
 import { createToolsDrawer } from "./panels/tools-drawer";
@@ -33,7 +32,7 @@ export interface Surroundings {
 const ON_STAGE = ".stage > .picture"; // what must not hide a label
 const NARROW = "(max-width: 760px)";
 
-function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { page, pictureFailed }: Surroundings) {
+function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: Surroundings) {
   const whatIf = createWhatIf(acts, onDemand);
   return {
     picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
@@ -47,13 +46,14 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     tileColours: createTileColours(session.changed, onDemand),
     page: createPage(page, onDemand),
     savings: createSavings(onDemand),
-    spoken: createSpoken(),
+    // Nothing is spoken before the page is whole.
+    spoken: onDemand.one("spoken", ({ createSpoken }) => createSpoken(home)),
   };
 }
 type Panels = ReturnType<typeof createPanels>;
 
 /** The stage with the drawer beside it and the ray card at its other side, and under all of them what is told and done. */
-function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, whatIf, drawer, tileColours, savings, spoken }: Panels) {
+function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, whatIf, drawer, tileColours, savings }: Panels) {
   const space = element("section", "stage", stage.element);
   const side = element("div", "side", card.head, card.element, legend.element, savings.element);
   // What is told comes first for those who go through the page by Tab, wherever it stands.
@@ -61,7 +61,6 @@ function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, ca
     element("div", "below", lesson.element, element("div", "below-row", player.element, whatIf.undo, controls.element), tileColours.element, whatIf.element),
     element("div", "stage-row", drawer.element, space),
     side,
-    spoken.element,
   );
   document.querySelector(".menu-open")!.before(drawer.toggle);
   // Where the card is not beside the stage, the picture stands in the stage's corner.
@@ -98,7 +97,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.tileColours.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
   panels.savings.show(scene);
-  panels.spoken.show(state, scene, trace, asking);
+  panels.spoken.now()?.show(state, scene, trace, asking);
 }
 
 export function createParts(session: Session, acts: Actions, onDemand: OnDemand, surroundings: Surroundings) {

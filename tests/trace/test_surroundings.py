@@ -115,3 +115,13 @@ def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_t
     distance = np.linalg.norm(seen.hits.point - body["centre"], axis=1)
     near = np.where(seen.hits.object < 0, 0, 255 * body["radius"] / (body["radius"] + distance))
     assert np.abs(picture[:, 3] - near).max() <= 1
+
+
+def test_of_many_mirrors_the_largest_have_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
+    tracer = tracer_of(GLASS)
+    monkeypatch.setattr("raywalk.trace.surroundings.MOST", 2)
+    monkeypatch.setattr("raywalk.trace.surroundings.SIDE", 8)
+    data = surroundings_of(tracer)
+    assert data is not None
+    named = [tracer.scene.objects[each["object"]].name for each in data["objects"]]
+    assert named == ["glass cylinder", "glass slab"]  # 0.93 and 1.07 round; the sphere 0.85

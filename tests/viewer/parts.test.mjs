@@ -51,6 +51,9 @@ const PARTS = {
   lecture: [(page) => press(page, "j", "b"), ".blackout"],
 };
 
+const IN_IDLE_TIME = ["spoken"]; // nothing asks for it: the page speaks once it is whole
+const ALL = [...Object.keys(PARTS), ...IN_IDLE_TIME].sort();
+
 /** A page whose browser is never idle, or whose idle time comes when the test says so, and the parts it asks for. */
 async function pageAt(base, { idle = false, path = rich.path, hash = HASH } = {}) {
   const page = await newPage(browser);
@@ -69,7 +72,7 @@ async function pageAt(base, { idle = false, path = rich.path, hash = HASH } = {}
 
 test("the bundle's parts are those that are tried here, each module stands in one script, and each part is at most 15 KB", async () => {
   const { parts, modules } = await bundleViewer();
-  assert.deepEqual(Object.keys(parts).sort(), Object.keys(PARTS).sort());
+  assert.deepEqual(Object.keys(parts).sort(), ALL);
   const all = Object.values(modules).flat();
   assert.deepEqual(all.filter((path, at) => all.indexOf(path) !== at), []);
   for (const [name, text] of Object.entries(parts)) assert.ok(gzipSync(text, { level: 9 }).length <= 15_000, name);
@@ -102,7 +105,7 @@ for (const [where, base] of [["a host", () => server.url], ["a disk", () => ON_D
 test("parts come in idle time, after the scene is there", async () => {
   const page = await pageAt(server.url, { idle: true });
   await page.evaluate(() => window.raywalk.whole);
-  assert.deepEqual(page.asked.sort(), Object.keys(PARTS).sort());
+  assert.deepEqual(page.asked.sort(), ALL);
   await tab("tree")(page);
   await settled(page);
   assert.ok(await page.locator(".tree .node").first().isVisible(), "at once");

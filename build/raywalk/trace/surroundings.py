@@ -21,9 +21,10 @@ from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.scatter import glass_shares, mirror_directions, refracted_directions
 from raywalk.scene.model import Material, SceneObject
 from raywalk.scene.shapes import Box, Disc, Plane, Triangle
-from raywalk.trace.wavefront import Tracer, eight_bit
+from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 SIDE = 240  # pixels of a picture of all directions: less than a degree each
+MOST = 24  # bodies, the largest: in a scene of many little is seen of the others
 ANGLES = 64  # rows of a table of turns, by the cosine of the angle of incidence from 0 to 1
 QUALITY = 90  # of WebP: a mean error of about 2 of 255
 # Of a surface: less is not seen as a mirror or as something to look through.
@@ -34,7 +35,7 @@ Json = dict[str, Any]
 
 
 def surroundings_of(tracer: Tracer) -> Json | None:
-    """Of each mirror and glass body its surroundings; None where the scene has neither.
+    """Of each mirror and glass body, at most MOST, its surroundings; None where there is neither.
 
     {"object": index, "centre", "radius" of a sphere round it, "picture": a data URI, "turns"}.
     Pixel (u, v) of the picture is the direction that `directions` gives for it: its colour, and as
@@ -44,10 +45,14 @@ def surroundings_of(tracer: Tracer) -> Json | None:
     the normal.
     """
     scene = tracer.scene
-    shown = [
-        _surroundings(tracer, k, scene.materials[obj.material])
+    bodies = [
+        (k, *_sphere(tracer, k))
         for k, obj in enumerate(scene.objects)
         if _is_shown(obj, scene.materials[obj.material])
+    ]
+    bodies.sort(key=lambda body: -body[2])
+    shown = [
+        _surroundings(tracer, *body) for body in sorted(bodies[:MOST], key=lambda body: body[0])
     ]
     return {"format": 1, "scene": scene.id, "objects": shown} if shown else None
 
@@ -57,15 +62,15 @@ def _is_shown(obj: SceneObject, material: Material) -> bool:
     return shows and not isinstance(obj.shape, Plane)
 
 
-def _surroundings(tracer: Tracer, k: int, material: Material) -> Json:
-    centre, radius = _sphere(tracer, k)
+def _surroundings(tracer: Tracer, k: int, centre: np.ndarray, radius: float) -> Json:
+    obj = tracer.scene.objects[k]
     picture = _around(tracer, k, centre, radius)
     return {
         "object": k,
         "centre": centre.tolist(),
         "radius": radius,
         "picture": _data_uri(picture),
-        "turns": turns(material, isinstance(tracer.scene.objects[k].shape, FLAT)),
+        "turns": turns(tracer.scene.materials[obj.material], isinstance(obj.shape, FLAT)),
     }
 
 
@@ -96,14 +101,16 @@ def directions(side: int = SIDE) -> np.ndarray:
 
 def _around(tracer: Tracer, k: int, centre: np.ndarray, radius: float) -> np.ndarray:
     """(SIDE, SIDE, 4) uint8: what is seen from the centre as if object k were not there."""
-    way = directions()
-    rays = _through(tracer, rays_from(np.tile(centre, (len(way), 1)), way), k)
     media = [each for each in tracer.media_at(centre) if each != k]
-    first = tracer.to_the_end(rays, media)[0]
-    away = np.sqrt(((first.hits.point - centre) ** 2).sum(axis=1))
-    away[first.hits.object == NOWHERE] = np.inf
-    near = np.rint(255 * radius / (radius + away)).astype(np.uint8)
-    return np.column_stack([eight_bit(first.colour), near]).reshape(SIDE, SIDE, 4)
+    strips = []
+    for way in np.array_split(directions(), max(1, SIDE * SIDE // STRIP)):
+        rays = _through(tracer, rays_from(np.tile(centre, (len(way), 1)), way), k)
+        first = tracer.to_the_end(rays, media)[0]
+        away = np.sqrt(((first.hits.point - centre) ** 2).sum(axis=1))
+        away[first.hits.object == NOWHERE] = np.inf
+        near = np.rint(255 * radius / (radius + away)).astype(np.uint8)
+        strips.append(np.column_stack([eight_bit(first.colour), near]))
+    return np.concatenate(strips).reshape(SIDE, SIDE, 4)
 
 
 def _through(tracer: Tracer, rays: Rays, k: int) -> Rays:

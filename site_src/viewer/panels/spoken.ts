@@ -25,14 +25,14 @@ export function selectionInWords(state: ViewState, scene: SceneData, trace: Trac
   return say("spoken.hit", { ...slots, count: others.length + 1, object: object.name, lights: lightsOf(trace, scene, camera) }).replace("  ", " "); // a mirror asks none
 }
 
-export function createSpoken() {
+export function createSpoken(home: HTMLElement) {
   const root = element("p", "unseen");
   root.setAttribute("role", "status");
   root.setAttribute("aria-live", "polite");
+  home.append(root);
   const spoken = memo<void>();
   let timer = 0;
   return {
-    element: root,
     show(state: ViewState, scene: SceneData, trace: Trace | null, isCovered: boolean) {
       const isBusy = !trace || isCovered || state.playing || state.tiles === "filling" || state.event !== null; // an event's sentence is read out where it stands
       spoken(isBusy ? [] : [trace, pixelIndex(state)], () => {
