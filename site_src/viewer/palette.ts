@@ -34,14 +34,12 @@ export function lightColours(light: boolean): boolean {
   return true;
 }
 
-const GREY = 0.12; // a lamp whose channels differ by less shines white: it has the sign's own colour
-const hex = (colour: readonly number[]) => `#${colour.map((v) => Math.round(255 * v).toString(16).padStart(2, "0")).join("")}`;
-
-/** Of a lamp's sign: its light's hue, as bright as a sign must be. */
+/** Of a lamp's sign: its light's hue, as bright as a sign must be; a white lamp has the sign's own colour. */
 export function lampColour(light: readonly number[]): string {
-  const [least, most] = [Math.min(...light), Math.max(...light)];
-  if (most <= 0 || most - least < GREY * most) return STAGE.lamp;
-  return hex(light.map((v) => (STAGE.onPaper ? 0.78 : 1) * (STAGE.onPaper ? v / most : 0.25 + (0.75 * v) / most)));
+  const most = Math.max(...light);
+  if (most - Math.min(...light) <= 0.12 * most) return STAGE.lamp;
+  const shade = (v: number) => Math.round(255 * (STAGE.onPaper ? (0.78 * v) / most : 0.25 + (0.75 * v) / most));
+  return `#${light.map((v) => shade(v).toString(16).padStart(2, "0")).join("")}`;
 }
 
 /** [r, g, b], each 0..1. */

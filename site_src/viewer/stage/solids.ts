@@ -24,7 +24,6 @@ import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
-import { surroundedLook } from "./surrounded";
 import type { Surrounded } from "../state/surrounded";
 import { createWall } from "./wall";
 
@@ -130,8 +129,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
     surround(surroundings: Surrounded | null) {
       for (const { mesh, look, at } of plain ? [] : painted) {
         if (mesh.material !== look) (mesh.material as Material).dispose();
-        const around = surroundings?.lookOf(at, !mesh.geometry.getAttribute("normal"));
-        mesh.material = around ? surroundedLook(around, look.side) : look;
+        mesh.material = (surroundings?.lookOf(at, look.side, !mesh.geometry.getAttribute("normal")) as Material | null | undefined) ?? look;
       }
     },
     /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of
