@@ -84,7 +84,7 @@ def _sphere(tracer: Tracer, k: int) -> tuple[np.ndarray, float]:
     return table.centre[row], math.sqrt(table.reach_sq[row])
 
 
-def directions(side: int = SIDE) -> np.ndarray:
+def directions(side: int) -> np.ndarray:
     """(side * side, 3) unit directions of a square picture's pixels, raster order.
 
     The octahedron |x| + |y| + |z| = 1 seen from above, its lower half folded out into the corners
@@ -103,7 +103,7 @@ def _around(tracer: Tracer, k: int, centre: np.ndarray, radius: float) -> np.nda
     """(SIDE, SIDE, 4) uint8: what is seen from the centre as if object k were not there."""
     media = [each for each in tracer.media_at(centre) if each != k]
     strips = []
-    for way in np.array_split(directions(), max(1, SIDE * SIDE // STRIP)):
+    for way in np.array_split(directions(SIDE), max(1, SIDE * SIDE // STRIP)):
         rays = _through(tracer, rays_from(np.tile(centre, (len(way), 1)), way), k)
         first = tracer.to_the_end(rays, media)[0]
         away = np.sqrt(((first.hits.point - centre) ** 2).sum(axis=1))
