@@ -24,6 +24,7 @@ import type { Part, Switches } from "../state/switches";
 import { cross, dot, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
+import { surroundedLook } from "./surrounded";
 import type { Surrounded } from "../state/surrounded";
 import { createWall } from "./wall";
 
@@ -129,7 +130,8 @@ export function createSolids(scene: SceneData, plain: boolean) {
     surround(surroundings: Surrounded | null) {
       for (const { mesh, look, at } of plain ? [] : painted) {
         if (mesh.material !== look) (mesh.material as Material).dispose();
-        mesh.material = (surroundings?.lookOf(at, look.side, !mesh.geometry.getAttribute("normal")) as Material | null | undefined) ?? look;
+        const around = surroundings?.lookOf(at, !mesh.geometry.getAttribute("normal"));
+        mesh.material = around ? surroundedLook(around, look.side) : look;
       }
     },
     /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of

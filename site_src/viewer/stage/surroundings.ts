@@ -2,9 +2,7 @@
  * Mirrors and glass as the pipeline's surroundings show them (trace/surroundings.py says what they hold). For each pixel a
  * look-up says how far a ray turns at this angle, another what is seen that way: nothing is worked out but places in pictures.
  */
-import type { Side } from "three";
-import { LinearFilter, ShaderMaterial, Texture } from "./three-shared";
-import type { Surrounded } from "../state/surrounded";
+import type { Surrounded, SurroundedLook } from "../state/surrounded";
 import type { Surroundings, SurroundingsData } from "../trace/types";
 
 const STEPS = 9; // towards what is seen from a place beside the centre, by how far things are
@@ -72,23 +70,16 @@ void main() {
   gl_FragColor = vec4(colour, 1.0);
 }`;
 
-/** A look of one body; faces: it has no normals but its triangles' own. */
-function lookOf({ centre, radius, turns }: Surroundings, picture: HTMLImageElement, side: Side, faces: boolean): ShaderMaterial {
-  const around = new Texture(picture);
-  around.magFilter = around.minFilter = LinearFilter;
-  around.generateMipmaps = around.flipY = false;
-  around.needsUpdate = true;
-  const look = new ShaderMaterial({
+/** A look of one body, as three's materials are described; faces: it has no normals but its triangles' own. */
+function lookOf({ centre, radius, turns }: Surroundings, picture: HTMLImageElement, faces: boolean): SurroundedLook {
+  return {
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT.replaceAll("ROWS", String(turns.length)),
     defines: faces ? { FACES: 1 } : {},
-    uniforms: { around: { value: around }, turns: { value: turns.flat() }, centre: { value: centre }, radius: { value: radius } },
-    side,
-    transparent: true, // after the walls, and before the rays that go through it
-    depthWrite: turns.every(([, mirrored]) => mirrored === 1),
-  });
-  look.addEventListener("dispose", () => around.dispose());
-  return look;
+    picture,
+    uniforms: { turns: { value: turns.flat() }, centre: { value: centre }, radius: { value: radius } },
+    isClear: turns.some(([, mirrored]) => mirrored < 1),
+  };
 }
 
 async function pictureOf(uri: string): Promise<HTMLImageElement> {
@@ -102,9 +93,9 @@ export async function createSurroundings({ scene, objects }: SurroundingsData): 
   const pictures = await Promise.all(objects.map(({ picture }) => pictureOf(picture)));
   return {
     scene,
-    lookOf(object, side, faces) {
+    lookOf(object, faces) {
       const at = objects.findIndex((each) => each.object === object);
-      return at < 0 ? null : lookOf(objects[at], pictures[at], side, faces);
+      return at < 0 ? null : lookOf(objects[at], pictures[at], faces);
     },
   };
 }
