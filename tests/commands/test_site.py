@@ -393,5 +393,5 @@ def test_sizes_are_told_by_budget_beside_a_floor(built, capsys):
     assert site(built, "--sizes") == 0
     said = capsys.readouterr().out
     assert "ray trees at the finest grid: at most 1.70 bytes a ray" in said
-    assert "of lossless WebP" in said and "of xz -9e" in said
+    assert "of its PNG" in said and "of xz -9e" in said
     assert (built / "dist" / "sizes" / "index.html").is_file()

@@ -19,7 +19,7 @@ const different = (a, b) => a.data.reduce((count, value, k) => count + (Math.abs
 
 test("T goes round: approximate, traced, plain; each names itself in a sentence", async () => {
   assert.equal((await state(page)).look, "approximate");
-  for (const [look, word, note] of [["traced", "Traced", /Ray traced/], ["plain", "Plain", /no shadows/], ["approximate", "Approximate", /painted/]]) {
+  for (const [look, word, note] of [["traced", "Traced", /Ray traced/], ["plain", "Plain", /no shadows/], ["approximate", "Approximate", /shadow maps, mirrors that look up/]]) {
     await press(page, "t");
     assert.equal((await state(page)).look, look);
     assert.deepEqual(await pressedNames(), [word]);
