@@ -46,7 +46,7 @@ test("what was looked at is there when the host is gone; what was not is said", 
   const { n } = await state(page);
   await isKept(`${first.id}/${n}.js`);
   await isKept(`${first.id}/picture.webp`);
-  await press(page, "PageDown"); // a scene in the same page, through the worker by now
+  await page.evaluate((id) => document.querySelector(`nav.scenes a[data-scene="${id}"]`).click(), second.id); // a scene in the same page, through the worker by now
   await until(page, (s, t, id) => s.scene === id && t.tiles.length > 0, second.id);
   await isKept(`${second.id}/picture.webp`);
   for (const name of readdirSync(`${DIST}/assets`).filter((each) => each.startsWith("part-"))) await isKept(name);
@@ -59,7 +59,7 @@ test("what was looked at is there when the host is gone; what was not is said", 
     assert.ok((await stats(page)).tiles.length > 0);
     assert.ok(await pictureShows(".picture img"));
     await page.locator("#tab-card-tree").click(); // parts that come when asked for are there too
-    assert.ok(await page.locator(".tree .node").first().isVisible());
+    await page.locator(".tree .node").first().waitFor();
     await press(page, "?");
     assert.ok(await page.locator("dialog[open] .keys").first().isVisible());
     assert.equal((await stats(page)).notice, "");

@@ -98,10 +98,10 @@ test("moving wraps round at all four edges", () => {
   assert.deepEqual(move(select(start, 14, 14), 1, 1).pixel, [0, 0]);
 });
 
-test("rendering fills by time, in ten seconds at speed 1, and still fills at once", () => {
+test("rendering fills by time, in three seconds at speed 1, and still fills at once", () => {
   let state = advance(pressRender(start), 1);
-  assert.equal(tilesShown(state), Math.floor(225 / 10));
-  state = advance(state, 9.01);
+  assert.equal(tilesShown(state), Math.floor(225 / 3));
+  state = advance(state, 2.01);
   assert.equal(state.tiles, "filled");
   assert.equal(pressRender({ ...start, still: true }).tiles, "filled");
 });
@@ -199,7 +199,7 @@ test("a pixel's tree is walked depth first, and its shadow rays end at the light
   // one pixel: a camera ray, its reflected ray (which has one of its own) and its refracted ray; one light
   const trace = {
     n: 1, lights: 1, count: 4, kind: [0, 1, 2, 1], parent: [-1, 0, 0, 1], pixel: [0, 0, 0, 0], object: [0, 0, -1, 0],
-    point: [0, 0, 1, 0, 1, 0, 2, 2, 2, 3, 3, 3], visibility: [1, 0, 3, 2], blockedAt: [1, 0.5, 1, 1],
+    point: [0, 0, 1, 0, 1, 0, 2, 2, 2, 3, 3, 3], visibility: [1, 0, 3, 2], blockedAt: [1, 0.5, 1, 1], weight: [1, 0.5, 0.5, 0.5], localWeight: [0, 0.5, 1, 1],
   };
   assert.deepEqual(treeOf(trace, 0), [0, 1, 3, 2]);
   const lines = linesOf(trace, scene, 0);
@@ -207,4 +207,5 @@ test("a pixel's tree is walked depth first, and its shadow rays end at the light
   assert.deepEqual(lines[1].to, scene.lights[0].position);
   assert.deepEqual(lines[3].to, [-0.5, 1.5, 0.5]);
   assert.equal(lines[4].leaves, true);
+  assert.deepEqual(lines.map((line) => line.share), [1, 0, 0.5, 0.25, 0.5, 0.25]); // of shadow rays: of the hit's own colour
 });

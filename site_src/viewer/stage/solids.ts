@@ -15,6 +15,7 @@ import {
   PointLight,
   SphereGeometry,
   type Material,
+  type MeshMatcapMaterial,
   type Side,
 } from "three";
 import { meshOf } from "../state/mesh";
@@ -132,6 +133,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
         if (mesh.material !== look) (mesh.material as Material).dispose();
         const around = surroundings?.lookOf(at, !mesh.geometry.getAttribute("normal"));
         mesh.material = around ? surroundedLook(around, look.side) : look;
+        if (around) (look as MeshMatcapMaterial).matcap?.dispose(); // the painted ball is no longer held
       }
     },
     /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of
