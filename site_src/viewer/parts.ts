@@ -20,7 +20,7 @@ import { createStage, type Stage } from "./stage/stage";
 import { isAsking, type ViewState } from "./state/view-state";
 import { say } from "./words";
 
-export interface Surroundings {
+export interface PartsPlace {
   home: HTMLElement; // the element they go into
   page: PageParts;
   withGl: boolean;
@@ -32,7 +32,7 @@ export interface Surroundings {
 const ON_STAGE = ".stage > .picture"; // what must not hide a label
 const NARROW = "(max-width: 760px)";
 
-function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: Surroundings) {
+function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: PartsPlace) {
   const whatIf = createWhatIf(acts, onDemand);
   return {
     picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
@@ -100,8 +100,8 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.spoken.now()?.show(state, scene, trace, asking);
 }
 
-export function createParts(session: Session, acts: Actions, onDemand: OnDemand, surroundings: Surroundings) {
-  const { home, page, withGl, simpler } = surroundings;
+export function createParts(session: Session, acts: Actions, onDemand: OnDemand, where: PartsPlace) {
+  const { home, page, withGl, simpler } = where;
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
@@ -110,7 +110,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   const drawnFlat = onDemand.one("flat", (part) => part);
   const eventWords = onDemand.one("event-words", (part) => part);
   const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)) }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
-  const panels = createPanels(session, stage, acts, onDemand, surroundings);
+  const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {
     const made = createSlice({ pick: acts.pickAlong });

@@ -8,5 +8,6 @@ const { decode } = await load("trace/decode.ts");
 const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/scenes/${path}.js`, "utf8").match(/raywalkReceive\([^,]+,\s*["'`]([^"'`]+)/)[1], "base64")));
 
 export const readSections = (id) => read(`${id}/sections`);
+export const readSurroundings = (id) => read(`${id}/surroundings`);
 export const readScene = (id) => read(`${id}/scene`);
 export const readTrace = (id, n) => ({ scene: readScene(id), trace: decode(read(`${id}/${n}`), { scene: id, n }) });

@@ -2,10 +2,12 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { atRest, launch, newPage, ON_DISK, open, pictureOf, scenesOfSite, stats, until } from "./browser.mjs";
-import { readScene, readTrace } from "./scene-files.mjs";
+import { readScene, readSurroundings, readTrace } from "./scene-files.mjs";
+import { load } from "./typescript.mjs";
+
+const { isClear, isMirror } = await load("state/look.ts");
 
 const FINE = 105; // the pictures' colours are compared at this grid's rays
-const SHOWN = { mirrors: 0.5, clear: 0.3 }; // shares from which on a surface is one
 const MOST = 12; // of 255, mean over colours of mirrors and glass: as VIEWER.md asks
 // What stands in the way: glass that is no ball is shown as one (measured by object: ellipsoid 20, cylinder 24, slab 14, bunny 50),
 // and a flat mirror is seen from far beside the place its surroundings were taken from (moon 15). Balls are within 9.
@@ -19,12 +21,23 @@ before(async () => {
 after(() => browser.close());
 
 const surrounded = [];
-for (const scene of scenesOfSite()) if ("surroundings" in (await readScene(scene.id)).files) surrounded.push(scene);
+for (const scene of scenesOfSite()) if ("surroundings" in readScene(scene.id).files) surrounded.push(scene);
+
+/** Of each object: is it a mirror, or something to look through, and no wall? */
+const shownIn = ({ objects, materials }) => objects.map(({ type, material }) => type !== "plane" && (isMirror(materials[material]) || isClear(materials[material])));
+
+test("what the page takes for mirrors and glass is what the pipeline traced surroundings of", () => {
+  for (const { id } of scenesOfSite()) {
+    const scene = readScene(id);
+    const traced = "surroundings" in scene.files ? readSurroundings(id).objects.map(({ object }) => object) : [];
+    assert.deepEqual([...shownIn(scene).keys()].filter((k) => shownIn(scene)[k]), traced, id);
+  }
+});
 
 /** Mean difference between the stage and the picture, 0 to 255, over the rays that meet mirrors and glass first. */
 async function difference(id) {
-  const [scene, { trace }] = [await readScene(id), await readTrace(id, FINE)];
-  const shows = scene.objects.map(({ type, material }) => type !== "plane" && (scene.materials[material].reflect > SHOWN.mirrors || scene.materials[material].transmit > SHOWN.clear));
+  const [scene, { trace }] = [readScene(id), readTrace(id, FINE)];
+  const shows = shownIn(scene);
   const stage = await page.locator(".stage-view").boundingBox();
   const { width, data } = await pictureOf(page, page.locator(".stage-view canvas").first());
   const places = await page.evaluate((fine) => Array.from({ length: fine * fine }, (_, k) => window.raywalk.stats().tile((((k % fine) + 0.5) / fine) * 5 - 0.5, ((Math.floor(k / fine) + 0.5) / fine) * 5 - 0.5)), FINE);

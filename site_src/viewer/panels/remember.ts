@@ -1,5 +1,5 @@
 /** Small choices that outlast a visit. Browsers may refuse to keep anything. */
-export function recall(name: string): string | null {
+function recall(name: string): string | null {
   try {
     return localStorage.getItem(`raywalk ${name}`);
   } catch {
@@ -23,7 +23,7 @@ let tellRefused = () => {};
 /** act: storage is full or refused, so what was chosen holds until the page is closed. */
 export const whenRefused = (act: () => void) => void (tellRefused = act);
 
-export function remember(name: string, value: string) {
+function remember(name: string, value: string) {
   try {
     localStorage.setItem(`raywalk ${name}`, value);
   } catch {

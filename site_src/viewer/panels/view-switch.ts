@@ -3,9 +3,9 @@
  * row's or a column's rays drawn flat. Under it one sentence says what is seen.
  */
 import type { Actions } from "../actions";
-import { LOOKS, type Look } from "../state/look";
+import { isClear, isMirror, LOOKS, type Look } from "../state/look";
 import { SLICES, type Slice, type ViewState } from "../state/view-state";
-import type { SceneData } from "../trace/types";
+import type { MaterialData, SceneData } from "../trace/types";
 import { list, say } from "../words";
 import { button, element, named, pressed } from "../element";
 
@@ -15,9 +15,8 @@ const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none"
 /** What is seen, and by which tricks: only those that the scene needs. */
 function noteOf(look: Look, { shadows, files, materials }: SceneData): string {
   if (look !== "approximate") return say(`look.${look}.note`);
-  const shown = "surroundings" in files;
-  const [isMirror, isGlass] = [materials.some(({ reflect }) => reflect > 0.5), materials.some(({ transmit }) => transmit > 0)];
-  const tricks = [...(shadows ? [say("look.tricks.shadows")] : []), ...(shown && isMirror ? [say("look.tricks.mirrors")] : []), ...(shown && isGlass ? [say("look.tricks.glass")] : [])];
+  const looksUp = (is: (material: MaterialData) => boolean) => "surroundings" in files && materials.some(is);
+  const tricks = [...(shadows ? [say("look.tricks.shadows")] : []), ...(looksUp(isMirror) ? [say("look.tricks.mirrors")] : []), ...(looksUp(isClear) ? [say("look.tricks.glass")] : [])];
   return tricks.length ? say("look.approximate.note", { tricks: list(tricks) }) : say("look.plain.note");
 }
 

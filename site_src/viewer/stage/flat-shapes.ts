@@ -1,4 +1,5 @@
 /** The scene as flat pieces for the renderer without WebGL: polygons and ellipses, far ones first. */
+import { isClear, isMirror } from "../state/look";
 import { isWithin, toWorld } from "../state/placing";
 import type { Projection } from "../state/projection";
 import { FORMS } from "../state/shapes";
@@ -22,8 +23,8 @@ const CALM: Vec3 = [0.26, 0.28, 0.32];
 
 /** A body's colour on this stage: its own, or a steel and a pale blue for mirror and glass. */
 export function bodyColour(material: MaterialData, { base = [1, 1, 1] }: ObjectData): { colour: Vec3; alpha: number } {
-  if (material.transmit > 0.3) return { colour: [0.75, 0.88, 0.95], alpha: 0.3 };
-  if (material.reflect > 0.5) return { colour: [0.66, 0.7, 0.75], alpha: 1 };
+  if (isClear(material)) return { colour: [0.75, 0.88, 0.95], alpha: 0.3 };
+  if (isMirror(material)) return { colour: [0.66, 0.7, 0.75], alpha: 1 };
   return { colour: times(material.diffuse, base), alpha: 1 };
 }
 

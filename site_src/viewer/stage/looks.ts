@@ -4,6 +4,7 @@
  * they get a painted look that says "mirror" and "glass" and claims no more.
  */
 import { Color, DataTexture, FrontSide, LinearFilter, MeshMatcapMaterial, MeshPhongMaterial, type Material, type Side } from "three";
+import { isClear, isMirror } from "../state/look";
 import type { Part } from "../state/switches";
 import type { MaterialData, Vec3 } from "../trace/types";
 
@@ -80,14 +81,14 @@ export function createLooks(plain: boolean) {
     return look;
   }
 
-  const isClear = (material: MaterialData) => !plain && material.transmit > 0.3;
+  const seenThrough = (material: MaterialData) => !plain && isClear(material);
   return {
     /** Is it drawn as something to look through? */
-    isClear,
+    seenThrough,
     /** side: draw this one only. */
     of(material: MaterialData, side: Side = FrontSide, flat = false): Material {
-      if (isClear(material)) return glass(side, flat);
-      if (!plain && material.reflect > 0.5) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }), { color: "reflected" });
+      if (seenThrough(material)) return glass(side, flat);
+      if (!plain && isMirror(material)) return keep(new MeshMatcapMaterial({ matcap: balls.chrome, side, flatShading: flat }), { color: "reflected" });
       return keep(
         new MeshPhongMaterial({
           color: colour(material.diffuse),

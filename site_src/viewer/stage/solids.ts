@@ -119,9 +119,9 @@ export function createSolids(scene: SceneData, plain: boolean) {
     look.vertexColors = !!geometry.getAttribute("color");
     const mesh = new Mesh(geometry, look);
     mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));
-    mesh.castShadow = !looks.isClear(material);
+    mesh.castShadow = !looks.seenThrough(material);
     mesh.receiveShadow = true;
-    if (looks.isClear(material)) mesh.renderOrder = 2;
+    if (looks.seenThrough(material)) mesh.renderOrder = 2;
     object.add(mesh);
     painted.push({ mesh, look, at });
   }

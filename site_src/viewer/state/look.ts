@@ -1,8 +1,13 @@
 /** How the stage shows the scene: what a graphics card draws by itself, or what the rays found. */
+import type { MaterialData } from "../trace/types";
 import type { ViewState } from "./types";
 
 export type Look = ViewState["look"];
 export const LOOKS: readonly Look[] = ["plain", "approximate", "traced"];
+
+/** Shares from which on a surface is seen as a mirror, or as something to look through, as trace/surroundings.py has them. */
+export const isMirror = ({ reflect }: Pick<MaterialData, "reflect">): boolean => reflect > 0.5;
+export const isClear = ({ transmit }: Pick<MaterialData, "transmit">): boolean => transmit > 0.3;
 
 /** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */
 export function withLook(state: ViewState, look: Look): ViewState {
