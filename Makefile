@@ -48,11 +48,11 @@ kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
 
 test: site $(TEST_READY) ## check types and style, run all tests, in a real browser too
 	@sh build/setup/browser.sh
-	@$(PYTHON) tests/run_all.py
+	@$(PYTHON) -m tests.run_all
 
 test-busy: site $(TEST_READY) ## the same beside eight busy processes: slowness alone must fail nothing
 	@sh build/setup/browser.sh
-	@sh tests/busy.sh $(PYTHON) tests/run_all.py
+	@sh tests/busy.sh $(PYTHON) -m tests.run_all --once
 
 check: $(PYTHON_READY) ## validate the scenes without tracing them
 	@$(PYTHON) -m raywalk check

@@ -1,6 +1,7 @@
 """Runs every check and test, as many steps at a time as there are cores; the last line counts them.
 
-Python's tests are one step, each file of the viewer's is one: cores that are done take the next.
+Each file of the viewer's tests is a step; cores that are done take the next. What fails beside
+others is tried once more by itself, and told as unsteady if it passes then; with --once it is not.
 """
 
 from __future__ import annotations
@@ -10,20 +11,22 @@ import re
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+
+from tests.causes import causes
 
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
 #: Half an hour for a file: what takes longer hangs, on a busy machine too.
 NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=1800000"]
-#: Lines that name what failed: TAP's, of a test and not of its file; pytest's; a check's.
-NAMED = (r"not ok \d+ - (?!.*\.test\.mjs$)", "FAILED ", "ERROR ", r".*: error: ")
-FAILURE = re.compile(rf"^ *((?:{'|'.join(NAMED)}).*)$", re.MULTILINE)
 PYTEST_COUNTS = (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")
 NODE_COUNTS = (r"^# pass (\d+)", r"^# fail (\d+)")
+#: Steps that may fail by chance in one run. More have a cause: to try all would take as long again.
+BY_CHANCE = 4
 
 
 @dataclass(frozen=True)
@@ -33,13 +36,15 @@ class Step:
     name: str
     command: list[str]
     counts: tuple[str, str] | None = None
+    #: More words of the command when it is tried once more: only what failed, where it knows.
+    again: tuple[str, ...] = ()
 
 
 def steps() -> list[Step]:
     """All there is, what takes longest first."""
     files = sorted(VIEWER.rglob("*.test.mjs"))
     return [
-        Step("python", [PYTHON, "-m", "pytest"], PYTEST_COUNTS),
+        Step("python", [PYTHON, "-m", "pytest"], PYTEST_COUNTS, again=("--last-failed",)),
         Step("types", [PYTHON, "-m", "mypy"]),
         *(Step(path.name.partition(".")[0], [*NODE, str(path)], NODE_COUNTS) for path in files),
         Step("viewer's types", ["npm", "run", "--silent", "typecheck"]),
@@ -52,29 +57,67 @@ def steps() -> list[Step]:
 class Result:
     """What one step came to."""
 
-    name: str
+    step: Step
     seconds: float
     broken: bool
     passed: int = 0
     failed: int = 0
-    #: What each failed test or check said first.
-    failures: tuple[str, ...] = ()
+    #: Each failure's name and what it said first.
+    causes: tuple[str, ...] = ()
+    #: What failed the first time and passed alone.
+    unsteady: tuple[str, ...] = ()
+
+    @property
+    def word(self) -> str:
+        return "FAILED" if self.broken else "unsteady" if self.unsteady else "ok"
 
 
-def main() -> int:
+def main(steps: Sequence[Step], once: bool) -> int:
     """Every step runs, even after a failure: one run tells all that is wrong."""
     with ThreadPoolExecutor(os.cpu_count()) as threads:
-        results = list(threads.map(run, steps()))
+        results = list(threads.map(run, steps))
+    if not once:
+        results = try_again(results)
     print()
-    for result in sorted(results, key=lambda result: (result.broken, result.seconds)):
-        print(f"{'FAILED' if result.broken else 'ok':6} {result.name}, {result.seconds:.0f} s")
+    for result in sorted(
+        results, key=lambda result: (result.word != "ok", result.broken, result.seconds)
+    ):
+        print(f"{result.word:8} {result.step.name}, {result.seconds:.0f} s")
+    print(f"{sum(result.seconds for result in results):.0f} s of steps")
     for result in results:
-        for failure in result.failures:
-            print(f"{result.name}: {failure}")
+        for cause in result.unsteady:
+            print(f"{result.step.name}: failed beside others, passed alone: {cause}")
+    for result in results:
+        for cause in result.causes:
+            print(f"{result.step.name}: FAILED: {cause}")
     passed = sum(result.passed for result in results)
     failed = sum(result.failed for result in results)
-    print(f"\n{passed} passed, {failed} failed", flush=True)
+    unsteady = sum(len(result.unsteady) for result in results)
+    print(f"\n{passed} passed, {failed} failed" + (f", {unsteady} unsteady" if unsteady else ""))
     return 1 if failed or not passed or any(result.broken for result in results) else 0
+
+
+def try_again(results: list[Result]) -> list[Result]:
+    """With nothing beside them. A check has no chance in it."""
+    broken = [result for result in results if result.broken and result.step.counts]
+    if len(broken) > BY_CHANCE:
+        return results
+    return [second(result) if result in broken else result for result in results]
+
+
+def second(first: Result) -> Result:
+    """What a step came to that failed and was tried once more."""
+    step = first.step
+    print(f"== {step.name} failed beside others and is tried alone", flush=True)
+    alone = run(replace(step, command=[*step.command, *step.again]))
+    before = first.passed if step.again else 0
+    both = replace(
+        alone, step=step, seconds=first.seconds + alone.seconds, passed=before + alone.passed
+    )
+    if not alone.broken:
+        return replace(both, unsteady=first.causes)
+    others = (cause for cause in first.causes if cause not in alone.causes)
+    return replace(both, causes=(*alone.causes, *(f"{cause} (the first time)" for cause in others)))
 
 
 def run(step: Step) -> Result:
@@ -97,8 +140,8 @@ def run(step: Step) -> Result:
     output = "".join(lines)
     passed, failed = (count(pattern, output) for pattern in step.counts) if step.counts else (0, 0)
     broken = process.returncode != 0 or (step.counts is not None and not passed)
-    failures = tuple(FAILURE.findall(output)) if broken else ()
-    return Result(step.name, time.monotonic() - started, broken, passed, failed, failures)
+    said = causes(output) if broken else ()
+    return Result(step, time.monotonic() - started, broken, passed, failed, said)
 
 
 def count(pattern: str, output: str) -> int:
@@ -108,4 +151,4 @@ def count(pattern: str, output: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(steps(), once="--once" in sys.argv[1:]))
