@@ -3,6 +3,7 @@ them."""
 
 from __future__ import annotations
 
+import re
 import time
 from argparse import Namespace
 from pathlib import Path
@@ -174,3 +175,19 @@ def test_a_mistake_is_heard_of_too(tmp_path):
     file.write_text(SCENE.replace('"coloured"', '"colored"'), encoding="utf-8")
     slides.start(chosen)
     assert 'no material is named "colored"' in first_of(slides, Ended).trouble
+
+
+def test_pages_that_wait_for_nothing_show_the_png_until_its_smaller_copy_is_there(
+    tmp_path, with_viewer
+):
+    """Which takes a fifth of a second a picture, and changes nothing on the page."""
+    chosen = chosen_in(tmp_path)
+    with_viewer(chosen.work)
+    file, shown = chosen.scenes / "01-ball" / "scene.toml", []
+    for later in (True, False, True):
+        words = SCENE.replace("size = 21", "size = 63").replace("Words", f"Words {len(shown)}")
+        file.write_text(words, encoding="utf-8")
+        list(build_site.run(Namespace(**vars(chosen) | {"slides_later": later})))
+        page = (chosen.out / "scenes" / "01-ball" / "index.html").read_text(encoding="utf-8")
+        shown += [max(re.findall(r"01-ball/(picture\.\w+)", page))]  # the PNG to save is there, too
+    assert shown == ["picture.png", "picture.webp", "picture.webp"]

@@ -20,7 +20,7 @@ PIECES = {
     "trace": (keys.TRACE, "", None),
     "trace without a mesh": (keys.TRACE, keys.MESH, None),
     "page data": (keys.PAGE_DATA, "", None),
-    "preview": (keys.PREVIEW, "", None),
+    "page pictures": (keys.PAGE_PICTURES, "", None),
     "sights": (slide_pipeline.SEE, "", None),
     "lesson": (slide_pipeline.ASK, "", None),
     "slides": (slide_pipeline.WRITE, "", {"en"}),

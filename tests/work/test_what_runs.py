@@ -91,7 +91,7 @@ def work(request, tmp_path_factory):
     makers = {
         "trace": (keys.TRACE, (scene, new, 1), {"shut": keys.shut_for(scene)}),
         "page data": (keys.PAGE_DATA, (scene, trace, new), {}),
-        "preview": (keys.PREVIEW, (trace / "picture.png", new), {}),
+        "page pictures": (keys.PAGE_PICTURES, (trace, new), {}),
         "sights": (slide_pipeline.SEE, (scene, wanted, new), {"shut": keys.shut_for(scene)}),
         "slides": (slide_pipeline.WRITE, (sources, wide, new, "en"), language),
         "course": (slide_pipeline.WRITE_COURSE, ([sources], decks, wide, new, "en"), language),
@@ -111,7 +111,9 @@ def last(steps):
             return end.value
 
 
-@pytest.mark.parametrize("piece", ["trace", "page data", "preview", "sights", "slides", "course"])
+@pytest.mark.parametrize(
+    "piece", ["trace", "page data", "page pictures", "sights", "slides", "course"]
+)
 def test_what_a_piece_of_work_imports_and_opens_is_in_its_key(work, piece):
     """Imports inside functions, fonts, tables and sentences too; models have keys of their own."""
     folder, makers = work

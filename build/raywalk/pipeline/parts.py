@@ -24,7 +24,7 @@ MESH = "mesh_"
 
 TRACE = Maker("raywalk.pipeline.trace_products", "write_products")
 PAGE_DATA = Maker("raywalk.site.scene_data", "write_page_data")
-PREVIEW = Maker("raywalk.site.preview", "write_preview")
+PAGE_PICTURES = Maker("raywalk.site.page_pictures", "write_page_pictures")
 
 
 def trace_parts(scene: Scene) -> Parts:
@@ -56,18 +56,18 @@ def shut_for(scene: Scene) -> str:
     return "" if scene.has_mesh else MESH
 
 
-def page_data_parts(scene: Scene, trace_key: str) -> Parts:
-    """The whole scene with its words, its trace, and what makes its data."""
+def page_data_parts(scene: Scene, trace_key: str, picture: str = "picture.png") -> Parts:
+    """The whole scene with its words, its trace, the picture it names, and what makes its data."""
     whole = plain(replace(scene, path=Path()))
     return {
         "what": "page data", "of": scene.id, "scene": whole, "trace": trace_key,
-        **PAGE_DATA.parts(),
+        "picture": picture, **PAGE_DATA.parts(),
     }  # fmt: skip
 
 
-def preview_parts(id: str, trace_key: str) -> Parts:
-    """A scene's preview picture: its trace, our typeface, what draws it."""
-    return {"what": "preview", "of": id, "trace": trace_key, **PREVIEW.parts()}
+def page_pictures_parts(id: str, trace_key: str) -> Parts:
+    """A scene's pictures as pages show them: its trace, our typeface, what makes them."""
+    return {"what": "page pictures", "of": id, "trace": trace_key, **PAGE_PICTURES.parts()}
 
 
 def viewer_parts(site_source: Path) -> Parts:

@@ -40,11 +40,11 @@ class Made:
     """Scenes by language, and the entries of the store that the site is put together from."""
 
     spoken: dict[str, list[Spoken]]
-    facts: dict[str, Any]  # by scene, as are the next three
+    facts: dict[str, Any]  # by scene, as are the next ones
     viewer: Entry
     traces: dict[str, Entry]
     data: dict[str, Entry]
-    previews: dict[str, Entry]
+    pictures: dict[str, Entry]  # of some: pages do without
     decks: list[MadeDeck]
 
     @property
@@ -52,10 +52,16 @@ class Made:
         """In the default language."""
         return [each.scene for each in self.spoken[DEFAULT]]
 
+    def of_scene(self, id: str) -> Iterator[Entry]:
+        """What is published of a scene."""
+        for kind in (self.traces, self.data, self.pictures):
+            if id in kind:
+                yield kind[id]
+
     def entries(self) -> Iterator[Entry]:
         """All that are used."""
         yield self.viewer
-        for kind in (self.traces, self.data, self.previews):
+        for kind in (self.traces, self.data, self.pictures):
             yield from kind.values()
         yield from (deck.entry for deck in self.decks)
 
@@ -68,8 +74,7 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
     with staged(chosen.out) as out:
         assets = write_assets(out, site_source, made.viewer.folder)
         for scene in scenes:
-            entries = [kind[scene.id] for kind in (made.traces, made.data, made.previews)]
-            publish_scene(out / "scenes" / scene.id, entries)
+            publish_scene(out / "scenes" / scene.id, list(made.of_scene(scene.id)))
         if scenes:
             assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
         published = publish_slides(out, made.decks)

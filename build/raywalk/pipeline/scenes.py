@@ -1,5 +1,5 @@
 """What is made of each scene, one thing after the other, all scenes beside one another: its trace;
-its data and preview for pages; of its lesson what the viewer tells and the tracer sees; slides.
+its pictures and data for pages; of its lesson what the viewer tells and the tracer sees; slides.
 """
 
 from __future__ import annotations
@@ -7,9 +7,15 @@ from __future__ import annotations
 from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeVar
 
-from raywalk.pipeline.parts import PAGE_DATA, PREVIEW, page_data_parts, preview_parts
+from raywalk.pipeline.parts import (
+    PAGE_DATA,
+    PAGE_PICTURES,
+    page_data_parts,
+    page_pictures_parts,
+)
 from raywalk.pipeline.slides import (
     Asking,
     MadeDeck,
@@ -23,13 +29,16 @@ from raywalk.pipeline.slides import (
 from raywalk.pipeline.tracing import Tracing, by_cost
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
+from raywalk.site.shown_picture import shown_picture
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.chains import Chain, run_chains
+from raywalk.work.digests import key_of
 from raywalk.work.maker import Parts
 from raywalk.work.making import made, reasons
-from raywalk.work.pool import Workers
-from raywalk.work.progress import Message
+from raywalk.work.pool import Job, Threads, Workers
+from raywalk.work.progress import Message, Report
 from raywalk.work.store import Entry, Store
+from raywalk.work.times import Spent, note, undivided
 
 # What there is of a scene in one language.
 OfOne = TypeVar("OfOne", Source, Plan, MadeDeck)
@@ -41,7 +50,7 @@ class SceneMade:
 
     traced: Entry
     data: Entry
-    preview: Entry
+    pictures: Entry | None  # for pages; None where these do not wait for them
     sources: list[Source]  # by language, as are plans and decks
     plans: list[Plan]
     decks: list[MadeDeck]
@@ -49,7 +58,8 @@ class SceneMade:
 
 @dataclass(frozen=True)
 class Making:
-    """What the chains of all scenes have in common. asking: None where slides may wait."""
+    """What the chains of all scenes have in common. asking: None where slides may wait, and with
+    them what makes the pages' files smaller and nothing on them other."""
 
     store: Store
     tracing: Tracing
@@ -94,16 +104,35 @@ def scene_chain(making: Making, scene: Scene, spoken: dict[str, Scene]) -> Chain
     store = making.store
     traced = yield from making.tracing.chain(scene)
     folder, name = traced.folder, traced.folder.name
-    preview = yield from _kept(
-        store, preview_parts(scene.id, name), partial(PREVIEW, folder / "picture.png")
-    )
-    data = yield from _kept(store, page_data_parts(scene, name), partial(PAGE_DATA, scene, folder))
+    pictures = yield from _page_pictures(making, scene, traced)
+    picture = shown_picture(pictures.folder if pictures else folder, "picture")
+    data = yield from _kept(
+        store, page_data_parts(scene, name, picture),
+        partial(PAGE_DATA, scene, folder, picture=picture),
+    )  # fmt: skip
     sources = [Source(each, code, traced, data) for code, each in spoken.items()]
     plans, decks = [], []
     if making.asking:
         plans = yield from planned(making.asking, sources)
         decks = yield from drawn(store, plans)
-    return SceneMade(traced, data, preview, sources, plans, decks)
+    return SceneMade(traced, data, pictures, sources, plans, decks)
+
+
+def _page_pictures(making: Making, scene: Scene, traced: Entry) -> Chain[Entry | None]:
+    """A scene's pictures for pages."""
+    store, parts = making.store, page_pictures_parts(scene.id, traced.folder.name)
+    if not store.find(key_of(parts)) and making.asking:
+        yield from reasons(store, parts)
+        note((yield Job(scene.id, partial(_make_page_pictures, store, parts), traced.folder)))
+    return store.find(key_of(parts))
+
+
+def _make_page_pictures(
+    store: Store, parts: Parts, traced: Path, threads: Threads, report: Report
+) -> Spent:
+    stages = undivided()
+    made(store, parts, partial(PAGE_PICTURES, traced))
+    return stages.spent("pages' pictures")
 
 
 def _kept(store: Store, made_from: Parts, make: Any) -> Generator[str, None, Entry]:

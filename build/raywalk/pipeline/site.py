@@ -73,8 +73,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     notes += slide_remarks(decks)
     yield from notes
     data = {scene.id: of_scenes[scene.id].data for scene in scenes}
-    previews = {scene.id: of_scenes[scene.id].preview for scene in scenes}
-    works = Made(spoken, facts, viewer, traces, data, previews, decks)
+    pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}
+    works = Made(spoken, facts, viewer, traces, data, pictures, decks)
     with phase("publish"):
         heavy = publish(works, chosen, site_source, base)
     heavy = [f"warning: {line}" for line in heavy]

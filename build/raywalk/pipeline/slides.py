@@ -28,7 +28,7 @@ from raywalk.work.pool import Job, Threads, Workers
 from raywalk.work.progress import Message, Report
 from raywalk.work.snapshot import digest_of
 from raywalk.work.store import Entry, Store
-from raywalk.work.times import Spent, Stages, note
+from raywalk.work.times import Spent, Stages, note, undivided
 
 if TYPE_CHECKING:
     from raywalk.slides.deck import Sources
@@ -266,7 +266,7 @@ def last_decks(store: Store, sources: list[Source]) -> list[MadeDeck]:
 
 
 def _make_course(store: Store, plans: list[Plan], threads: Threads, report: Report) -> Spent:
-    stages = _drawing()
+    stages = undivided()
     kept = [store.get(each.key).folder / KEPT for each in plans]
     sources = [sources_of(each) for each in plans]
     parts, language = course_parts(plans), plans[0].language
@@ -303,17 +303,12 @@ def publish_slides(out: Path, decks: list[MadeDeck]) -> dict[str, dict[str, dict
 
 def _make(store: Store, plans: list[Plan], threads: Threads, report: Report) -> Spent:
     """One scene's slides in some languages."""
-    stages = _drawing()
+    stages = undivided()
     for each in plans:
         made(
             store, each.slides, partial(WRITE, sources_of(each), PUBLISHED, language=each.language)
         )
     return stages.spent("slides")
-
-
-def _drawing() -> Stages:
-    """Nothing goes on apart from it: it compiles no kernel."""
-    return Stages("compiling kernels", lambda: 0.0)
 
 
 def sources_of(of: Plan) -> Sources:

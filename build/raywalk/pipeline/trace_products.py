@@ -26,14 +26,12 @@ from raywalk.trace.wavefront import (
     Tracer,
     in_order,
     trace_colours,
-    trace_grids,
     trace_picture,
 )
 from raywalk.trace_file.container import write_script
 from raywalk.trace_file.encode import write_level
 from raywalk.trace_file.level import level_of
 from raywalk.trace_file.png import write_png
-from raywalk.trace_file.webp import write_webp
 from raywalk.work.progress import Report, say_nothing
 
 if TYPE_CHECKING:
@@ -49,9 +47,9 @@ def write_products(
     scene: Scene, folder: Path, threads: Threads, report: Report = say_nothing,
     trace: Callable[..., Traced] | None = None, ready: Sequence[Path] = (),
 ) -> None:  # fmt: skip
-    """Traces a scene and writes picture.png, thumb.png, .webp of both, <n>.js, <n>.json.gz,
-    sections.js, boxes.js where there is a mesh, surroundings.js where there are mirrors or glass,
-    facts.json, display.npz into a folder.
+    """Traces a scene and writes picture.png, thumb.png, <n>.js, <n>.json.gz, sections.js, boxes.js
+    where there is a mesh, surroundings.js where there are mirrors or glass, facts.json, display.npz
+    into a folder.
 
     report: called with the stage and the share that is done. trace: trace_grids, or by default
     trace_picture. ready: the files that trace_grids gave, of which only the pictures are made anew.
@@ -69,7 +67,7 @@ def write_products(
     grids = sorted(scene.render.resolutions, reverse=True)
     stages = ["picture", "sections", "surroundings", *(f"grid {n}" for n in grids)]
     works: list[Callable[[], int | None]] = [
-        partial(_write_pictures, folder, traced.picture, is_final=trace is not trace_grids),
+        partial(_write_pictures, folder, traced.picture),
         partial(_write_cuts, folder, tracer),
         partial(_write_surroundings, folder, tracer),
         *(partial(_write_grid, folder, scene, traced, n) for n in grids),
@@ -97,7 +95,7 @@ def _complete(
     picture, tally = trace_colours(
         tracer, threads, lambda share: report("tracing", TRACING * share)
     )
-    _write_pictures(folder, picture, is_final=True)
+    _write_pictures(folder, picture)
     report("picture", 1.0)
     for path in ready:
         if not (folder / path.name).exists():
@@ -111,13 +109,9 @@ def _write_facts(folder: Path, facts: dict[str, Any]) -> None:
     (folder / FACTS).write_text(json.dumps(facts, sort_keys=True), encoding="utf-8")
 
 
-def _write_pictures(folder: Path, picture: np.ndarray, is_final: bool) -> None:
-    """is_final: kept, so that it pays to make it small for pages, too."""
-    for name, rgb8 in (("picture", picture), ("thumb", thumbnail(picture))):
-        path = folder / f"{name}.png"
-        write_png(path, rgb8)
-        if is_final:
-            write_webp(path.with_suffix(".webp"), rgb8, unless=path.stat().st_size)
+def _write_pictures(folder: Path, picture: np.ndarray) -> None:
+    write_png(folder / "picture.png", picture)
+    write_png(folder / "thumb.png", thumbnail(picture))
 
 
 def _write_grid(folder: Path, scene: Scene, traced: Traced, n: int) -> int:

@@ -26,7 +26,6 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
-from raywalk.site.shown_picture import shown_picture
 from raywalk.trace_file.container import mark_of, write_script
 
 
@@ -147,12 +146,12 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
     return [float(value) for value in matrix.T.reshape(-1)]
 
 
-def write_page_data(scene: Scene, traced: Path, folder: Path) -> None:
-    """traced: the folder of the scene's trace, with facts.json and display.npz."""
+def write_page_data(scene: Scene, traced: Path, folder: Path, picture: str = "picture.png") -> None:
+    """traced: the folder of the scene's trace, with facts.json and display.npz. picture: the name
+    of the file that pages show."""
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
     display = read_display(scene, traced / "display.npz")
     marks = {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
-    picture = shown_picture(traced, "picture")
     data = scene_data(scene, display, savings_of(facts), marks, picture)
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, default=asdict)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())

@@ -6,5 +6,5 @@ from pathlib import Path
 
 
 def shown_picture(folder: Path, name: str) -> str:
-    """NAME.webp, or NAME.png where the trace stage wrote no other."""
+    """NAME.webp, or NAME.png where there is no other."""
     return f"{name}.webp" if (folder / f"{name}.webp").is_file() else f"{name}.png"

@@ -27,6 +27,7 @@ SIDE = 240  # pixels of a picture of all directions: less than a degree each
 MOST = 24  # bodies, the largest: in a scene of many little is seen of the others
 ANGLES = 64  # rows of a table of turns, by the cosine of the angle of incidence from 0 to 1
 QUALITY = 90  # of WebP: a mean error of about 2 of 255
+METHOD = 4  # 6 makes 10 % fewer bytes of them in fifty times the time
 # Of a surface: less is not seen as a mirror or as something to look through (state/look.ts).
 MIRRORS_FROM, CLEAR_FROM = 0.5, 0.3
 FLAT = (Box, Disc, Triangle)  # through these a ray goes on as it came: faces are parallel
@@ -159,5 +160,5 @@ def _turn(before: np.ndarray, after: np.ndarray) -> np.ndarray:
 
 def _data_uri(picture: np.ndarray) -> str:
     file = BytesIO()
-    Image.fromarray(picture).save(file, "WEBP", quality=QUALITY, method=6, exact=True)
+    Image.fromarray(picture).save(file, "WEBP", quality=QUALITY, method=METHOD, exact=True)
     return "data:image/webp;base64," + base64.b64encode(file.getvalue()).decode("ascii")

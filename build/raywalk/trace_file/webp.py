@@ -1,4 +1,4 @@
-"""Pictures for pages, as lossless WebP beside the PNG: of the ten pictures it takes 1.43 times
+"""Pictures for pages, as lossless WebP beside the PNGs: of the ten pictures it takes 1.43 times
 fewer bytes. PNG stays what people save and what slides are made from."""
 
 from __future__ import annotations

@@ -108,6 +108,11 @@ class Stages:
         self._used, self._besides = used, besides
 
 
+def undivided() -> Stages:
+    """Of a task in which nothing goes on apart: it compiles no kernel."""
+    return Stages("compiling kernels", lambda: 0.0)
+
+
 def table(of_make: Path | None) -> Iterator[str]:
     """A line a phase and a part of one, after those that a file holds (build/setup/timed.py), which
     is used up."""
