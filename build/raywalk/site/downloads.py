@@ -46,9 +46,14 @@ def sorted_downloads(id: str, sizes: dict[str, int], words: Words) -> dict[str, 
     listed = [there.get(ending, ABSENT) for ending in FORMS]
     return {
         "files": files,
-        "figures": sorted(path for path in sizes if path.endswith(".svg")),
+        "figures": sorted((path for path in sizes if path.endswith(".svg")), key=_in_order),
         "compact": "|".join([f"{folder}/", *listed]),
     }
+
+
+def _in_order(path: str) -> tuple[int, str]:
+    """Figures are numbered in two digits, and in more where there are a hundred."""
+    return len(path), path
 
 
 def size_words(size: int, words: Words) -> str:

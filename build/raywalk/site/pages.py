@@ -75,9 +75,11 @@ def write_pages(
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
+        deck = decks.get(scene.id)
         shown = _scene(scene, figures[scene.id], out) | {
+            "lesson": _lesson(scene, deck["figures"] if deck else []),
             "savings": (savings or {}).get(scene.id),
-            "downloads": decks.get(scene.id),
+            "downloads": deck,
         }
         here = f"scenes/{scene.id}/index.html"
         write(here, "scene.html", scene=shown, preview=_preview(out, [scene]))
@@ -212,11 +214,16 @@ def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
         "saved": f"{at}/picture.png",
         "size": render.size, "levels": sorted(render.resolutions), "depth": render.depth,
         "shadows": render.shadows, "figures": figures,
-        "lesson": [
-            {
-                "html": lesson_html(step.text, scene.id),
-                "answer": lesson_html(step.answer, scene.id),
-            }
-            for step in scene.lesson
-        ],
     }  # fmt: skip
+
+
+def _lesson(scene: Scene, figures: Sequence[str]) -> list[dict[str, str]]:
+    """The steps with their answers. figures: paths of a figure for each step and each answer, in
+    their order, which paper shows beside the words; fewer where slides were not made."""
+    left = iter(figures)
+    steps = []
+    for step in scene.lesson:
+        html, answer = (lesson_html(words, scene.id) for words in (step.text, step.answer))
+        seen = {"figure": next(left, ""), "answer_figure": next(left, "") if answer else ""}
+        steps.append({"html": html, "answer": answer, **seen})
+    return steps

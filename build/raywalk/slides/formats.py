@@ -10,8 +10,7 @@ LESSON_FORMATS = ("svg", "worksheet", "answers")
 FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
 # What the command line may say for several.
 GROUPS = {"decks": DECK_FORMATS, "handouts": SHEET_FORMATS}
-# Of a translation: figures have few words, and any printer sets several slides on a sheet.
-TRANSLATED = (*DECK_FORMATS, "worksheet", "answers")
+TRANSLATED = (*DECK_FORMATS, *LESSON_FORMATS)  # any printer sets several slides on a sheet
 COURSE_FORMATS = ("pdf", "pptx")  # as one page it would be heavy, and every lesson has its own
 
 # Files that slides are made from, and what lies beside a deck and is not published.

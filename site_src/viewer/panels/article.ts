@@ -1,4 +1,5 @@
-/** The plain article of a scene that the page was not written for: it is what gets printed. */
+/** What the pipeline writes into a scene's page, for a scene that the page was not written for: the plain article,
+ *  which is what gets printed, and the links to what can be taken away. */
 import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
 import type { SceneData, Trace } from "../trace/types";
 import { grouped, list, percent, say } from "../words";
@@ -29,22 +30,46 @@ export function savingsOf({ savings }: SceneData): HTMLElement[] {
   return [figures, element("p", "savings-note", say("savings.note"))];
 }
 
-/** root: relative path to the site's root. */
-export function writeArticle(article: HTMLElement, root: string, scene: SceneData, trace: Trace | null) {
+/** Links and sizes of the downloads. */
+function writeSlides(root: string, id: string, folder: string, sizes: readonly string[]) {
+  for (const [k, link] of document.querySelectorAll<HTMLAnchorElement>("#take [data-after]").entries()) {
+    link.href = `${root}${folder}${id}${link.dataset.after}`;
+    link.parentElement!.hidden = !(parseFloat(sizes[k]) > 0);
+    link.lastElementChild!.textContent = sizes[k];
+  }
+  const more = document.querySelector<HTMLAnchorElement>(".take-more");
+  if (more) more.hash = id;
+}
+
+/** The lesson as a list; on paper each step and each answer has its figure, which are numbered in this order.
+ *  figures: what their addresses begin with; "" where there are none. */
+function lessonOf(scene: SceneData, figures: string): HTMLElement {
+  const lesson = element("ol", "plain-lesson");
+  let count = 0;
+  /** html: sanitised by the pipeline. */
+  const written = (into: HTMLElement, html: string) => {
+    into.insertAdjacentHTML("beforeend", html);
+    if (!figures) return into;
+    const image = Object.assign(element("img", "step-figure"), { alt: "", loading: "lazy", src: `${figures}${String(++count).padStart(2, "0")}.svg` });
+    into.insertBefore(image, into.querySelector(":scope > :not(summary)"));
+    return into;
+  };
+  for (const { html, answer } of scene.lesson) {
+    const item = written(element("li"), html);
+    if (answer) item.append(written(element("details", "", element("summary", "", say("lesson.answer"))), answer.html));
+    lesson.append(item);
+  }
+  return lesson;
+}
+
+/** root: relative path to the site's root. slides: where they are, and their sizes. */
+export function writeArticle(article: HTMLElement, root: string, scene: SceneData, trace: Trace | null, slides = "") {
+  const [folder, ...sizes] = slides.split("|");
+  writeSlides(root, scene.id, folder, sizes);
   const picture = element("img", "plain-picture");
   picture.src = `${root}scenes/${scene.id}/${scene.picture}`;
   picture.alt = say("picture.alt", { title: scene.title });
-  const lesson = element("ol", "plain-lesson");
-  for (const { html, answer } of scene.lesson) {
-    const item = element("li");
-    item.innerHTML = html; // sanitised by the pipeline
-    if (answer) {
-      const folded = element("details", "", element("summary", "", say("lesson.answer")));
-      folded.insertAdjacentHTML("beforeend", answer.html);
-      item.append(folded);
-    }
-    lesson.append(item);
-  }
+  const lesson = lessonOf(scene, folder && `${root}${folder}${scene.id}-figure-`);
   const figures = element("dl", "figures");
   for (const [name, value] of figuresOf(scene, trace))
     figures.append(element("div", "", element("dt", "", name), element("dd", "numbers", value)));

@@ -10,18 +10,6 @@ export interface PageParts {
   links: readonly HTMLAnchorElement[]; // data-scene names each one's scene
 }
 
-/** Links and sizes of the downloads, for a scene that the pipeline did not write them for. */
-function writeSlides(root: string, { id }: SceneData, slides: string | undefined) {
-  const [folder, ...sizes] = slides?.split("|") ?? [];
-  for (const [k, link] of document.querySelectorAll<HTMLAnchorElement>("#take [data-after]").entries()) {
-    link.href = `${root}${folder}${id}${link.dataset.after}`;
-    link.parentElement!.hidden = !(parseFloat(sizes[k]) > 0);
-    link.lastElementChild!.textContent = sizes[k];
-  }
-  const more = document.querySelector<HTMLAnchorElement>(".take-more");
-  if (more) more.hash = id;
-}
-
 export function createPage({ root, article, title, links }: PageParts, onDemand: OnDemand) {
   const writing = onDemand.one("article", (part) => part);
   let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
@@ -30,8 +18,8 @@ export function createPage({ root, article, title, links }: PageParts, onDemand:
     show(scene: SceneData, trace: Trace | null) {
       if (written !== scene.id) {
         written = scene.id;
-        writeSlides(root, scene, links.find((link) => link.dataset.scene === scene.id)?.dataset.slides);
-        writing.use(({ writeArticle }) => written === scene.id && writeArticle(article, root, scene, trace));
+        const slides = links.find((link) => link.dataset.scene === scene.id)?.dataset.slides;
+        writing.use(({ writeArticle }) => written === scene.id && writeArticle(article, root, scene, trace, slides));
       }
       const heading = [scene.key, scene.title].filter(Boolean).join(" \u00b7 ");
       if (title.textContent !== heading) {
