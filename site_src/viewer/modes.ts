@@ -26,7 +26,7 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
 
   const menu = document.querySelector("#menu");
   const tools = onDemand.one("tools", ({ createTools, createWayOut }) => {
-    const made = createTools({ link, save: (what, done) => saving.use((saves) => saves[what](done)), notify, help });
+    const made = createTools({ link, save: (what, done, kind) => saving.use((saves) => saves[what](done, kind)), notify, help });
     menu?.prepend(made.element);
     if (isEmbedded) document.querySelector(".below-row")?.append(createWayOut(link));
     return made;

@@ -14,6 +14,7 @@ import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
 import { createToolsDrawer } from "./panels/tools-drawer";
 import { createWhatIf } from "./panels/what-if";
+import type { SavedView } from "./saving";
 import type { Session } from "./session";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
@@ -132,11 +133,11 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     const flat = sliceOf(present);
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
-    shownSlice = flat && slice.now()!.element;
+    shownSlice = flat && slice.now();
     if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === traced.scene.id && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
-  let shownSlice: HTMLElement | null = null;
+  let shownSlice: SavedView | null = null;
   let renders = 0;
   let drawn = { scene: "", n: 0, tiles: 0, lines: 0 }; // by the last render
   return {

@@ -9,10 +9,28 @@ import { say } from "./words";
 /** done: with the file's name. */
 type Done = (file: string) => void;
 
+/** What is drawn on a canvas, and words over it. */
+export type SavedView = Pick<Stage, "element" | "redrawn">;
+
 export interface Views {
   stage: Stage;
   /** What is seen instead of the stage. */
-  slice: () => HTMLElement | null;
+  slice: () => SavedView | null;
+}
+
+/** How a picture is saved. */
+export interface PictureKind {
+  scale: number; // its pixels for each of the page's
+  isClear: boolean; // without ground and caption
+}
+
+/** Drawn so many times as large as on the page, or as large as the graphics card can, `use` is given it; then it is as before. */
+function enlarged(view: SavedView, scale: number, use: (canvas: HTMLCanvasElement) => void) {
+  const canvas = view.redrawn(scale);
+  const card = canvas.getContext("webgl2");
+  if (card && card.drawingBufferWidth < canvas.width && scale > 1) return enlarged(view, scale / 2, use);
+  use(canvas);
+  view.redrawn();
 }
 
 export function createSaving(session: Session, { stage, slice }: Views, notify: (sentence: string) => void) {
@@ -46,12 +64,11 @@ export function createSaving(session: Session, { stage, slice }: Views, notify: 
   }
 
   return {
-    save: (done: Done) =>
+    save: (done: Done, { scale, isClear }: PictureKind) =>
       trying(() => {
-        const [says, flat] = [caption(), slice()];
+        const [says, view] = [caption(), slice() ?? stage];
         if (says === null) return;
-        const canvas = flat ? flat.querySelector("canvas")! : stage.redrawn();
-        snapshot(canvas, (flat ?? stage.element).querySelector(".labels"), says).toBlob((blob) => trying(() => keep(blob, "png", done)));
+        enlarged(view, scale, (canvas) => snapshot(canvas, view.element, isClear ? null : says).toBlob((blob) => trying(() => keep(blob, "png", done))));
       }),
     slide(done: Done) {
       const says = caption();

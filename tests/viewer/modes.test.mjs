@@ -41,6 +41,28 @@ test("Link copies the address of this very view, and says so without moving anyt
   assert.deepEqual(await state(page), there);
 });
 
+test("Embed copies a frame's code that shows this very view in another page, and says so", async () => {
+  await open(page, ON_DISK, rich.path, START);
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
+  await press(page, "ArrowRight", "h");
+  await openMenu(page);
+  const before = await places();
+  await button("Copy the code").click();
+  await isSaid(before, /code .* is copied/);
+  const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];
+  const outer = await browser.newPage({ viewport: { width: 1000, height: 760 } });
+  const file = join(mkdtempSync(join(tmpdir(), "course-")), "course.html");
+  writeFileSync(file, `<!doctype html><meta charset="utf-8"><title>Course</title>${copied}`);
+  await outer.goto(pathToFileURL(file).href);
+  const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
+  await frame.waitForFunction(() => window.raywalk?.state());
+  await frame.evaluate(() => window.raywalk.ready);
+  assert.equal(await outer.locator("iframe").getAttribute("title"), await page.title());
+  assert.deepEqual(await frame.evaluate(() => window.raywalk.state()), there);
+  assert.ok(await frame.evaluate(() => document.body.classList.contains("embed")));
+  await outer.close();
+});
+
 for (const how of ["", "&gl=none", "&slice=row"])
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);

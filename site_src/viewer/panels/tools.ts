@@ -1,15 +1,17 @@
-/** The page's own buttons: link, picture, full screen, help; and embedded, the way to the whole page. They come when the
+/** The page's own buttons: link, code for other pages, picture, full screen, help; and embedded, the way to the whole page. They come when the
  *  page's menu is first opened. */
 import { say } from "../words";
 import { copy } from "./clipboard";
 import { sayDone } from "./done";
 import { button, element, named } from "../element";
+import type { PictureKind } from "../saving";
+import { createPictureKind } from "./picture-kind";
 
 export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
   link: () => string;
   /** done: with the file's name. */
-  save: (what: "save" | "slide", done: (file: string) => void) => void;
+  save: (what: "save" | "slide", done: (file: string) => void, kind: PictureKind) => void;
   notify: (sentence: string) => void;
   help: () => void;
 }
@@ -25,6 +27,16 @@ export function createWayOut(link: () => string) {
   return element("p", "embed-bar", whole);
 }
 
+const FRAME = 'width="900" height="640" allow="fullscreen; clipboard-write" loading="lazy" style="border:0"';
+
+/** A frame in another page that shows this very view. link: the view's address. */
+function frameOf(link: string): string {
+  const inFrame = new URL(link);
+  inFrame.search = "?embed";
+  const quoted = (text: string) => text.replace(/&/g, "&amp;").replace(/"/g, "&quot;");
+  return `<iframe src="${quoted(inFrame.href)}" title="${quoted(document.title)}" ${FRAME}></iframe>`;
+}
+
 /** Opened from the menu, the panel of slides takes the focus, and closed it gives it back: browsers do so for the menu, but not
  *  for what is over it. Written in the page, the word would ask for the focus at once, which frames may not. */
 function letSlidesFocus() {
@@ -35,9 +47,13 @@ function letSlidesFocus() {
 
 export function createTools(acts: ToolActs) {
   letSlidesFocus();
-  const link = button(say("tools.link.word"), say("tools.link.help"), () => void copy(acts.link(), () => sayDone(link, say("tools.link.done"))));
+  const picture = createPictureKind();
+  const copying = (what: "link" | "embed", text: (link: string) => string) => {
+    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => void copy(text(acts.link()), () => sayDone(made, say(`tools.${what}.done`))));
+    return made;
+  };
   const saving = (what: "save" | "slide") => {
-    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts.save(what, (file) => sayDone(made, say(`tools.${what}.done`, { file }))));
+    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => acts.save(what, (file) => sayDone(made, say(`tools.${what}.done`, { file })), picture.kind));
     return made;
   };
   function fullScreen() {
@@ -49,8 +65,10 @@ export function createTools(acts: ToolActs) {
   const root = element(
     "div",
     "tools",
-    link,
+    copying("link", (link) => link),
+    copying("embed", frameOf),
     saving("save"),
+    picture.element,
     saving("slide"),
     screen,
     button(say("tools.keys.word"), say("tools.keys.help"), acts.help, { key: "?" }),

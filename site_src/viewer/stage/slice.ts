@@ -18,10 +18,10 @@ export function createSlice(acts: { pick: (along: number) => void }) {
   let now: SliceView | null = null;
   let sheet: Sheet | null = null;
 
-  function draw() {
+  /** ratio: device pixels in each of the page's. */
+  function draw(ratio = Math.min(2, window.devicePixelRatio)) {
     if (!now || root.hidden) return;
     const { clientWidth: width, clientHeight: height } = root;
-    const ratio = Math.min(2, window.devicePixelRatio);
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
     brush.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -43,10 +43,15 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     pick(event);
   });
   canvas.addEventListener("pointermove", pick);
-  new ResizeObserver(draw).observe(root);
+  new ResizeObserver(() => draw()).observe(root);
 
   return {
     element: root,
+    /** The drawing with so many device pixels in each of the page's; without a number as many as the screen has. */
+    redrawn(ratio?: number) {
+      draw(ratio);
+      return canvas;
+    },
     /** null: the stage is seen instead. */
     show(view: SliceView | null) {
       now = view;

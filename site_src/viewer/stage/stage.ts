@@ -33,12 +33,13 @@ export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, 
   let size = { width: 1, height: 1 };
   let drawn: Drawn | null = null;
   let frames = 0;
-  const drawing = createDrawing(root, withGl, { ...acts, replaced: measure });
-  new ResizeObserver(measure).observe(root);
+  const drawing = createDrawing(root, withGl, { ...acts, replaced: () => measure() });
+  new ResizeObserver(() => measure()).observe(root);
 
-  function measure() {
+  /** ratio: device pixels in each of the stage's. */
+  function measure(ratio = Math.min(2, window.devicePixelRatio)) {
     size = { width: Math.max(1, root.clientWidth), height: Math.max(1, root.clientHeight) };
-    drawing.renderer().resize(size.width, size.height, Math.min(2, window.devicePixelRatio));
+    drawing.renderer().resize(size.width, size.height, ratio);
     redraw();
   }
 
@@ -77,9 +78,10 @@ export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, 
     ...moves,
     /** Colours are others now. */
     recolour: () => drawing.renderer().forget(),
-    /** The drawing, drawn this moment: later the browser may have cleared it. */
-    redrawn() {
-      redraw();
+    /** The drawing with so many device pixels in each of the stage's, drawn this moment: later the browser may have cleared
+     *  it. Without a number as many as the screen has. */
+    redrawn(ratio?: number) {
+      measure(ratio);
       return drawing.renderer().canvas;
     },
     /** The view as an SVG with a line under it, which `svg` makes; null before there is anything. */
