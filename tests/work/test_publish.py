@@ -179,9 +179,14 @@ def test_what_a_disk_refuses_is_a_sentence_with_the_place_and_a_hint(tmp_path, n
     assert disk_trouble(OSError(number, os.strerror(number))).startswith(os.strerror(number))
 
 
-def test_a_disk_that_is_full_ends_a_build_with_a_sentence_and_the_old_site(tmp_path):
+def test_a_disk_that_is_full_ends_a_build_with_a_sentence_and_the_old_site(tmp_path, with_viewer):
     """A limit on what a file may hold stands for the full disk: the same call fails."""
     shutil.copytree("scenes/01-shading", tmp_path / "scenes" / "01-shading")
+    scene = tmp_path / "scenes" / "01-shading" / "scene.toml"
+    small = "[render]\nsize = 315\nresolutions = [5, 15]\n"
+    text = scene.read_text(encoding="utf-8").partition("[[lesson]]")[0]
+    scene.write_text(text.replace("[render]\n", small), encoding="utf-8")
+    with_viewer(tmp_path / "work")
     write_site(tmp_path / "dist", "old")
     command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(tmp_path / "scenes")]
     command += ["--out", str(tmp_path / "dist"), "--work", str(tmp_path / "work")]

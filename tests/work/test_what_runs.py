@@ -6,6 +6,7 @@ import json
 import pickle
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -48,7 +49,8 @@ text = "One **ray**."
 view = {{ resolution = 7, pixel = [2, 3] }}
 """
 MESH = '[[objects]]\nname = "bunny"\ntype = "mesh"\nmodel = "bunny"\nmaterial = "white"'
-TEXTURE = '{ reflect = 0.5, texture = { file = "four.png" } }'
+# A textured mirror: surroundings are traced and textures read.
+BALL = '{ reflect = 0.6, texture = { file = "four.png" } }'
 WATCHED = """
 import json, pickle, sys
 from importlib import import_module
@@ -62,21 +64,20 @@ print(json.dumps({"modules": sorted(sys.modules), "opened": sorted(opened)}))
 """
 
 
-@pytest.fixture(scope="module", params=["with a mesh", "without a mesh", "with a texture"])
-def work(request, tmp_path_factory):
+@pytest.fixture(scope="module")
+def work_on(tmp_path_factory):
+    """`work` of the two kinds of scene, each made once."""
+    return cache(lambda mesh: work(tmp_path_factory.mktemp("runs"), mesh))
+
+
+def work(folder, mesh):
     """Each piece of work on a scene: its maker, what it is given (the folder to fill is "new"),
     and what its key is made of."""
-    folder = tmp_path_factory.mktemp("runs")
     (folder / "models").symlink_to(ROOT / "models")
     place = folder / "scenes" / "01-things"
     place.mkdir(parents=True)
-    is_textured = request.param == "with a texture"
-    text = SCENE.format(
-        mesh=MESH if request.param == "with a mesh" else "",
-        ball=TEXTURE if is_textured else '"mirror"',
-    )
-    if is_textured:
-        Image.new("RGB", (2, 2), (9, 90, 200)).save(place / "four.png")
+    text = SCENE.format(mesh=mesh, ball=BALL)
+    Image.new("RGB", (2, 2), (9, 90, 200)).save(place / "four.png")
     (place / "scene.toml").write_text(text, encoding="utf-8")
     scene, store, new = read_scene(place), Store(folder / "work"), folder / "new"
     with Stops() as stops:
@@ -111,12 +112,20 @@ def last(steps):
             return end.value
 
 
+#: What a scene without a mesh shuts modules out of; all else has one key for all scenes, and the
+#: richest scene imports most.
+SHUTS = ["trace", "sights"]
+ALL = [*SHUTS, "page data", "page pictures", "slides", "course"]
+
+
 @pytest.mark.parametrize(
-    "piece", ["trace", "page data", "page pictures", "sights", "slides", "course"]
+    ("mesh", "piece"),
+    [*((MESH, piece) for piece in ALL), *(("", piece) for piece in SHUTS)],
+    ids=[*ALL, *(f"{piece} without a mesh" for piece in SHUTS)],
 )
-def test_what_a_piece_of_work_imports_and_opens_is_in_its_key(work, piece):
+def test_what_a_piece_of_work_imports_and_opens_is_in_its_key(work_on, mesh, piece):
     """Imports inside functions, fonts, tables and sentences too; models have keys of their own."""
-    folder, makers = work
+    folder, makers = work_on(mesh)
     maker, given, made_from = makers[piece]
     (folder / f"{piece}.new").mkdir()
     given = [folder / f"{piece}.new" if each == folder / "new" else each for each in given]
