@@ -6,9 +6,9 @@ import errno
 import os
 import random
 import resource
-import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -181,11 +181,12 @@ def test_what_a_disk_refuses_is_a_sentence_with_the_place_and_a_hint(tmp_path, n
 
 def test_a_disk_that_is_full_ends_a_build_with_a_sentence_and_the_old_site(tmp_path, with_viewer):
     """A limit on what a file may hold stands for the full disk: the same call fails."""
-    shutil.copytree("scenes/01-shading", tmp_path / "scenes" / "01-shading")
+    text = Path("scenes/01-shading/scene.toml").read_text(encoding="utf-8")
+    small = "[render]\nsize = 315\nresolutions = [5, 15]\n"  # more than the limit
     scene = tmp_path / "scenes" / "01-shading" / "scene.toml"
-    small = "[render]\nsize = 315\nresolutions = [5, 15]\n"
-    text = scene.read_text(encoding="utf-8").partition("[[lesson]]")[0]
-    scene.write_text(text.replace("[render]\n", small), encoding="utf-8")
+    scene.parent.mkdir(parents=True)
+    text = text.partition("[[lesson]]")[0].replace("[render]\n", small)
+    scene.write_text(text, encoding="utf-8")
     with_viewer(tmp_path / "work")
     write_site(tmp_path / "dist", "old")
     command = [sys.executable, "-m", "raywalk", "site", "--scenes", str(tmp_path / "scenes")]
