@@ -61,8 +61,6 @@ from raywalk.scene.read import read_scene
 scenes = [read_scene(Path({str(FOLDER)!r}) / id) for id in {plain!r}]
 before = set(sys.modules)
 from {TRACE.module} import {TRACE.function} as write
-from raywalk.trace import surroundings
-surroundings.SIDE = 8  # WebP takes a second for a whole one
 for scene in scenes:
     folder = Path({str(tmp_path)!r}) / scene.id
     folder.mkdir()

@@ -24,13 +24,6 @@ def tracer_of(name: str) -> Tracer:
     return Tracer(read_scene(SCENES / name))
 
 
-@pytest.fixture
-def tiny(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Pictures of 64 pixels, for tests that do not look at them: WebP takes a second for a whole
-    one, a hundred times what tracing it takes."""
-    monkeypatch.setattr("raywalk.trace.surroundings.SIDE", 8)
-
-
 def test_a_picture_of_all_directions_has_each_octant_equally_often_and_all_are_unit() -> None:
     """But for the pixels on the folds, which lie in a plane between two octants."""
     way = directions(32)
@@ -85,7 +78,6 @@ def test_through_parallel_faces_a_ray_goes_straight_on() -> None:
     assert all(row[2:] == [0, 0] for row in turns(material, flat=True))
 
 
-@pytest.mark.usefixtures("tiny")
 def test_each_mirror_and_glass_body_has_its_surroundings_and_nothing_else() -> None:
     scene = tracer_of(GLASS).scene
     data = surroundings_of(tracer_of(GLASS))
@@ -105,12 +97,9 @@ def test_a_scene_without_mirrors_and_glass_has_none() -> None:
     assert surroundings_of(tracer_of("01-shading")) is None
 
 
-def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_there(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Every 97th direction of the largest ball. WebP may be off by a few of 255, where two things
-    meet in a pixel's neighbourhood by more: nine of ten are close."""
-    monkeypatch.setattr("raywalk.trace.surroundings.MOST", 1)
+def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_there() -> None:
+    """Every 97th direction of a ball. WebP may be off by a few of 255, where two things meet in a
+    pixel's neighbourhood by more: nine of ten are close."""
     tracer = tracer_of(MIRROR)
     data = surroundings_of(tracer)
     assert data is not None
@@ -128,10 +117,10 @@ def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_t
     assert np.abs(picture[:, 3] - near).max() <= 1
 
 
-@pytest.mark.usefixtures("tiny")
 def test_of_many_mirrors_the_largest_have_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
     tracer = tracer_of(GLASS)
     monkeypatch.setattr("raywalk.trace.surroundings.MOST", 2)
+    monkeypatch.setattr("raywalk.trace.surroundings.SIDE", 8)
     data = surroundings_of(tracer)
     assert data is not None
     named = [tracer.scene.objects[each["object"]].name for each in data["objects"]]

@@ -66,10 +66,8 @@ def test_threads_join_in_when_more_are_allowed(monkeypatch):
 
 
 @pytest.mark.parametrize("name", ["06-bunny-far", "08-glass"])
-def test_every_byte_is_the_same_with_any_number_of_threads(name, tmp_path, monkeypatch):
+def test_every_byte_is_the_same_with_any_number_of_threads(name, tmp_path):
     """One, two, and one that are joined by others."""
-    # Nobody's threads: a second of WebP for each body and each of the three.
-    monkeypatch.setattr("raywalk.trace.surroundings.SIDE", 8)
     scene = read_scene(FOLDER / name)
     scene = replace(scene, render=replace(scene.render, size=315, resolutions=(5, 15, 21)))
     asked: list[int] = []
