@@ -1,4 +1,5 @@
 /** The view as a file: a picture of what is drawn, or an SVG for slides whose rays and words can be edited. */
+import type { PictureKind } from "./panels/picture-kind";
 import type { Session } from "./session";
 import { slideSvg } from "./stage/slide";
 import { snapshot } from "./stage/snapshot";
@@ -16,12 +17,6 @@ export interface Views {
   stage: Stage;
   /** What is seen instead of the stage. */
   slice: () => SavedView | null;
-}
-
-/** How a picture is saved. */
-export interface PictureKind {
-  scale: number; // its pixels for each of the page's
-  isClear: boolean; // without ground and caption
 }
 
 /** Drawn so many times as large as on the page, or as large as the graphics card can, `use` is given it; then it is as before. */

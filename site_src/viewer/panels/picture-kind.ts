@@ -1,7 +1,11 @@
 /** How a picture is saved: how many times as large as it is on the page, and whether it has a ground. */
 import { button, element, group, pressed } from "../element";
-import type { PictureKind } from "../saving";
 import { say } from "../words";
+
+export interface PictureKind {
+  scale: number; // its pixels for each of the page's
+  isClear: boolean; // without ground and caption
+}
 
 const SCALES = [1, 2, 4];
 

@@ -4,8 +4,7 @@ import { say } from "../words";
 import { copy } from "./clipboard";
 import { sayDone } from "./done";
 import { button, element, named } from "../element";
-import type { PictureKind } from "../saving";
-import { createPictureKind } from "./picture-kind";
+import { createPictureKind, type PictureKind } from "./picture-kind";
 
 export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
