@@ -51,7 +51,10 @@ VIEWER_MAY_IMPORT = {
     "palette.ts": {"trace"},
     "event-words.ts": {"state", "trace"},
     "session.ts": {"state", "trace"},
-    "actions.ts": {"session", "state", "trace"},
+    # Of what sets switches actions know the names only: it comes when one is set.
+    "actions.ts": {"doing", "switch-acts", "session", "state", "trace"},
+    "switch-acts.ts": {"doing", "session", "state", "trace"},
+    "doing.ts": {"session", "state", "trace"},
     "stops": {"stops", "state", "trace", "event-words"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }

@@ -4,21 +4,19 @@ import { TILE_VIEWS, type TileView } from "./state/tile-views";
 import type { RayEvent } from "./state/event-types";
 import { nextLook, withLook, withObserver, type Look } from "./state/look";
 import * as player from "./state/play";
-import * as switches from "./state/switches";
-import type { Switches } from "./state/switches";
-import { eventLike, type Timeline } from "./state/timeline";
+import type { Timeline } from "./state/timeline";
 import * as change from "./state/view-state";
 import type { LitLine, Tab, ViewState } from "./state/types";
-import type { SceneData } from "./trace/types";
+import { doingOn, type Doing } from "./doing";
+import type { SwitchActs } from "./switch-acts";
 
 export interface Outside {
   draw: () => void;
   turnScene: (by: 1 | -1, intoLesson?: boolean) => void;
   sceneOfKey: (key: string) => void;
+  /** Acts on the switches as soon as their part is there. */
+  switching: (act: (acts: SwitchActs) => void) => void;
 }
-
-/** Makes the next state; nothing while there is none. */
-type Doing = (act: (now: ViewState, scene: SceneData) => ViewState) => void;
 
 const tileActs = (session: Session, doing: Doing) => ({
   render: () => doing((now) => (session.trace() ? change.pressRender(now) : now)),
@@ -36,6 +34,7 @@ const viewActs = (doing: Doing) => ({
   observer: (observer: ViewState["observer"]) => doing((now) => withObserver(now, observer)),
   camera: () => doing((now) => ({ ...now, observer: "camera" })),
   look: (look: Look) => doing((now) => withLook(now, look)),
+  wipe: (wipe: number) => doing((now) => ({ ...now, wipe })),
   nextLook: () => doing((now) => withLook(now, nextLook(now))),
   slice: (slice: ViewState["slice"]) => doing((now) => ({ ...now, slice: now.slice === slice ? "none" : slice })),
   nextSlice: () => doing((now) => ({ ...now, slice: change.nextSlice(now.slice) })),
@@ -79,27 +78,6 @@ function playerActs(session: Session) {
   };
 }
 
-function switchActs(session: Session, doing: Doing) {
-  /** The player stays at its event, where that is still there. */
-  const switching = (make: (now: Switches, scene: SceneData) => Switches) => {
-    const before = session.currentEvent();
-    doing((now, of) => change.setSwitches(now, make(now.switches, of)));
-    const timeline = session.timeline();
-    if (!before || !timeline || !session.state) return;
-    const event = eventLike(timeline, before);
-    if (event !== session.state.event) session.set(event === null ? { ...session.state, ...player.NO_EVENT } : { ...session.state, event });
-  };
-  return {
-    bounces: (by: 1 | -1) => switching((now, of) => switches.stepBounces(now, of, by)),
-    lamp: (lamp: number, factor: number) => switching((now, of) => switches.setLamp(now, of, lamp, factor)),
-    stepLamp: (lamp: number, by: 1 | -1) => switching((now, of) => switches.stepLamp(now, of, lamp, by)),
-    turnLamp: (lamp: number) => switching((now, of) => (switches.lampsOf(of)[lamp] ? switches.turnLamp(now, of, lamp) : now)),
-    shadows: () => switching((now, of) => (of.shadows ? switches.turnShadows(now, of) : now)),
-    part: (part: switches.Part) => switching((now, of) => switches.turnPart(now, of, part)),
-    asTraced: () => switching(() => switches.AS_TRACED),
-  };
-}
-
 /** What the pointer is on: no state of the page, only drawn. */
 const pointerActs = (session: Session, draw: () => void) => ({
   point(tile: readonly [number, number] | null) {
@@ -114,17 +92,19 @@ const pointerActs = (session: Session, draw: () => void) => ({
   },
 });
 
-export function createActions(session: Session, { draw, turnScene, sceneOfKey }: Outside) {
-  const doing: Doing = (act) => {
-    const { state, scene } = session;
-    if (state && scene) session.set(act(state, scene));
-  };
+const SWITCHING = ["bounces", "lamp", "stepLamp", "turnLamp", "shadows", "part", "asTraced"] as const satisfies readonly (keyof SwitchActs)[];
+
+const switchActs = (switching: Outside["switching"]) =>
+  Object.fromEntries(SWITCHING.map((name) => [name, (...of: never[]) => switching((acts) => (acts[name] as (...of: never[]) => void)(...of))])) as unknown as SwitchActs;
+
+export function createActions(session: Session, { draw, turnScene, sceneOfKey, switching }: Outside) {
+  const doing = doingOn(session);
   return {
     ...tileActs(session, doing),
     ...viewActs(doing),
     ...lessonActs(session, doing, turnScene),
     ...playerActs(session),
-    ...switchActs(session, doing),
+    ...switchActs(switching),
     ...pointerActs(session, draw),
     sceneKey: sceneOfKey,
   };

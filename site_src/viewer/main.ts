@@ -33,7 +33,7 @@ function start(own: HTMLScriptElement) {
   const notice = createNotice(find("#notice"));
   listenToErrors(own.src, notice);
   const onDemand = createOnDemand(own, notice);
-  const recombining = onDemand.one("what-if", ({ createWhatIf }) => ({ shown: createWhatIf().of, finest: createWhatIf().of }));
+  const recombining = onDemand.one("switch-acts", ({ createWhatIf }) => ({ shown: createWhatIf().of, finest: createWhatIf().of }));
   const costing = onDemand.one("tile-legend", ({ costsOf }) => costsOf);
   const changed = () => session.changed();
   const session = createSession(() => recombining.nowOr(changed), () => costing.nowOr(changed));
@@ -43,7 +43,8 @@ function start(own: HTMLScriptElement) {
   const place = { home: body.dataset.scene ?? "", onDisk: location.protocol === "file:", links, withGl };
   const bar = createAddressBar(session, place);
   const navigation = createNavigation(session, place, { loader, bar, notice, loadTrace: supplies.trace });
-  const acts = createActions(session, { draw: () => beat.draw(), turnScene: navigation.turn, sceneOfKey: navigation.ofKey });
+  const switching = onDemand.one("switch-acts", ({ createSwitchActs }) => createSwitchActs(session));
+  const acts = createActions(session, { draw: () => beat.draw(), turnScene: navigation.turn, sceneOfKey: navigation.ofKey, switching: switching.use });
   const parts = createParts(session, acts, onDemand, {
     home: find("#viewer"),
     page: { root, article: find("#page"), title: find("#title"), links },

@@ -8,7 +8,7 @@ import { troubleOfPart } from "./trouble";
 
 const PARTS = {
   slice: () => import("./stage/slice"),
-  "what-if": () => import("./state/what-if"),
+  "switch-acts": () => import("./switch-acts"),
   "what-if-switches": () => import("./panels/what-if-switches"),
   "card-rays": () => import("./panels/card-rays"),
   "card-tree": () => import("./panels/card-tree"),
@@ -20,6 +20,7 @@ const PARTS = {
   tools: () => import("./panels/tools"),
   lecture: () => import("./panels/lecture"),
   spoken: () => import("./panels/spoken"),
+  "traced-picture": () => import("./stage/traced-picture"),
   surroundings: () => import("./stage/surroundings"),
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),

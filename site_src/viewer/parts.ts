@@ -109,8 +109,13 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     simpler(why ? say(`trouble.${why}`) : "");
   };
   const drawnFlat = onDemand.one("flat", (part) => part);
+  const tracedPicture = onDemand.one("traced-picture", ({ createTracedPicture }) => {
+    const made = createTracedPicture(page.root, acts.wipe);
+    stage.element.append(...made.parts);
+    return made;
+  });
   const eventWords = onDemand.one("event-words", (part) => part);
-  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)) }, page.root, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), traced: (isWanted, come) => (isWanted ? tracedPicture.nowOr(come) : tracedPicture.now()) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {

@@ -50,7 +50,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
     }),
     // What mirrors and glass have round them; without it they are painted.
     supply(session, draw, "surroundings", {
-      isWanted: ({ look, gl }, { files }) => gl && look === "approximate" && "surroundings" in files,
+      isWanted: ({ look, gl }, { files }) => gl && look !== "plain" && "surroundings" in files,
       load: async ({ id }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(id)),
       missing: () => {},
     }),

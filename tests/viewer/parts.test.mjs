@@ -31,13 +31,14 @@ const download = (name) => async (page) => {
 /** Part -> [what asks for it, what then is there]; in an order in which none asks for another's. */
 const PARTS = {
   surroundings: [(page) => page.keyboard.press("t"), ".stage-view canvas"],
+  "traced-picture": [(page) => page.keyboard.press("t"), ".traced-picture"],
   flat: [(page) => page.evaluate(() => window.raywalk.loseContext()), "body[data-renderer=flat] .stage-view canvas"],
   "tile-legend": [(page) => page.keyboard.press("c"), ".tile-legend .means"],
   "event-words": [(page) => page.keyboard.press("."), ".event-says"],
   slice: [(page) => page.keyboard.press("x"), ".slice canvas"],
   drawer: [(page) => page.locator(".open-drawer").click(), ".drawer .view-switch"],
   "what-if-switches": [(page) => page.locator(".open-what-if").click(), ".what-if .lamp"],
-  "what-if": [(page) => page.keyboard.press("s"), ".recombined-size"],
+  "switch-acts": [(page) => page.keyboard.press("s"), ".recombined-size"],
   "card-rays": [tab("rays"), "li.ray"],
   "card-tree": [tab("tree"), ".tree .node"],
   "card-sum": [tab("sum"), ".sums .formula"],
@@ -114,7 +115,7 @@ test("parts come in idle time, after the scene is there", async () => {
 
 test("what was left open at the last visit, or is in the address, comes by itself", async () => {
   const page = await pageAt(server.url, { hash: "#still=1&gl=none&n=15&p=5,8&slice=row&if=-shadows&e=2" });
-  for (const name of ["slice", "what-if-switches", "what-if", "event-words"]) await page.locator(PARTS[name][1]).first().waitFor();
+  for (const name of ["slice", "what-if-switches", "switch-acts", "event-words"]) await page.locator(PARTS[name][1]).first().waitFor();
   assert.ok(page.asked.includes("flat"), "without WebGL");
   await tab("tree")(page);
   await page.waitForFunction(() => location.hash.includes("tab=tree"));

@@ -5,7 +5,7 @@ import { scenesOfSite } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
-const { createWhatIf, AS_TRACED, isSwitched, lampsOf, readSwitches, setLamp, stepBounces, switchesFrom, turnLamp, turnPart, turnShadows, writeSwitches, partsOf } = await load("state/what-if.ts", "state/switches.ts");
+const { createWhatIf, AS_TRACED, isSwitched, lampsOf, readSwitches, setLamp, stepBounces, switchesFrom, turnLamp, turnPart, turnShadows, writeSwitches, partsOf } = await load("state/what-if.ts", "state/switches.ts", "state/switching.ts", "state/switchable.ts");
 const { costsOf, onScale, linesOf, treeOf, eventsOf, TILE_VIEWS, boxesOf } = await load("state/costs.ts", "state/tile-views.ts", "state/lines.ts", "state/events.ts", "trace/boxes.ts");
 
 const mirrors = readTrace("05-many-bounces", 15);

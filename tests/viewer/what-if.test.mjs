@@ -9,7 +9,7 @@ import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
 const { createWhatIf } = await load("state/what-if.ts");
-const { AS_TRACED, lampsOf, partsOf, readSwitches, setLamp, stepBounces, switchesFrom, turnPart, turnShadows, writeSwitches } = await load("state/switches.ts");
+const { AS_TRACED, lampsOf, partsOf, readSwitches, setLamp, stepBounces, switchesFrom, turnPart, turnShadows, writeSwitches } = await load("state/switches.ts", "state/switching.ts", "state/switchable.ts");
 const PYTHON = [process.env.RAYWALK_PYTHON, ".venv/bin/python"].find((path) => path && existsSync(path));
 // Both round to 8 bits: a term stored a fifth of half a step off may tip a value over the edge.
 const APART = 1;

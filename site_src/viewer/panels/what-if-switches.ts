@@ -1,6 +1,7 @@
 /** The what-if switches: how many bounces, which lamps, which parts of the light. */
 import type { Actions } from "../actions";
-import { BRIGHTEST, bouncesOf, brightness, lampsOf, PARTS, partsOf } from "../state/switches";
+import { partsOf } from "../state/switchable";
+import { BRIGHTEST, bouncesOf, brightness, lampsOf, PARTS } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { percent, say } from "../words";

@@ -127,7 +127,7 @@ function drawBodies(brush: Brush, view: StageView, projection: Projection, piece
   const behind = pieces.findIndex(({ depth }) => depth < planeDepth);
   const split = behind < 0 ? pieces.length : behind;
   for (const piece of pieces.slice(0, split)) drawPiece(brush, projection, piece);
-  drawTiles(brush, projection, view);
+  if (!view.state.wipe) drawTiles(brush, projection, view); // else the bodies are compared
   for (const piece of pieces.slice(split)) drawPiece(brush, projection, piece);
 }
 

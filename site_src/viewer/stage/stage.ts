@@ -14,21 +14,22 @@ import { createLabels, strokesAlong, type Box } from "./labels";
 import type { Drawn, StageView } from "./renderer";
 import type { slideSvg } from "./slide";
 import { namesOf } from "./stage-names";
-import { createTracedPicture } from "./traced-picture";
+import type { TracedPicture } from "./traced-picture";
 import { lineUnder, nearestTile, tileUnder } from "./under";
 
 export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer">, Pick<Actions, "pick" | "light" | "point"> {
   move: (observer: ObserverChoice) => void;
+  /** What lies over the drawing in the traced look; null until its part has come, and then `come` is called. */
+  traced: (isWanted: boolean, come: () => void) => TracedPicture | null;
 }
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
 const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
-/** siteRoot: relative path to it. over: what stands on the stage and must not hide a label. */
-export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, over: () => readonly Element[]) {
+/** over: what stands on the stage and must not hide a label. */
+export function createStage(acts: StageActs, withGl: boolean, over: () => readonly Element[]) {
   const labels = createLabels();
-  const traced = createTracedPicture(siteRoot);
-  const root = named(element("div", "stage-view", traced.element, labels.element), say("stage.label"), "application");
+  const root = named(element("div", "stage-view", labels.element), say("stage.label"), "application");
   root.tabIndex = 0;
   let size = { width: 1, height: 1 };
   let drawn: Drawn | null = null;
@@ -51,7 +52,8 @@ export function createStage(acts: StageActs, siteRoot: string, withGl: boolean, 
     const projection = createProjection(observer, size.width, size.height);
     drawn = { view, observer, projection };
     drawing.renderer().draw(drawn);
-    traced.show(state.look === "traced" && state.observer === "camera" ? scene : null, plane, projection, recombined);
+    const seen = state.look === "traced" && state.observer === "camera";
+    acts.traced(seen, redraw)?.show(seen ? scene : null, plane, projection, recombined, state.wipe);
     labels.show(namesOf(drawn), size.width, size.height, takenOn(root, over()), strokesOf(chosen, projection), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
     frames++;
   }

@@ -47,6 +47,7 @@ function createSet(view: StageView) {
     of: view.scene,
     world,
     show(now: StageView, fromEye: boolean) {
+      tiles.object.visible = !now.state.wipe; // the bodies are compared
       tiles.show(now.costs?.colours ?? null, now.state.n, now.tiles, now.state.pixel, now.ring);
       sign.object.visible = !fromEye; // the observer looks through it
       forChosen([now.chosen, now.lit], () => {

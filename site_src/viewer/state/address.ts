@@ -9,7 +9,7 @@ import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
 import { TILE_VIEWS } from "./tile-views";
 import { length, sub, type Vec3 } from "./vectors";
 
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "slice", "if", "colours", "step", "answer", "e", "tab", "embed", "speed", "projector", "still", "gl"];
+const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "wipe", "slice", "if", "colours", "step", "answer", "e", "tab", "embed", "speed", "projector", "still", "gl"];
 
 const FARTHEST = 50; // radii of the scene from its centre, for eye and target
 const NEAREST = 1e-6;
@@ -32,6 +32,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   putOther("tiles", ({ tiles }) => (tiles === "empty" ? tiles : "filled"));
   putOther("cam", ({ before, observer }) => writeObserver(before ?? observer)); // the traced look has one place only
   putOther("look", ({ look }) => look);
+  if (state.wipe) put("wipe", state.wipe);
   putOther("slice", ({ slice }) => slice);
   putOther("if", ({ switches }) => writeSwitches(switches) || "none");
   putOther("colours", ({ colours }) => colours);
@@ -152,11 +153,12 @@ export function followAddress(fields: ReadonlyMap<string, string>, scene: SceneD
   const step = number === null ? null : number - 1;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
   const view = viewOf(reader, scene, step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view);
+  const wipe = read("wipe", (text) => (view.look === "traced" && numberIn(text) <= 1 ? numberIn(text) : null)) ?? 0;
   const event = read("e", (text) => within("e", text, 1, MOST_EVENTS)); // how many there are is known with the trace
   const speed = read("speed", (text) => nearest("speed", text, SPEEDS)) ?? kept.speed;
   const tab = read("tab", oneOf(TABS)) ?? kept.tab;
   const projector = read("projector", (text) => (text === "1" ? true : null)) ?? kept.projector;
   const state = applyView(scene, startState(scene, { ...kept, speed, projector, tab }), view);
   const switches = read("if", (text) => (text === "none" ? AS_TRACED : readSwitches(text, scene))) ?? state.switches;
-  return { state: { ...state, step, revealed, event: event === undefined ? null : event - 1, switches }, damaged: [...damaged] };
+  return { state: { ...state, wipe, step, revealed, event: event === undefined ? null : event - 1, switches }, damaged: [...damaged] };
 }

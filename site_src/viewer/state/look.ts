@@ -12,7 +12,7 @@ export const isClear = ({ transmit }: Pick<MaterialData, "transmit">): boolean =
 /** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */
 export function withLook(state: ViewState, look: Look): ViewState {
   if (look === state.look) return { ...state, slice: "none" };
-  const next = { ...state, look, slice: "none" as const };
+  const next = { ...state, look, wipe: 0, slice: "none" as const };
   if (look === "traced") return { ...next, observer: "camera", before: state.observer };
   return { ...next, observer: state.before ?? state.observer, before: null };
 }
@@ -24,5 +24,6 @@ export const withObserver = (state: ViewState, observer: ViewState["observer"]):
   ...state,
   observer,
   before: observer === "camera" ? state.before : null, // the person has gone elsewhere
+  wipe: observer === "camera" ? state.wipe : 0,
   look: state.look === "traced" && observer !== "camera" ? "approximate" : state.look,
 });

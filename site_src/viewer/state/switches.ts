@@ -1,11 +1,9 @@
-/** What-if switches: what a person has switched, and how that changes. Nothing is traced anew; see what-if.ts. */
+/** What-if switches: what a person has switched. How that changes: switching.ts; what it does: what-if.ts. Nothing is traced anew. */
 import type { Brightest, SceneData, SwitchesView } from "../trace/types";
 
 export type Part = "ambient" | "diffuse" | "specular" | "reflected" | "refracted";
 export const PARTS: readonly Part[] = ["ambient", "diffuse", "specular", "reflected", "refracted"];
 export const BRIGHTEST: Brightest = 2;
-const STEP = 0.25; // of a button; the slider's are finer
-const ROUNDED = 1e-9; // a slider's 0.75 may be a little less
 
 export interface Switches {
   bounces: number | null; // rays with more bounces are left out; null: as many as were traced
@@ -45,47 +43,13 @@ export function factorsOf(of: Switches, scene: SceneData): number[] {
 }
 
 /** Without what is as traced anyway, and within the limits. */
-function tidy(of: Switches, scene: SceneData): Switches {
+export function tidy(of: Switches, scene: SceneData): Switches {
   const bounces = of.bounces !== null && of.bounces < scene.depth ? Math.max(0, of.bounces) : null;
   const lamps = of.lamps.every((factor) => factor === 1) ? [] : of.lamps;
   return { bounces, lamps, shadows: of.shadows || !scene.shadows, without: PARTS.filter((part) => of.without.includes(part)) };
 }
 
 export const bouncesOf = (of: Switches, scene: SceneData): number => of.bounces ?? scene.depth;
-
-/** The same switches at either end: what was not traced cannot be shown. */
-export function stepBounces(of: Switches, scene: SceneData, by: 1 | -1): Switches {
-  const bounces = bouncesOf(of, scene) + by;
-  return bounces < 0 || bounces > scene.depth ? of : tidy({ ...of, bounces }, scene);
-}
-
-export function setLamp(of: Switches, scene: SceneData, lamp: number, factor: number): Switches {
-  const lamps = lampsOf(scene).map((_, k) => (k === lamp ? Math.min(BRIGHTEST, Math.max(0, factor)) : brightness(of, k)));
-  return tidy({ ...of, lamps }, scene);
-}
-
-/** To the next quarter of its brightness: one up, or one down. */
-export function stepLamp(of: Switches, scene: SceneData, lamp: number, by: 1 | -1): Switches {
-  const quarters = brightness(of, lamp) / STEP;
-  const next = by > 0 ? Math.floor(quarters + ROUNDED) + 1 : Math.ceil(quarters - ROUNDED) - 1;
-  return setLamp(of, scene, lamp, STEP * next);
-}
-
-export const turnLamp = (of: Switches, scene: SceneData, lamp: number): Switches => setLamp(of, scene, lamp, brightness(of, lamp) > 0 ? 0 : 1);
-
-export const turnShadows = (of: Switches, scene: SceneData): Switches => tidy({ ...of, shadows: !of.shadows }, scene);
-
-export function turnPart(of: Switches, scene: SceneData, part: Part): Switches {
-  const without = of.without.includes(part) ? of.without.filter((each) => each !== part) : [...of.without, part];
-  return tidy({ ...of, without }, scene);
-}
-
-/** Parts that some material of the scene has: switching the others would change nothing. */
-export function partsOf(scene: SceneData): Part[] {
-  const has = (part: Part) =>
-    scene.materials.some((material) => (part === "reflected" ? material.reflect > 0 || material.fresnel : part === "refracted" ? material.transmit > 0 : material[part].some((v) => v > 0)));
-  return PARTS.filter(has);
-}
 
 /** As a lesson step names them. */
 export function switchesFrom(view: SwitchesView | undefined, scene: SceneData): Switches {

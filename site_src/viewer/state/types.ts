@@ -18,6 +18,7 @@ export interface ViewState {
   speed: number;
   observer: NonNullable<View["observer"]>;
   look: NonNullable<View["look"]>;
+  wipe: number; // in the traced look: share of the picture, from its left, that gives way to the approximate one
   before: ViewState["observer"] | null; // in the traced look: the observer to whom any other look goes back
   slice: NonNullable<View["slice"]>; // the plane of the selected row's or column's rays, drawn flat instead of the stage
   tab: Tab; // of the ray card; "none": what the colour is made of

@@ -33,6 +33,7 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     drawn: 0,
     observer: "start",
     look: "approximate",
+    wipe: 0,
     before: null,
     slice: "none",
     step: null,
