@@ -19,15 +19,23 @@ after(async () => {
 for (const where of ["a disk", "a server, in a folder"]) {
   describe(`opened from ${where}`, () => {
     const base = () => (where === "a disk" ? ON_DISK : server.url);
+    /** Drawn flat: what is asked here is what a control does, not what the stage looks like. */
+    const FLAT = "gl=none";
     let page;
     before(async () => {
-      page = await newPage(browser, { sharp: true });
-      await open(page, base(), rich.path, "still=1");
+      page = await newPage(browser);
+      await open(page, base(), rich.path, `still=1&${FLAT}`);
     });
     after(() => page.close());
+    /** Where the stage itself is asked about: drawn as most see it. */
+    const onStage = async (hash) => {
+      const stage = await newPage(browser, { sharp: true });
+      await open(stage, base(), rich.path, hash);
+      return stage;
+    };
     /** The hand's work is the same wherever the page comes from. */
     const onDisk = where === "a disk" ? test : () => {};
-    const fresh = (hash = "still=1") => follow(page, hash);
+    const fresh = (hash = "still=1") => follow(page, `${hash}&${FLAT}`);
     const button = (name) => page.getByRole("button", { name });
 
     onDisk("the arrows move the selected pixel and wrap round at the edges", async () => {
@@ -91,9 +99,9 @@ for (const where of ["a disk", "a server, in a folder"]) {
       await until(page, (s) => s.n === 5);
     });
 
-    test("Space fills the tiles in scan order, skips to the end, and empties them", async () => {
+    onDisk("Space fills the tiles in scan order, skips to the end, and empties them", async () => {
       const page = await newPage(browser, { held: true });
-      await open(page, base(), rich.path, "n=15");
+      await open(page, base(), rich.path, "n=15&gl=none");
       assert.equal((await stats(page)).tilesShown, 0);
       await press(page, " ");
       let shown = 0;
@@ -127,8 +135,8 @@ for (const where of ["a disk", "a server, in a folder"]) {
       await until(page, (s) => s.tiles === "filled");
     });
 
-    test("a tile shows exactly the trace's colour, and that is the picture's", async () => {
-      await fresh("still=1&n=5&tiles=filled&cam=camera&rays=none");
+    onDisk("a tile shows exactly the trace's colour, and that is the picture's", async () => {
+      const page = await onStage("still=1&n=5&tiles=filled&cam=camera&rays=none");
       const image = await pictureOf(page);
       const { tiles } = await stats(page);
       for (let k = 0; k < 25; k++) {
@@ -136,6 +144,8 @@ for (const where of ["a disk", "a server, in a folder"]) {
         const at = 4 * (Math.round(y) * image.width + Math.round(x));
         assert.deepEqual([...image.data.subarray(at, at + 3)], tiles.slice(3 * k, 3 * k + 3), `tile ${k}`);
       }
+      assert.deepEqual(page.faults, []);
+      await page.close();
     });
 
     onDisk("R looks through the ray-tracing camera; dragging, Shift and the wheel turn, move and zoom", async () => {

@@ -13,7 +13,7 @@ after(() => browser.close());
 
 /** Seconds of the page's clock that filling takes. each: ms a frame, or null: the clock's own 60 a second. */
 async function timeToFill(n, each) {
-  const page = await newPage(browser, { held: true, viewport: { width: 800, height: 500 } });
+  const page = await newPage(browser, { held: true, viewport: { width: 480, height: 360 } });
   await open(page, ON_DISK, richScene().path, `gl=none&n=${n}`);
   if (each) await page.evaluate((each) => (window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), each)), each);
   await page.keyboard.press(" ");
@@ -25,7 +25,7 @@ async function timeToFill(n, each) {
   return ms / 1000;
 }
 
-for (const n of [5, 15, 105])
+for (const n of [5, 35])
   test(`${n} x ${n} tiles fill in ${SECONDS} s`, async () => {
     const took = await timeToFill(n, null);
     assert.ok(Math.abs(took - SECONDS) <= (2 * STEP) / 1000, `${took} s`);

@@ -13,10 +13,11 @@ const DESKS = [[1280, 800], [1366, 768]];
 const PHONES = [[390, 844], [360, 640]];
 const FRAMES = [[700, 460], [480, 360]];
 const folder = mkdtempSync(join(tmpdir(), "raywalk-course-"));
-let browser, page;
+let browser, page, outer;
 before(async () => {
   browser = await launch();
   page = await newPage(browser, { sharp: true });
+  outer = await newPage(browser, { viewport: { width: 1000, height: 700 } }); // a course's
 });
 after(async () => {
   await browser.close();
@@ -63,26 +64,27 @@ for (const { id, path } of [rich, scenesOfSite()[1], scenesOfSite().at(-1)])
 
 for (const [width, height] of DESKS)
   test(`at ${width} x ${height} the stage has at least 60 % of the window, and sentence, Start, Play, Render and picture are in sight`, async () => {
-    for (const hash of ["", "step=2", "e=3"]) {
+    for (const hash of ["step=2", "e=3", ""]) {
       await at(width, height, hash);
       const share = await shareOfStage();
       assert.ok(share >= 0.6, `#${hash}: ${(100 * share).toFixed(1)} %`);
     }
-    await at(width, height);
     assert.deepEqual(await outOfSight([".lesson-text", ".start-lesson", ".play", ".render", ".picture-frame", ".made-of"]), []);
   });
 
 for (const [width, height] of PHONES)
   test(`on a phone of ${width} x ${height} the stage has at least 45 % of the window, and what one presses is within the first screen`, async () => {
-    for (const hash of ["", "step=2", "e=3"]) {
+    const pressed = {
+      "e=3": [],
+      "": [".stage-view", ".picture-frame", ".lesson-text", ".start-lesson", ".play", ".render"],
+      "step=2": [".lesson-text", ".lesson-steps .next", ".lesson-steps > button:first-child", ".render"],
+    };
+    for (const [hash, parts] of Object.entries(pressed)) {
       await at(width, height, hash);
       const share = await shareOfStage();
       assert.ok(share >= 0.45, `#${hash}: ${(100 * share).toFixed(1)} %`);
+      assert.deepEqual(await outOfSight(parts), [], hash);
     }
-    await at(width, height);
-    assert.deepEqual(await outOfSight([".stage-view", ".picture-frame", ".lesson-text", ".start-lesson", ".play", ".render"]), []);
-    await at(width, height, "step=2");
-    assert.deepEqual(await outOfSight([".lesson-text", ".lesson-steps .next", ".lesson-steps > button:first-child", ".render"]), []);
     const { step } = await page.evaluate(() => window.raywalk.lesson().reduce((found, each, step) => (found.step < 0 && each.answer ? { step } : found), { step: -1 }));
     await at(width, height, `step=${step + 1}`);
     assert.deepEqual(await outOfSight([".reveal", ".lesson-steps .next"]), []);
@@ -92,32 +94,31 @@ for (const [width, height] of PHONES)
 async function course(query, hash, [width, height]) {
   const file = join(folder, `course-${width}${query}${hash.length}.html`.replace("?", "-"));
   writeFileSync(file, `<!doctype html><title>Course</title><p>Rays</p><iframe src="${ON_DISK}${rich.path}${query}#${hash}" width="${width}" height="${height}" style="border:0" title="Ray walk"></iframe><div style="height: 3000px">More</div>`);
-  const outer = await browser.newPage({ viewport: { width: 1000, height: 700 } });
   await outer.goto(pathToFileURL(file).href);
   const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
   await frame.waitForFunction(() => window.raywalk?.state());
   await frame.evaluate(() => window.raywalk.ready);
   await frame.locator(".embed-bar a").waitFor(); // its part comes by itself
   await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
-  return { outer, frame };
+  return frame;
 }
 
-for (const size of FRAMES)
-  for (const [query, hash] of [["?embed", "still=1&gl=none"], ["", "embed=1&still=1&gl=none"], ["", "embed&still=1&gl=none"]])
-    test(`in a frame of ${size.join(" x ")} by ${query || `#${hash.split("&")[0]}`} the stage has at least 40 %, with sentence, step and play, and no notice`, async () => {
-      for (const more of ["", "&step=2", "&e=2"]) {
-        const { outer, frame } = await course(query, hash + more, size);
-        assert.ok(!(await frame.locator("#notice").isVisible()), await frame.locator("#notice").innerText());
-        const share = await shareOfStage(frame);
-        assert.ok(share >= 0.4, `${more}: ${(100 * share).toFixed(1)} %`);
-        assert.deepEqual(await outOfSight([".stage-view", ".lesson-text", ".play", more ? ".embed-bar a" : ".start-lesson", ...(more === "&step=2" ? [".lesson-steps .next"] : [])], frame), [], more);
-        assert.equal(await frame.evaluate(() => document.documentElement.scrollHeight - innerHeight), 0, "the frame itself has nothing to scroll");
-        await outer.close();
-      }
-    });
+// However it is asked for: the smaller frame shows it.
+const ASKED = [[FRAMES[0], "?embed", "still=1&gl=none"], [FRAMES[1], "?embed", "still=1&gl=none"], [FRAMES[1], "", "embed=1&still=1&gl=none"], [FRAMES[1], "", "embed&still=1&gl=none"]];
+for (const [size, query, hash] of ASKED)
+  test(`in a frame of ${size.join(" x ")} by ${query || `#${hash.split("&")[0]}`} the stage has at least 40 %, with sentence, step and play, and no notice`, async () => {
+    for (const more of ["", "&step=2", "&e=2"]) {
+      const frame = await course(query, hash + more, size);
+      assert.ok(!(await frame.locator("#notice").isVisible()), await frame.locator("#notice").innerText());
+      const share = await shareOfStage(frame);
+      assert.ok(share >= 0.4, `${more}: ${(100 * share).toFixed(1)} %`);
+      assert.deepEqual(await outOfSight([".stage-view", ".lesson-text", ".play", more ? ".embed-bar a" : ".start-lesson", ...(more === "&step=2" ? [".lesson-steps .next"] : [])], frame), [], more);
+      assert.equal(await frame.evaluate(() => document.documentElement.scrollHeight - innerHeight), 0, "the frame itself has nothing to scroll");
+    }
+  });
 
 test("the wheel over a frame scrolls the page around it until the frame has the focus, then it zooms", async () => {
-  const { outer, frame } = await course("?embed", "still=1&gl=none", FRAMES[0]);
+  const frame = await course("?embed", "still=1&gl=none", FRAMES[0]);
   const reach = () => frame.evaluate(() => window.raywalk.stats().reach);
   const before = await reach();
   const box = await outer.locator("iframe").boundingBox();
@@ -130,7 +131,6 @@ test("the wheel over a frame scrolls the page around it until the frame has the 
   await outer.mouse.wheel(0, 40);
   await frame.waitForFunction((before) => window.raywalk.stats().reach > before, before);
   assert.equal(await outer.evaluate(() => scrollY), 0);
-  await outer.close();
 });
 
 test("PageDown begins the lesson where none runs, and goes through it", async () => {
@@ -142,4 +142,4 @@ test("PageDown begins the lesson where none runs, and goes through it", async ()
   assert.deepEqual(await now(), [rich.id, 1]);
 });
 
-test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
+test("nothing was said in the console", () => assert.deepEqual([page.faults, outer.faults.filter((fault) => !/outside request/.test(fault))], [[], []]));

@@ -202,7 +202,7 @@ test("after hours unattended the page begins anew, between two rounds and not be
 });
 
 test("when nothing helps, the page is loaded anew once a minute only", async () => {
-  await open(page, ON_DISK, first.path, "kiosk=1&still=1&strikes=6");
+  await open(page, ON_DISK, first.path, `${FLAT}&strikes=6`);
   await until(page, isAttract);
   await page.evaluate(() => {
     window.same = true;
@@ -245,12 +245,12 @@ test("a drawing context that is lost while nobody is there comes back with a fre
 
 test("settings that are no numbers, or too large, are clamped and named; reduced motion shows stops only", async () => {
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await open(page, ON_DISK, first.path, "kiosk=1&idle=soon&warn=999");
+  await open(page, ON_DISK, first.path, "kiosk=1&gl=none&idle=soon&warn=999");
   for (let stop = 1; stop < 5; stop++) {
     await until(page, (s, t, stop) => t.kiosk?.stops === stop, stop);
     for (let k = 0; k < PACE; k++, await pass(page, 900)) assert.deepEqual([(await state(page)).playing, (await state(page)).tiles === "filling"], [false, false]);
   }
-  await open(page, ON_DISK, first.path, "kiosk=1&idle=soon&warn=999&visitor=1");
+  await open(page, ON_DISK, first.path, "kiosk=1&gl=none&idle=soon&warn=999&visitor=1");
   assert.match((await stats(page)).notice, /idle, warn/);
   assert.ok((await status()).left > 85);
 });

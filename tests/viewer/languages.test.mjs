@@ -7,6 +7,7 @@ import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
+const QUICK = "still=1&gl=none";
 const german = `de/${rich.path}`;
 let browser, page, server;
 before(async () => {
@@ -21,7 +22,7 @@ after(async () => {
 const language = (of = page) => of.locator("a.language");
 
 test("the German page speaks German: sentences, scene, numbers", async () => {
-  await open(page, ON_DISK, german, "still=1&n=15&p=5,8");
+  await open(page, ON_DISK, german, `${QUICK}&n=15&p=5,8`);
   assert.equal(await page.locator("html").getAttribute("lang"), "de");
   await press(page, ".");
   assert.equal(await page.locator(".event-says").innerText(), "Ein Kamerastrahl verlässt das Auge durch Pixel (5, 8).");
@@ -35,7 +36,7 @@ test("the German page speaks German: sentences, scene, numbers", async () => {
 for (const where of ["a disk", "a server, in a folder"])
   test(`from ${where} the language link keeps the view, there and back`, async () => {
     const base = where === "a disk" ? ON_DISK : server.url;
-    await open(page, base, rich.path, "still=1&n=15&p=5,8&e=3&rays=pixel,row");
+    await open(page, base, rich.path, `${QUICK}&n=15&p=5,8&e=3&rays=pixel,row`);
     const before = await state(page);
     for (const [code, name] of [["de", "Deutsch"], ["en", "English"]]) {
       await openMenu(page);
@@ -49,7 +50,7 @@ for (const where of ["a disk", "a server, in a folder"])
 
 test("after another scene was opened in the page, the link leads to that one", async () => {
   const other = scenesOfSite().find(({ key, id }) => key && id !== rich.id);
-  await open(page, server.url, rich.path, "still=1");
+  await open(page, server.url, rich.path, QUICK);
   await press(page, other.key);
   await page.waitForFunction((id) => window.raywalk.state().scene === id, other.id);
   await page.waitForURL(`**/${other.id}/**`);

@@ -4,11 +4,12 @@ import { after, before, test } from "node:test";
 import { chooseTab, follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
 
 const rich = richScene();
+const QUICK = "still=1&gl=none"; // where things are does not depend on what draws the stage
 let browser, page;
 before(async () => {
   browser = await launch();
   page = await newPage(browser, { sharp: true });
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
 });
 after(() => browser.close());
 
@@ -18,7 +19,7 @@ const size = (page, width, height) => page.setViewportSize({ width, height });
 for (const [width, height] of SIZES)
   test(`at ${width} x ${height} nothing overflows and every target is at least 44 px`, async () => {
     await size(page, width, height);
-    await follow(page, "still=1&step=1&e=2");
+    await follow(page, `${QUICK}&step=1&e=2`);
     const { wide, tall, small, cut } = await page.evaluate(() => {
       const targets = [...document.querySelectorAll("button, nav a, .top a, input")].filter((e) => e.checkVisibility({ visibilityProperty: true }) && e.offsetWidth);
       const name = (e) => `${e.getAttribute("aria-label") ?? e.textContent} ${e.offsetWidth} x ${e.offsetHeight}`;
@@ -37,7 +38,7 @@ for (const [width, height] of SIZES)
 
 test("on a phone the order is stage with the picture in its corner, sentence, player, controls, card", async () => {
   await size(page, 390, 844);
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
   const tops = await page.evaluate(() =>
     [".stage", ".lesson", ".player", ".controls", ".card-head", ".card"].map((part) => document.querySelector(part).getBoundingClientRect().top),
   );
@@ -48,7 +49,7 @@ test("on a phone the order is stage with the picture in its corner, sentence, pl
 for (const [width, height] of [[390, 844], [360, 640]])
   test(`on a phone of ${width} x ${height} the stage stays in sight, and stepping moves nothing around the player`, async () => {
     await size(page, width, height);
-    await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+    await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
     const box = () => page.evaluate(() => Object.fromEntries([".stage-view", ".picture-frame", ".lesson", ".controls", ".card-head"].map((part) => [part, document.querySelector(part).getBoundingClientRect().toJSON()])));
     const before = await box();
     for (const act of [() => page.locator(".play").click(), () => press(page, ","), () => press(page, "Escape"), () => page.getByRole("button", { name: "Start the lesson" }).click(), () => press(page, "PageDown", ".")]) {
@@ -64,10 +65,10 @@ for (const [width, height] of [[390, 844], [360, 640]])
 
 test("the pixel's name and colour have room for three digits each: nothing beside them moves", async () => {
   await size(page, 1280, 800);
-  await open(page, ON_DISK, rich.path, "still=1&n=105&p=4,4&gl=none");
+  await open(page, ON_DISK, rich.path, `${QUICK}&n=105&p=4,4`);
   const box = () => page.evaluate(() => JSON.stringify([...document.querySelectorAll(".card-head > *, .picture-frame, .card")].map((each) => each.getBoundingClientRect())));
   const before = await box();
-  await follow(page, "still=1&n=105&p=104,104&gl=none");
+  await follow(page, `${QUICK}&n=105&p=104,104`);
   assert.equal(await box(), before);
   assert.equal(await page.locator(".pixel-name").evaluate((e) => e.scrollWidth <= e.parentElement.clientWidth), true);
 });
@@ -76,7 +77,7 @@ test("the pixel's name and colour have room for three digits each: nothing besid
 for (const scene of [rich, scenesOfSite().find(({ key }) => key === "9") ?? rich])
   test(`whatever the player tells, the stage keeps its place, size and room (${scene.id}, 1280 x 800)`, async () => {
     await size(page, 1280, 800);
-    await open(page, ON_DISK, scene.path, "still=1");
+    await open(page, ON_DISK, scene.path, QUICK);
     const box = () => page.evaluate(() => JSON.stringify(document.querySelector(".stage-view").getBoundingClientRect()));
     const before = await box();
     assert.ok(JSON.parse(before).height > 300);
@@ -91,7 +92,7 @@ for (const scene of [rich, scenesOfSite().find(({ key }) => key === "9") ?? rich
 
 test("with the keyboard alone every control can be reached, seen and used", async () => {
   await size(page, 1280, 800);
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
   await openDrawer(page);
   await page.locator(".open-what-if").click();
   await page.locator(".what-if .lamp").first().waitFor();
@@ -119,7 +120,7 @@ test("with the keyboard alone every control can be reached, seen and used", asyn
 });
 
 test("printed, the page is picture, lesson and figures", async () => {
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
   await page.emulateMedia({ media: "print" });
   const seen = await page.evaluate(() =>
     Object.fromEntries([".plain-picture", ".plain-lesson", "#page .figures", "#viewer", "nav.scenes"].map((part) => [part, document.querySelector(part).checkVisibility()])),

@@ -6,7 +6,7 @@ import { monkey, reset, tame } from "./monkey.mjs";
 import { serve } from "./server.mjs";
 
 // `make stress` asks for all 20,000 and takes another seed each time.
-const INPUTS = Number(process.env.RAYWALK_MONKEY_INPUTS ?? 2000);
+const INPUTS = Number(process.env.RAYWALK_MONKEY_INPUTS ?? 1000);
 const SEED = Number(process.env.RAYWALK_SEED ?? 20_260);
 const scenes = scenesOfSite().map(({ id }) => id);
 const { path } = richScene();

@@ -91,7 +91,7 @@ test("one button keeps all scenes, tells how far it is, and then every scene ope
   assert.ok(heard.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, heard.join("; "));
   await context.setOffline(true);
   for (const { id, path } of scenesOfSite()) {
-    await open(page, server.url, path, "still=1&tiles=filled");
+    await open(page, server.url, path, "still=1&gl=none&tiles=filled");
     assert.equal((await state(page)).scene, id);
     assert.ok((await stats(page)).tiles.length > 0, id);
     assert.ok(await pictureShows(".picture img"), id);

@@ -5,7 +5,8 @@ import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, settled
 import { readTrace } from "./scene-files.mjs";
 
 const rich = richScene();
-const START = "still=1&n=15&p=5,8&tab=rays";
+const PLAYED = "n=15&p=5,8&speed=1&gl=none";
+const START = "still=1&gl=none&n=15&p=5,8&tab=rays"; // flat: the same lines, drawn in less time
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -124,7 +125,7 @@ test("the scrub bar is a slider for hand and keyboard, and says the sentence", a
 });
 
 test("without a clock P is at the end at once", async () => {
-  await follow(page, "n=15&p=5,8&still=1");
+  await follow(page, "n=15&p=5,8&still=1&gl=none");
   await press(page, "p");
   assert.equal(await current(), (await stats(page)).events.length - 1);
 });
@@ -132,7 +133,7 @@ test("without a clock P is at the end at once", async () => {
 test("P plays: time moves the line on, P pauses it there, and the end is the last event", async () => {
   const page = await newPage(browser, { held: true });
   const button = (name) => page.getByRole("button", { name });
-  await open(page, ON_DISK, rich.path, "n=15&p=5,8&speed=1&gl=none");
+  await open(page, ON_DISK, rich.path, PLAYED);
   await press(page, "p");
   assert.equal((await state(page)).playing, true);
   assert.equal(await page.locator(".lesson-text").getAttribute("aria-live"), "off");
@@ -146,6 +147,10 @@ test("P plays: time moves the line on, P pauses it there, and the end is the las
   await button("Pause").click();
   await pass(page, 1000);
   assert.equal((await stats(page)).grown, before);
+  await button("Play the rays").click();
+  await pass(page, 100);
+  assert.ok((await stats(page)).grown > before, "on from there");
+  await follow(page, `${PLAYED.replace("speed=1", "speed=8")}&e=6`); // sooner at the end
   await button("Play the rays").click();
   await until(page, (s) => !s.playing);
   assert.equal((await state(page)).event, (await stats(page)).events.length - 1);

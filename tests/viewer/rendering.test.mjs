@@ -9,6 +9,7 @@ const { startState, pressRender, advance } = await load("state/view-state.ts");
 const { growingOf, glowing, grownLines, linesOf } = await load("state/growth.ts", "state/lines.ts");
 const { withoutCrowd } = await load("state/shown.ts");
 const rich = richScene();
+const QUICK = "gl=none"; // the same tiles and lines, drawn in less time
 const { scene, trace } = await readTrace(rich.id, 15);
 const began = (n, speed) => pressRender({ ...startState(scene, { speed, still: false, gl: true }), n });
 const longOf = (lines) => lines.reduce((sum, { from, to }) => sum + Math.hypot(...from.map((v, k) => to[k] - v)), 0);
@@ -63,12 +64,12 @@ let browser, page;
 before(async () => {
   browser = await launch();
   page = await newPage(browser, { held: true });
-  await open(page, ON_DISK, rich.path);
+  await open(page, ON_DISK, rich.path, QUICK);
 });
 after(() => browser.close());
 
 test("Space shoots the rays of one tile after the other, in scan order", async () => {
-  await follow(page, "n=5&speed=0.25");
+  await follow(page, `${QUICK}&n=5&speed=0.25`);
   await page.keyboard.press(" ");
   await pass(page, 16); // the frame that time begins with
   const tile = 16 * 30; // ms: four times three seconds for all 25
@@ -91,7 +92,7 @@ test("Space shoots the rays of one tile after the other, in scan order", async (
 });
 
 test("a fast rendering shows the rays of tiles that have just been filled", async () => {
-  await follow(page, "n=15&speed=2");
+  await follow(page, `${QUICK}&n=15&speed=2`);
   await press(page, " ");
   await pass(page, 500);
   const { thin, tilesShown } = await stats(page);
@@ -99,13 +100,13 @@ test("a fast rendering shows the rays of tiles that have just been filled", asyn
 });
 
 test("still=1 fills at once", async () => {
-  await follow(page, "n=5&still=1");
+  await follow(page, `${QUICK}&n=5&still=1`);
   await press(page, " ");
   assert.equal((await state(page)).tiles, "filled");
 });
 
 test("where All leaves shadow rays out, the legend says so in a sentence", async () => {
-  await follow(page, "n=105&still=1&rays=all");
+  await follow(page, `${QUICK}&n=105&still=1&rays=all`);
   await until(page, (s, t) => t.shown.n === 105 && t.shown.lines > 0);
   const { left } = await stats(page);
   assert.ok(left > 0);

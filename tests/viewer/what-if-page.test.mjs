@@ -7,7 +7,8 @@ import { load } from "./typescript.mjs";
 
 const { createWhatIf, readSwitches } = await load("state/what-if.ts", "state/switches.ts");
 const rich = richScene();
-const START = "still=1&n=15&p=7,12&tiles=filled";
+const QUICK = "still=1&gl=none"; // flat: the same tiles and lines, drawn in less time; look.test.mjs has the WebGL stage follow
+const START = `${QUICK}&n=15&p=7,12&tiles=filled`;
 const { scene, trace } = readTrace(rich.id, 15);
 const expected = (text) => [...createWhatIf().of(trace, scene, readSwitches(text, scene)).trace.tiles];
 let browser, page;
@@ -81,7 +82,7 @@ test("a switch keeps the player at its event, and leaves it where that is gone",
   await press(page, "s");
   const current = (await stats(page)).events[(await state(page)).event];
   assert.deepEqual([current.ray, current.light, current.what], [events[at].ray, events[at].light, "unasked"]);
-  await follow(page, "still=1&n=15&p=9,7");
+  await follow(page, `${QUICK}&n=15&p=9,7`);
   for (let k = 0; k < 4; k++) await press(page, ".");
   for (let k = 0; k < scene.depth; k++) await press(page, "[");
   const { event } = await state(page);
@@ -89,7 +90,7 @@ test("a switch keeps the player at its event, and leaves it where that is gone",
 });
 
 test("the first switch fills empty tiles: they show what it does", async () => {
-  await follow(page, "still=1&n=15");
+  await follow(page, `${QUICK}&n=15`);
   assert.equal((await state(page)).tiles, "empty");
   await press(page, "s");
   assert.equal((await state(page)).tiles, "filled");
@@ -195,7 +196,7 @@ test("C goes round all tile views; the menu does the same; legend and numbers fo
 });
 
 test("a damaged switch in a link is named, and the view is as traced", async () => {
-  await follow(page, "still=1&if=b99");
+  await follow(page, `${QUICK}&if=b99`);
   assert.match(await page.locator("#notice").innerText(), /\(if\)/);
   assert.deepEqual(await switches(), { bounces: null, lamps: [], shadows: true, without: [] });
 });
@@ -205,7 +206,7 @@ test("with tests shown, a mesh's boxes that the selected ray tested are drawn, w
   const at = meshes.find(({ key }) => key === "7") ?? meshes[0];
   const mesh = readTrace(at.id, 15);
   const pixel = mesh.trace.object.findIndex((object, k) => k < 225 && mesh.scene.objects[object]?.type === "mesh");
-  await open(page, ON_DISK, at.path, `still=1&n=15&p=${pixel % 15},${Math.floor(pixel / 15)}&tiles=filled`);
+  await open(page, ON_DISK, at.path, `${QUICK}&n=15&p=${pixel % 15},${Math.floor(pixel / 15)}&tiles=filled`);
   assert.equal((await stats(page)).boxes, 0);
   await openDrawer(page);
   await page.getByRole("combobox", { name: "Tiles show" }).selectOption("tests");
