@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-
-ROOT = Path(__file__).resolve().parents[1]
+from tests.with_viewer import with_viewer
 
 
 @pytest.fixture(params=[20261122], ids=["seed 20261122"])
@@ -18,20 +16,7 @@ def rng(request: pytest.FixtureRequest) -> np.random.Generator:
     return np.random.default_rng(request.param)
 
 
-@pytest.fixture(scope="session")
-def with_viewer() -> Callable[[Path], Path]:
-    """Puts the viewer's scripts as `make` bundled them into an empty store, and returns that: to
-    bundle them takes seconds, and is not what tests of other things are about. Where these are
-    not there, a test's own build makes them."""
-    from raywalk.pipeline.parts import viewer_parts
-    from raywalk.work.digests import key_of
-
-    made = ROOT / ".work" / key_of(viewer_parts(ROOT / "site_src"))
-
-    def copied(store: Path) -> Path:
-        store.mkdir(parents=True)
-        if made.is_dir():
-            shutil.copytree(made, store / made.name)
-        return store
-
-    return copied
+@pytest.fixture(scope="session", name="with_viewer")
+def with_viewer_of_make() -> Callable[[Path], Path]:
+    """Makes a store that has the viewer already."""
+    return with_viewer

@@ -4,6 +4,7 @@ import { after, before, test } from "node:test";
 import { launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
 
 const rich = richScene();
+const QUICK = "still=1&gl=none";
 let browser, page;
 before(async () => {
   browser = await launch();
@@ -13,7 +14,7 @@ after(() => browser.close());
 const hashWith = (text) => page.waitForFunction((part) => location.hash.includes(part), text);
 
 test("what a person does is written into the address, and the address gives it back", async () => {
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
   await press(page, "+", "h", " ", "ArrowRight", "r");
   await hashWith("cam=camera");
   await until(page, (s, t) => t.tiles.length > 0);
@@ -23,7 +24,7 @@ test("what a person does is written into the address, and the address gives it b
 });
 
 test("a moved observer comes back where it was", async () => {
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, QUICK);
   await openDrawer(page);
   await page.getByRole("button", { name: "Turn the view left" }).click();
   await hashWith("cam=");
@@ -36,7 +37,7 @@ test("a moved observer comes back where it was", async () => {
 
 test("from a disk another scene is named in the address and survives a reload", async () => {
   const other = scenesOfSite().find((scene) => scene.id !== rich.id);
-  await open(page, ON_DISK, rich.path, `scene=${other.id}&still=1`);
+  await open(page, ON_DISK, rich.path, `scene=${other.id}&${QUICK}`);
   assert.equal((await state(page)).scene, other.id);
 });
 

@@ -10,7 +10,7 @@ const RESTS = 2500; // ms without the pointer moving
 let browser, page;
 before(async () => (browser = await launch()));
 after(() => browser.close());
-beforeEach(async () => (page = await newPage(browser, { held: true, sharp: true, viewport: HALL })));
+beforeEach(async () => (page = await newPage(browser, { held: true, viewport: HALL })));
 afterEach(async () => {
   assert.deepEqual(page.faults, []);
   await page.close();

@@ -1,6 +1,6 @@
 /** raywalk serve: what is saved shows by itself; mistakes show as text and go when they are mended. */
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { existsSync, readdirSync } from "node:fs";
 import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -38,6 +38,7 @@ before(async () => {
   file = join(folder, "scenes", "01-ball", "scene.toml");
   await mkdir(join(folder, "scenes", "01-ball"), { recursive: true });
   await writeFile(file, SCENE);
+  execFileSync(".venv/bin/python", ["-m", "tests.with_viewer", join(folder, "work")]); // to bundle it anew takes seconds
   const places = ["--scenes", join(folder, "scenes"), "--out", join(folder, "dist"), "--work", join(folder, "work")];
   serving = spawn(".venv/bin/python", ["-m", "raywalk", "serve", "--port", "0", ...places], { stdio: ["ignore", "pipe", "inherit"] });
   url = await new Promise((found, failed) => {

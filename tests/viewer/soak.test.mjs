@@ -10,7 +10,7 @@ import { countGpu, grown, memoryOf, objectsIn } from "./memory.mjs";
 const IS_LONG = !!process.env.RAYWALK_SOAK_CYCLES;
 // The short one shows every second scene: more than stay on the graphics card.
 const scenes = scenesOfSite().filter((_, k) => IS_LONG || k % 2 === 0);
-const CYCLES = Number(process.env.RAYWALK_SOAK_CYCLES ?? 3 * scenes.length);
+const CYCLES = Number(process.env.RAYWALK_SOAK_CYCLES ?? 2 * scenes.length);
 const MINUTES = Number(process.env.RAYWALK_SOAK_MINUTES ?? 60);
 /** A file that gets a line a round, and every tenth time what the objects take, while it runs. */
 const SERIES = process.env.RAYWALK_SOAK_SERIES;

@@ -4,10 +4,11 @@ import { after, before, test } from "node:test";
 import { atRest, launch, newPage, ON_DISK, open, pass, pictureOf, press, richScene, scenesOfSite, stats, until, workOf } from "./browser.mjs";
 
 const rich = richScene();
+const FLAT = "gl=none"; // when it is drawn does not depend on what draws it
 let browser, page, held;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { sharp: true });
+  page = await newPage(browser);
   held = await newPage(browser, { held: true });
 });
 after(() => browser.close());
@@ -19,7 +20,7 @@ async function framesIn(ms) {
 }
 
 test("the selector blinks: two frames in 1.1 seconds are drawn, no more", async () => {
-  await open(held, ON_DISK, rich.path);
+  await open(held, ON_DISK, rich.path, FLAT);
   await pass(held, 10_000); // parts come while nobody does anything, and are drawn
   await held.evaluate(() => window.raywalk.whole);
   await pass(held, 10_000);
@@ -34,7 +35,7 @@ test("it stops before five seconds are over, lit, and blinks anew when something
   assert.equal(await framesIn(1100), 2);
 });
 
-for (const [name, hash, motion] of [["still=1", "still=1", null], ["reduced motion", "", "reduce"]])
+for (const [name, hash, motion] of [["still=1", `${FLAT}&still=1`, null], ["reduced motion", FLAT, "reduce"]])
   test(`with ${name} nothing is drawn while nothing happens`, async () => {
     await held.emulateMedia({ reducedMotion: motion });
     await open(held, ON_DISK, rich.path, hash);
