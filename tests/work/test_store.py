@@ -26,7 +26,9 @@ def write(text):
 def test_what_was_made_once_is_found_again(tmp_path):
     """The second time nothing is made."""
     make, calls = write("one")
+    assert not Store(tmp_path).has("key")
     assert not Store(tmp_path).entry("key", make).was_found
+    assert Store(tmp_path).has("key")
     assert Store(tmp_path).entry("key", make).was_found
     assert len(calls) == 1
 

@@ -22,7 +22,7 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     """
     store = Store(chosen.work)
     parts = {scene.id: (scene, trace_parts(scene)) for scene in read_scenes(chosen.scenes)}
-    missing = [each for each in parts.values() if not store.find(key_of(each[1]))]
+    missing = [each for each in parts.values() if not store.has(key_of(each[1]))]
     if len(missing) != 1:
         return False
     [(scene, made_from)] = missing

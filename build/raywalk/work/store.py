@@ -54,6 +54,10 @@ class Store:
         _touch(place)
         return Entry(place, was_found=True)
 
+    def has(self, key: str) -> bool:
+        """Whether there is an entry, damaged or not: of many large ones, in no time."""
+        return (self.folder / key / MANIFEST).is_file()
+
     def get(self, key: str) -> Entry:
         """The entry of a key that is known to be there."""
         return Entry(self.folder / key, was_found=True)
