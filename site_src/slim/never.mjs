@@ -14,6 +14,12 @@ const emptied = (name, body = gone(name)) => [new RegExp(`^(\\t*)(function ${nam
 const emptiedMethod = (name) => [new RegExp(`^\\t${name}\\(.*\\) \\{[\\s\\S]*?^\\t\\}`, "m"), `\t${name}() { ${gone(name)} }`];
 const NO_MORPH = [/geometry\.morphAttributes\.position \|\| geometry\.morphAttributes\.normal \|\| geometry\.morphAttributes\.color/, "undefined"];
 
+/** All that is stored beside what is drawn to a texture is its depths. */
+const STORED_DEPTH = `
+  _gl.bindRenderbuffer(_gl.RENDERBUFFER, renderbuffer);
+  _gl.renderbufferStorage(_gl.RENDERBUFFER, _gl.DEPTH_COMPONENT24, renderTarget.width, renderTarget.height);
+  _gl.framebufferRenderbuffer(_gl.FRAMEBUFFER, _gl.DEPTH_ATTACHMENT, _gl.RENDERBUFFER, renderbuffer);`;
+
 export const RULES = [
   {
     why: "no headset",
@@ -94,6 +100,15 @@ export const RULES = [
     in: { "renderers/webgl/WebGLShadowMap": [[/(this\.)?type === VSMShadowMap/g, "false"], [/const shadowMaterialVertical = [\s\S]*?const fullScreenMesh = .*/, ""]] },
   },
   {
+    // optics/shade.py: a / (a0 + a1 d + a2 d^2). A lamp's colour is divided by a0, and its fields that three calls cutoff
+    // distance and exponent hold a1 / a0 and a2 / a0 (stage/solids.ts).
+    why: "light weakens with distance as the tracer has it",
+    in: {
+      "renderers/shaders/ShaderChunk/lights_pars_begin.glsl": [[/float distanceFalloff = [\s\S]*?return distanceFalloff;/, "return 1.0 / ( 1.0 + cutoffDistance * lightDistance + decayExponent * lightDistance * lightDistance );"]],
+      "renderers/webgl/WebGLShadowMap": [[/light\.distance \|\| camera\.far/, "camera.far"]],
+    },
+  },
+  {
     why: "textures are made of plain numbers",
     in: { "renderers/webgl/WebGLUtils": [[/if \( p === RGB_S3TC_DXT1_Format[\s\S]*?(?=if \( p === UnsignedInt248Type)/, ""]] },
   },
@@ -109,9 +124,15 @@ export const RULES = [
     },
   },
   {
-    why: "only shadows are drawn to textures, and without smoothed edges",
-    unless: ["WebGLRenderTarget", "setRenderTarget"],
-    in: { "renderers/webgl/WebGLTextures": ["updateMultisampleRenderTarget", "setupRenderBufferStorage", "updateRenderTargetMipmap", "rebindTextures"].map((name) => emptied(name)) },
+    why: "what is drawn to textures has neither smoothed edges nor smaller copies",
+    unless: ["samples"],
+    in: {
+      "renderers/webgl/WebGLTextures": [
+        ...["updateMultisampleRenderTarget", "updateRenderTargetMipmap"].map((name) => emptied(name, "")),
+        emptied("rebindTextures"),
+        emptied("setupRenderBufferStorage", STORED_DEPTH),
+      ],
+    },
   },
   {
     why: "nobody else draws with the context",

@@ -150,7 +150,7 @@ function sceneFrom(json: unknown): SceneData {
 
 function surroundingsFrom(json: unknown): SurroundingsData {
   const surroundings = json as SurroundingsData;
-  if (surroundings?.format !== 1 || !surroundings.objects?.length) throw new Error("not surroundings");
+  if (surroundings?.format !== 2 || !surroundings.objects) throw new Error("not surroundings");
   return surroundings;
 }
 

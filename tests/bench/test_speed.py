@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from raywalk.bench import speed
+from raywalk.bench import look, speed
 from raywalk.bench.bench import TIMES, time_bounds
 from raywalk.bench.made_scenes import icosphere, write_ply
 from raywalk.bench.picture_error import pictures
@@ -65,6 +65,17 @@ def test_the_scenes_that_are_built_by_the_dozen_are_in_order_and_all_different(t
 def test_every_part_of_the_bench_can_be_measured_alone():
     """The command offers what there is, and no more."""
     assert set(PARTS) == set(speed.PARTS)
+
+
+def test_a_scene_whose_look_is_too_far_from_its_picture_breaks_its_bound():
+    """What was painted before is told, and breaks none."""
+    row = {"scene": "04-one-bounce", "shown": 11.9, "painted": 100.0, "most": 12}
+    assert [case.holds for case in look.look_cases([row, row | {"shown": 12.1}], 0)] == [
+        True,
+        False,
+    ]
+    assert list(look.as_table([row])) == ["  04-one-bounce: 11.9 of 255; painted, 100.0"]
+    assert "not measured" in next(look.as_table([]))
 
 
 def test_a_build_that_takes_long_or_traces_too_much_breaks_the_bounds():

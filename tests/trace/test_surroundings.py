@@ -13,7 +13,7 @@ from PIL import Image
 
 from raywalk.geometry.compiled import rays_from
 from raywalk.scene.read import read_scene
-from raywalk.trace.surroundings import ANGLES, FLAT, SIDE, directions, surroundings_of, turns
+from raywalk.trace.surroundings import ANGLES, PARALLEL, SIDE, directions, surroundings_of, turns
 from raywalk.trace.wavefront import Tracer, eight_bit
 
 SCENES = Path("scenes")
@@ -90,7 +90,18 @@ def test_each_mirror_and_glass_body_has_its_surroundings_and_nothing_else() -> N
         "glass slab",
         "mirror sphere",
     }
-    assert isinstance(next(o.shape for o in scene.objects if o.name == "glass slab"), FLAT)
+    assert isinstance(next(o.shape for o in scene.objects if o.name == "glass slab"), PARALLEL)
+
+
+def test_of_flat_mirrors_the_share_is_told_and_of_a_floor_a_little_is_enough() -> None:
+    """The moon is a disc; the floor's tiles mirror 18 %; gold mirrors 30 % and is no floor."""
+    scene = tracer_of("09-dragon").scene
+    data = surroundings_of(tracer_of("09-dragon"))
+    assert data is not None
+    told = {scene.objects[each["object"]].name: each["share"] for each in data["flat"]}
+    assert told == {"floor": 0.18, "moon": 1.0}
+    bodies = {scene.objects[each["object"]].name for each in data["objects"]}
+    assert "moon" not in bodies and not any("gold" in name for name in bodies)
 
 
 def test_a_scene_without_mirrors_and_glass_has_none() -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from raywalk.bench import (
+    look,
     speed_cluster,
     speed_cores,
     speed_counters,
@@ -92,6 +93,10 @@ PARTS = {
         "Each stage beside what the processor could do",
         lambda c: speed_counters.counters(c.scenes, c.quick, c.seed),
         lambda figures, seed: (), speed_counters.as_table, speed_counters.rows_of,
+    ),
+    "look": Part(
+        "The approximate look of mirrors and glass beside the traced picture",
+        lambda c: look.looks(), look.look_cases, look.as_table,
     ),
     "cluster": Part(
         "A cluster: one large picture, many scenes, a worker killed",

@@ -85,10 +85,13 @@ class MeshData(TypedDict):
 
 
 class LightData(TypedDict):
+    """attenuation: a0, a1, a2 of light that is 1 / (a0 + a1 d + a2 d^2) as strong at distance d."""
+
     name: str
     position: Vec3
     colour: Vec3
     intensity: float
+    attenuation: Vec3
 
 
 class LessonStop(TypedDict):
@@ -187,12 +190,21 @@ class Surroundings(TypedDict):
     turns: list[list[float]]
 
 
+class FlatMirror(TypedDict):
+    """Of a plane, disc or triangle how much it mirrors."""
+
+    object: int  # index into SceneData.objects
+    share: float
+
+
 class SurroundingsData(TypedDict):
     """scenes/<id>/surroundings.js, as trace/surroundings.py writes it."""
 
-    format: Literal[1]
+    format: Literal[2]
     scene: str
     objects: list[Surroundings]
+    flat: list[FlatMirror]
+    background: Vec3  # what is seen where there is nothing
 
 
 class MeshBoxes(TypedDict):

@@ -103,7 +103,7 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             Size("first", name, first + styles + sum(scripts.values())),
         ]
         if (around := folder / "surroundings.js").is_file():
-            objects = len(json.loads(unpack(around.read_bytes()))["objects"])
+            objects = max(1, len(json.loads(unpack(around.read_bytes()))["objects"]))
             sizes.append(Size("surroundings", f"{name}/{around.name}", sent(around), objects))
         if triangles:
             over = max(triangles, FEW_TRIANGLES)

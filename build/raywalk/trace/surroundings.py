@@ -3,7 +3,8 @@
 A rasteriser draws a mirror by looking up, for each pixel, which way a ray would go on and what is
 seen that way from the mirror's place. Both are traced here, once an object: a picture of all
 directions with how far things are, and a table of how far a ray turns at each angle. So the viewer
-looks up, and works nothing out.
+looks up, and works nothing out. What a flat mirror shows a rasteriser draws as the eye's mirror
+image sees it, wherever that is: of such a mirror only the share is told.
 """
 
 from __future__ import annotations
@@ -30,15 +31,19 @@ QUALITY = 90  # of WebP: a mean error of about 2 of 255
 METHOD = 4  # 6 makes 10 % fewer bytes of them in fifty times the time
 # Of a surface: less is not seen as a mirror or as something to look through (state/look.ts).
 MIRRORS_FROM, CLEAR_FROM = 0.5, 0.3
-FLAT = (Box, Disc, Triangle)  # through these a ray goes on as it came: faces are parallel
+FLOOR_MIRRORS_FROM = 0.05  # polished, it shows what stands on it
+SHEETS = (Disc, Triangle)
+PARALLEL = (Box, *SHEETS)  # through these a ray goes on as it came
 
 Json = dict[str, Any]
 
 
 def surroundings_of(tracer: Tracer) -> Json | None:
-    """Of each mirror and glass body, at most MOST, its surroundings; None where there is neither.
+    """Of each mirror and glass body, at most MOST, its surroundings, and of each flat mirror its
+    share: SurroundingsData in site/scene_types.py. None where there are none.
 
-    {"object": index, "centre", "radius" of a sphere round it, "picture": a data URI, "turns"}.
+    A body's are {"object": index, "centre", "radius" of a sphere round it, "picture": a data URI,
+    "turns"}.
     Pixel (u, v) of the picture is the direction that `directions` gives for it: its colour, and as
     opacity radius / (radius + distance from the centre). Turns: for cosines 0 to 1 of the angle of
     incidence [turn of what is mirrored, share mirrored, turn of what goes through, angle on a ball
@@ -55,12 +60,30 @@ def surroundings_of(tracer: Tracer) -> Json | None:
     shown = [
         _surroundings(tracer, *body) for body in sorted(bodies[:MOST], key=lambda body: body[0])
     ]
-    return {"format": 1, "scene": scene.id, "objects": shown} if shown else None
+    flat = [
+        {"object": k, "share": scene.materials[obj.material].reflect}
+        for k, obj in enumerate(scene.objects)
+        if _is_flat_mirror(obj, scene.materials[obj.material])
+    ]
+    if not shown and not flat:
+        return None
+    return {
+        "format": 2, "scene": scene.id, "objects": shown, "flat": flat,
+        "background": list(scene.background),
+    }  # fmt: skip
 
 
 def _is_shown(obj: SceneObject, material: Material) -> bool:
     shows = material.reflect > MIRRORS_FROM or material.transmit > CLEAR_FROM
-    return shows and not isinstance(obj.shape, Plane)
+    return shows and not isinstance(obj.shape, Plane) and not _is_flat_mirror(obj, material)
+
+
+def _is_flat_mirror(obj: SceneObject, material: Material) -> bool:
+    if material.transmit > CLEAR_FROM:
+        return False
+    if isinstance(obj.shape, Plane):
+        return material.reflect > FLOOR_MIRRORS_FROM
+    return isinstance(obj.shape, SHEETS) and material.reflect > MIRRORS_FROM
 
 
 def _surroundings(tracer: Tracer, k: int, centre: np.ndarray, radius: float) -> Json:
@@ -71,7 +94,7 @@ def _surroundings(tracer: Tracer, k: int, centre: np.ndarray, radius: float) -> 
         "centre": centre.tolist(),
         "radius": radius,
         "picture": _data_uri(picture),
-        "turns": turns(tracer.scene.materials[obj.material], isinstance(obj.shape, FLAT)),
+        "turns": turns(tracer.scene.materials[obj.material], isinstance(obj.shape, PARALLEL)),
     }
 
 

@@ -22,7 +22,7 @@ import { meshOf } from "../state/mesh";
 import { isWithin, toWorld } from "../state/placing";
 import { endsOf, FORMS } from "../state/shapes";
 import type { Part, Switches } from "../state/switches";
-import { cross, dot, sub } from "../state/vectors";
+import { cross, dot, scale, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
 import { surroundedLook } from "./surrounded";
@@ -82,9 +82,10 @@ function lightsOf(scene: SceneData, plain: boolean) {
   // A little light from everywhere, so that shapes keep their form in the shade.
   const everywhere = new AmbientLight(0xffffff, EVERYWHERE);
   group.add(everywhere);
-  for (const { position, colour, intensity } of scene.lights) {
-    const light = new PointLight(0xffffff, intensity * Math.PI, 0, 0); // three divides by pi
-    light.color.setRGB(...colour);
+  for (const { position, colour, intensity, attenuation } of scene.lights) {
+    const near = Math.max(1e-6, attenuation[0]);
+    const light = new PointLight(0xffffff, intensity * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
+    light.color.setRGB(...scale(colour, 1 / near));
     light.position.set(...position);
     light.castShadow = scene.shadows && !plain && scene.objects.length < MANY;
     light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
@@ -106,6 +107,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
   const made = new Map<string, BufferGeometry>(); // one of each shape
   object.add(lights.group);
   const painted: { mesh: Mesh; look: Material; at: number }[] = [];
+  let bare: (() => void) | undefined;
   for (const [at, each] of scene.objects.entries()) {
     const material = scene.materials[each.material];
     if (each.type === "plane") {
@@ -129,7 +131,10 @@ export function createSolids(scene: SceneData, plain: boolean) {
     object,
     /** Mirrors and glass show what is round them; null: they are painted. */
     surround(surroundings: Surrounded | null) {
-      for (const { mesh, look, at } of plain ? [] : painted) {
+      if (plain) return;
+      bare?.();
+      bare = surroundings?.onFlat(object as never);
+      for (const { mesh, look, at } of painted) {
         if (mesh.material !== look) (mesh.material as Material).dispose();
         const around = surroundings?.lookOf(at, !mesh.geometry.getAttribute("normal"));
         mesh.material = around ? surroundedLook(around, look.side) : look;

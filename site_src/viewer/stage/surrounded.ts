@@ -1,6 +1,9 @@
 /** A material that shows what a body has round it, out of what the part `surroundings` says of it. */
-import { LinearFilter, ShaderMaterial, Texture, type Side } from "three";
+import { LinearFilter, Mesh, PerspectiveCamera, ShaderMaterial, Texture, WebGLRenderTarget, type Side } from "three";
 import type { SurroundedLook } from "../state/surrounded";
+
+// For parts, which bundle nothing of three.
+export { Mesh, PerspectiveCamera, ShaderMaterial, WebGLRenderTarget };
 
 export function surroundedLook({ picture, uniforms, isClear, ...shaders }: SurroundedLook, side: Side): ShaderMaterial {
   const around = new Texture(picture);

@@ -4,6 +4,7 @@
  */
 import type { Surrounded, SurroundedLook } from "../state/surrounded";
 import type { Surroundings, SurroundingsData } from "../trace/types";
+import { flatMirrors } from "./flat-mirrors";
 
 const STEPS = 9; // towards what is seen from a place beside the centre, by how far things are
 const CAREFUL = 0.6; // of each step: with all of it edges would swing to and fro
@@ -89,10 +90,11 @@ async function pictureOf(uri: string): Promise<HTMLImageElement> {
   return image;
 }
 
-export async function createSurroundings({ scene, objects }: SurroundingsData): Promise<Surrounded> {
+export async function createSurroundings({ scene, objects, flat, background }: SurroundingsData): Promise<Surrounded> {
   const pictures = await Promise.all(objects.map(({ picture }) => pictureOf(picture)));
   return {
     scene,
+    onFlat: (solids) => flatMirrors(solids, flat, background),
     lookOf(object, faces) {
       const at = objects.findIndex((each) => each.object === object);
       return at < 0 ? null : lookOf(objects[at], pictures[at], faces);

@@ -158,7 +158,7 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
     dispose() {
       sets.forget();
       renderer.dispose();
-      canvas.remove();
+      renderer.domElement.remove(); // named here, it is kept for parts, which ask for its size
     },
   };
 }

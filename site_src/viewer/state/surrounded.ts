@@ -14,4 +14,6 @@ export interface Surrounded {
   scene: string;
   /** null: this object neither mirrors nor lets through. faces: it has no normals but its triangles' own. */
   lookOf: (object: number, faces: boolean) => SurroundedLook | null;
+  /** Lays over flat mirrors what they show; returns what takes it away. solids: three's group of the scene's objects. */
+  onFlat: (solids: never) => () => void;
 }
