@@ -12,6 +12,7 @@ import numpy as np
 from raywalk.bench.cases import Case
 from raywalk.bench.families import directions, unit_rows
 from raywalk.bench.made_scenes import icosphere, mesh_object, placed, scene_of
+from raywalk.bench.stress_rims import RIMS, lost_at_rims
 from raywalk.bench.truth import triangle_meets
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.scene.model import SceneObject
@@ -30,12 +31,16 @@ SIDES = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (
 
 
 def cases(count: int, seed: int) -> Iterator[Case]:
-    """Seams of each kind, flat rays, outlines of a closed mesh, thin shapes."""
+    """Seams and rims of each kind, flat rays, outlines of a closed mesh, thin shapes."""
     lost = "lost that rationals hit, rays"
     for place, kind in enumerate(KINDS):
         name = f"{kind}: at shared edges and corners"
         measured = lost_at_seams(kind, count, PAIRS, seed + place)
         yield Case("seams", name, lost, 0.0, float(measured), count, seed + place)
+    for place, kind in enumerate(RIMS):
+        measured = lost_at_rims(kind, count, PAIRS, seed + 40 + place)
+        name = f"{kind}: at shared rims"
+        yield Case("seams", name, "lost that are there, rays", 0.0, float(measured), count, seed)
     rays = max(300, count // 50)  # aimed so that most are hits, or judged one by one
     for kind in FLAT:
         measured = sum(lost_grazing(kind, cosine, rays, seed + 10) for cosine in COSINES)

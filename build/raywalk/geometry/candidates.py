@@ -12,7 +12,8 @@ import math
 from raywalk.geometry import blocks
 from raywalk.geometry.along_ray import point_along
 from raywalk.geometry.blocks import BLOCK, DX, DY, DZ, LEAVES, OX, OY, OZ
-from raywalk.geometry.faces import BOX, SPHERE
+from raywalk.geometry.faces import BOX, SPHERE, TRIANGLE, TUBE
+from raywalk.geometry.rims import is_rim_unsure, rim_pair
 from raywalk.geometry.roots import AT_ONCE, FAR_SQ, NOWHERE, exact_pair, roots
 from raywalk.geometry.seams import is_unsure
 from raywalk.geometry.sides import POINT_ERROR
@@ -145,8 +146,8 @@ def slab(o, d, near, far):
 
 @kernel
 def other_roots(table, primitives, block, columns, rows, start, end):
-    """Of other shapes, and of boxes where a ray starts on them; decided exactly at the edges of
-    those that share theirs."""
+    """Of other shapes, and of boxes where a ray starts on them; decided exactly at the edges and
+    rims of those that share theirs."""
     edged, shape = primitives.is_edged, primitives.shape
     for p in range(start, end):
         k, own, shift = rows[p], table[OWN + p] > 0.0, table[SHIFT + p]
@@ -157,23 +158,19 @@ def other_roots(table, primitives, block, columns, rows, start, end):
                 shape[k], x, y, z, dx, dy, dz, own, table[INNER + p] > 0.0, table[BOUND + p], -shift
             )
             table[ROOT + p] = shift + near
-        if (
-            edged[k]
-            and not own
-            and is_unsure(
-                shape[k].code,
-                x,
-                y,
-                z,
-                dx,
-                dy,
-                dz,
-                table[SIZE + p],
-                table[DRIFT + p],
-                table[BOUND + p],
-            )
+        if not edged[k]:
+            continue
+        j, size, drift = columns[p], table[SIZE + p], table[DRIFT + p]
+        o = block[OX + j], block[OY + j], block[OZ + j]
+        d = block[DX + j], block[DY + j], block[DZ + j]
+        bound = table[BOUND + p]
+        if shape[k].code == BOX or shape[k].code == TRIANGLE:
+            if not own and is_unsure(shape[k].code, x, y, z, dx, dy, dz, size, drift, bound):
+                table[ROOT + p], _ = exact_pair(primitives, k, shape[k].code, o, d)
+        elif (shape[k].code == TUBE or not own) and is_rim_unsure(
+            shape[k], x, y, z, dx, dy, dz, size, drift, bound
         ):
-            j = columns[p]
-            o = block[OX + j], block[OY + j], block[OZ + j]
-            d = block[DX + j], block[DY + j], block[DZ + j]
-            table[ROOT + p], _ = exact_pair(primitives, k, shape[k].code, o, d)
+            table[ROOT + p], _ = rim_pair(
+                shape[k], primitives.corner, primitives.corner_rest, k, x, y, z, dx, dy, dz, shift,
+                own, table[INNER + p] > 0.0, bound, o, d,
+            )  # fmt: skip

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.faces import SHAPE, TRIANGLE, shape_record
+from raywalk.geometry.faces import BOX, SHAPE, TRIANGLE, shape_record
+from raywalk.geometry.shared_rims import shared_rims
 from raywalk.scene.exact import DIGITS, exact, rest_of, rounded
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement
@@ -34,7 +35,8 @@ class Primitives(NamedTuple):
     reach_sq: np.ndarray  # (p,) squared radius of a sphere round it and `centre`; inf if endless
     row_of: np.ndarray  # (objects,) int32: this table's row of an object, -1 for a mesh
     is_edged: np.ndarray  # (p,) bool: its edges are decided exactly; see `exact_at_edges`
-    # Of triangles 3 and of boxes 8 corners, world; what float64 leaves over of them; else 0.
+    # Of triangles 3 and of boxes 8 corners, world; of shared rims what `rims.py` reads; and what
+    # float64 leaves over of them; else 0.
     corner: np.ndarray  # (p, 8, 3)
     corner_rest: np.ndarray  # (p, 8, 3)
 
@@ -57,6 +59,9 @@ def compile_primitives(scene: Scene) -> Primitives:
     corner, corner_rest = np.zeros((2, len(kept), 8, 3))
     corners = _stack([_corners(shapes[row], *placed[row]) for row in edged.tolist()], (8, 3))
     corner[edged], corner_rest[edged] = rounded(corners), rest_of(corners)
+    rimmed, rims = shared_rims(shapes, placed, inverse)
+    is_edged[rimmed] = True
+    corner[rimmed], corner_rest[rimmed] = rounded(rims), rest_of(rims)
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
@@ -92,12 +97,14 @@ def compile_primitives(scene: Scene) -> Primitives:
 
 def exact_at_edges(table: Primitives, vertices: list[np.ndarray]) -> Primitives:
     """The table with `is_edged` for only those that need it, which costs all rays: triangles, open
-    and met flatly, and boxes that share a corner with another object. A box for itself is tight.
+    and met flatly, boxes that share a corner with another object, and who shares a rim. A box for
+    itself is tight.
 
     vertices: (v, 3) of each mesh, world.
     """
-    is_edged = np.zeros(len(table.shape), bool)
-    rows = np.flatnonzero(table.is_edged)
+    has_corners = np.isin(table.shape["code"], (BOX, TRIANGLE))
+    is_edged = table.is_edged & ~has_corners
+    rows = np.flatnonzero(table.is_edged & has_corners)
     if len(rows):
         is_triangle = table.shape[rows]["code"] == TRIANGLE
         has = np.where(is_triangle[:, None], np.arange(8) < 3, True)

@@ -13,7 +13,8 @@ from __future__ import annotations
 import math
 
 from raywalk.geometry.along_ray import point_along
-from raywalk.geometry.faces import PLANE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.faces import BOX, PLANE, TRIANGLE, TUBE, goes_in, is_flat, is_near
+from raywalk.geometry.rims import is_rim_unsure, rim_pair
 from raywalk.geometry.seams import exact_roots, is_unsure
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.geometry.solids import chord_exit, flat_root, line_roots
@@ -147,12 +148,36 @@ def settled_roots(primitives, k, ox, oy, oz, dx, dy, dz, own, inner, on_surface)
     if own or not primitives.is_edged[k]:
         return near, far
     code = primitives.shape[k].code
+    if code != BOX and code != TRIANGLE:
+        return settled_rims(primitives, k, near, far, (ox, oy, oz), (dx, dy, dz))
     if not rounding_decides(
         primitives.centre, primitives.to_local, primitives.stretch, primitives.reach_sq, code, k,
         ox, oy, oz, dx, dy, dz, on_surface,
     ):  # fmt: skip
         return near, far
     return exact_pair(primitives, k, code, (ox, oy, oz), (dx, dy, dz))
+
+
+@kernel
+def settled_rims(primitives, k, near, far, o, d):
+    """The same of row k, which shares a rim, for a ray from free space that has these roots."""
+    cx, cy, cz = primitives.centre[k, 0], primitives.centre[k, 1], primitives.centre[k, 2]
+    x, y, z, shift = o[0] - cx, o[1] - cy, o[2] - cz, 0.0
+    if x * x + y * y + z * z > FAR_SQ * primitives.reach_sq[k]:
+        towards = x * d[0] + y * d[1] + z * d[2]
+        shift = max(0.0, -towards / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]))
+        x, y, z = point_along(o[0], o[1], o[2], d[0], d[1], d[2], shift, cx, cy, cz, 0.0, 0.0, 0.0)
+    size = max(abs(x), max(abs(y), abs(z))) + max(abs(cx), max(abs(cy), abs(cz)))
+    drift = max(abs(d[0]), max(abs(d[1]), abs(d[2])))
+    m, shape, stretch = primitives.to_local, primitives.shape[k], primitives.stretch[k]
+    lx, ly, lz = to_local(m[k], x, y, z)
+    rx, ry, rz = to_local(m[k], d[0], d[1], d[2])
+    if not is_rim_unsure(shape, lx, ly, lz, rx, ry, rz, stretch * size, stretch * drift, 0.0):
+        return near, far
+    return rim_pair(
+        shape, primitives.corner, primitives.corner_rest, k, lx, ly, lz, rx, ry, rz, shift,
+        False, False, 0.0, o, d,
+    )  # fmt: skip
 
 
 @kernel

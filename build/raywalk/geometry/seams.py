@@ -39,7 +39,7 @@ def is_unsure(code, ox, oy, oz, dx, dy, dz, size, drift, bound):
         if abs(max(abs(ox), max(abs(oy), abs(oz))) - 1.0) <= 2.0 * bound:
             return False
         return is_box_unsure(ox, oy, oz, dx, dy, dz, size, drift)
-    if code != TRIANGLE or abs(oz) <= bound:
+    if code != TRIANGLE or (bound > 0.0 and abs(oz) <= bound):
         return False
     if abs(dz) <= ROUNDINGS * drift:
         return True

@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from raywalk.scene.typed_numbers import NUMBER, PLAIN, Slip, number_slips
 
 #: Texts in any of TOML's quotes, and comments: what is in them is nobody's business.
 SPOKEN = re.compile(
@@ -19,11 +20,7 @@ QUOTES = "„“”‟‚‘’‛«»‹›″′＂＇`´"
 MINUS = "−‐‑‒–—－"
 INVISIBLE = re.compile(r"[\u00a0\u00ad\u2000-\u200f\u2028-\u202f\u205f\u2060\u3000\ufeff]+")
 QUOTED = re.compile(rf"[{QUOTES}]+([^{QUOTES}\n]*)[{QUOTES}]+")
-COMMA = re.compile(r"(=\s*)([-+]?\d+),(\d+)(?=\s*$)", re.MULTILINE)
-POINT_FIRST = re.compile(r"(?<![\w.])([-+]?)\.(\d+)")
-POINT_LAST = re.compile(r"(?<![\w.])([-+]?\d+)\.(?![\w.])")
 BARE = re.compile(r"^\s*[\w.-]+\s*=\s*(?!true\b|false\b|inf\b|nan\b)([A-Za-z_][\w -]*?)\s*$", re.M)
-NUMBER = r"[-+]?\d+(?:\.\d+)?"
 #: What other notations write: a pattern, what is wrong with its match, and what to type.
 FOREIGN = [
     (r";", "; separates nothing", "numbers are separated by commas"),
@@ -39,18 +36,12 @@ FOREIGN = [
         "{1} has a unit, {2}", "write {1}: lengths are in world units, angles in degrees",
     ),
     (rf"({NUMBER})[ \t]*%", "{0} is no number", "write it as a share of 1, such as 0.5"),
-    (rf"=[ \t]*({NUMBER}[ \t]*[/*][ \t]*{NUMBER})", "{1} is not worked out", "write the result"),
+    (
+        rf"=[ \t]*((?!\d{{4}}-\d\d-)[-+]?{PLAIN}(?:[ \t]*(?:\*\*|[-+/*^×·])[ \t]*{PLAIN})+)[ \t]*$",
+        "{1} is not worked out", "write the result",
+    ),
     (r"[，、､]", "{0} is no comma to a program", "type the , of the keyboard"),
 ]  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Slip:
-    """One character or number that cannot be read, and what to type instead."""
-
-    place: int  # in the text
-    what: str
-    instead: str
 
 
 def slips_in(text: str) -> list[Slip]:
@@ -74,18 +65,7 @@ def _all(code: str) -> Iterator[Slip]:
     for match in INVISIBLE.finditer(code):
         message = f"holds a character that cannot be seen ({_name(match[0][0])})"
         yield Slip(match.start(), message, "delete it and type a space")
-    for match in COMMA.finditer(code):
-        number = f"{match[2]},{match[3]}"
-        yield Slip(
-            match.start(2), f"{number} has a decimal comma",
-            f"decimals have a point: {match[2]}.{match[3]}",
-        )  # fmt: skip
-    for match in POINT_FIRST.finditer(code):
-        instead = f"a digit stands before the point: {match[1]}0.{match[2]}"
-        yield Slip(match.start(), f"{match[0]} begins with its point", instead)
-    for match in POINT_LAST.finditer(code):
-        instead = f"a digit stands behind the point: {match[1]}.0"
-        yield Slip(match.start(), f"{match[0]} ends with its point", instead)
+    yield from number_slips(code)
     for match in BARE.finditer(code):
         instead = f'a text stands in quotes: "{match[1]}"'
         if match[1].lower() in ("yes", "no", "true", "false", "on", "off"):
