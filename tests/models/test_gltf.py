@@ -12,10 +12,16 @@ import numpy as np
 import pytest
 from tests.models.solids import cube, triangles, volume, written
 
+from raywalk.bench.made_scenes import scene_of
+from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.models.clean import clean
 from raywalk.models.faults import ModelFault
 from raywalk.models.model import Model
 from raywalk.models.read import read_model
+from raywalk.models.report import report
+from raywalk.models.telling import in_full
+from raywalk.scene.model import SceneObject
+from raywalk.scene.shapes import Mesh
 
 
 def document(**more: Any) -> dict[str, Any]:
@@ -100,6 +106,31 @@ def test_nodes_move_turn_and_repeat_their_meshes(tmp_path: Path) -> None:
     fit = clean(model)
     assert not fit.turned.any()  # the mirrored one was wound back by the reader
     assert volume(fit.vertices, fit.faces) == pytest.approx(4, abs=1e-6)
+
+
+def test_without_normals_its_faces_are_flat(tmp_path: Path) -> None:
+    """As the specification has it, and as the command says; `smooth = true` averages them: of a
+    bent strip by 20 degrees, which the crease of 40 would leave smooth."""
+    bent = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [2, 0, 0.364], [2, 1, 0.364]])
+    faces = np.array([[0, 2, 1], [1, 2, 3], [2, 4, 3], [3, 4, 5]])
+    body = bent.astype("<f4").tobytes() + faces.astype("<u2").tobytes()
+    made_of = document(
+        buffers=[{"byteLength": 96, "uri": "data:;base64," + base64.b64encode(body).decode()}]
+    )
+    made_of["accessors"][0]["count"], made_of["accessors"][1]["count"] = 6, 12
+    made_of["bufferViews"] = [
+        {"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 24},
+    ]  # fmt: skip
+    path = written(tmp_path / "bent.gltf", json.dumps(made_of))
+    assert "it has none: flat faces, as glTF has it" in "\n".join(
+        in_full(report(clean(read_model(path))))
+    )
+    for smooth, is_flat in ((None, True), (False, True), (True, False)):
+        obj = SceneObject("bent", Mesh("bent", path, smooth), 0)
+        hits = CompiledScene(scene_of([obj])).hits(
+            rays_from(np.array([[0.9, 0.5, 5.0]]), np.array([[0.0, 0.0, -1.0]]))
+        )
+        assert np.allclose(hits.normal[0], [0, 0, 1], rtol=0, atol=1e-12) == is_flat
 
 
 def test_base_colours_and_colours_of_vertices_are_read(tmp_path: Path) -> None:

@@ -249,6 +249,10 @@ def test_materials_are_those_of_the_library_or_a_name(tmp_path: Path) -> None:
     assert (odd.diffuse, gone.diffuse) == (None, None)
     assert model.material_of().tolist() == [0] * 12 + [1, 2]
     assert model.beside == (tmp_path / "my colours.mtl",)
+    assert model.ignored == (
+        'line 25: usemtl names "gone", which "my colours.mtl" does not define (it has "red", "odd")'
+        ": its faces have no colour of the file; correct the name, or export both files again",
+    )
     missing = read(tmp_path, two.replace("my colours", "your colours"))
     assert missing.ignored == ('the material file "your colours.mtl" is not there',)
     assert [each.diffuse for each in missing.materials] == [None, None, None]

@@ -34,7 +34,9 @@ def run(chosen: Namespace) -> Iterator[str]:
     from raywalk.models.read import read_model
     from raywalk.models.report import report
     from raywalk.models.telling import in_full
+    from raywalk.optics.heap import hand_back_freed_memory
 
+    hand_back_freed_memory()
     try:
         cleaned = clean(read_model(chosen.file), chosen.weld)
     except ModelFault as fault:

@@ -152,10 +152,12 @@ def _normals(
     """Unit normals and each corner's row; None of what is flat. row: (f,) of each face in what was
     cleaned."""
     model, source = cleaned.model, cleaned.source[row]
-    if not shape.smooth:
+    if shape.smooth is False:
         return None, faces
     if shape.subdivide:
         return averaged_normals(placed, faces), faces
+    if model.flat and not shape.smooth:
+        return None, faces
     if model.normals is not None:
         rows = model.normals.row[source]
         # The winding of these faces, not of the file's.
@@ -185,7 +187,7 @@ def _centre(
 
 def where_open(triangles: Triangles) -> str:
     """How many edges are open, and where the first of them is: (x, y, z) in the world."""
-    ends = open_edges(edges_of(triangles.faces))
+    ends = open_edges(edges_of(triangles.faces), triangles.faces)
     if not len(ends):
         return "its triangles do not agree on which side is outside"
     place = triangles.vertices[ends].mean(axis=1) + triangles.centre

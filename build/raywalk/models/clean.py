@@ -57,6 +57,7 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
     if filled:
         flat["without area"] = flat.get("without area", 0) + filled
     faces, source, dropped = faces[keep], source[keep], dropped | flat
+    del keep
     if not len(faces):
         why = ", ".join(f"{n} {reason}" for reason, n in dropped.items())
         raise ModelFault(
@@ -66,7 +67,8 @@ def clean(model: Model, weld: float | None = None) -> Cleaned:
     if count or flat:  # a corner that nothing uses any more must not move the model's middle
         faces, kept = _used_only(faces, len(vertices))
         vertices = vertices[kept]
-    shape = turn_outwards(vertices, faces, model.part_of()[source])
+    part = model.part_of() if model.part is None else model.part[source]
+    shape = turn_outwards(vertices, faces, part)
     # While there were edges beside them, 32 bits were enough.
     faces, source = shape.faces.astype(np.int64), source.astype(np.int64)
     shape = replace(shape, faces=faces)
@@ -83,9 +85,12 @@ def within_reach(
     near = np.ones(len(source), bool)
     if len(source):
         kept = faces[source]
-        middle = np.array([np.median(axis[kept]) for axis in vertices.T])
-        away = np.abs(vertices / 2 - middle / 2).max(axis=1)[kept].max(axis=1)
-        near = away <= FARTHEST * np.median(away)
+        some = kept[:: 1 + len(kept) // MANY]  # enough for a median, of which no digit counts
+        middle = np.array([np.median(axis[some]) for axis in vertices.T])
+        far = np.abs(vertices / 2 - middle / 2).max(axis=1)
+        away = np.maximum(np.maximum(far[kept[:, 0]], far[kept[:, 1]]), far[kept[:, 2]])
+        near = away <= FARTHEST * np.median(away[:: 1 + len(kept) // MANY])
+        del kept, far, away
     source = source[near]
     faces, used = _used_only(faces[source], len(vertices))
     dropped = {"not finite": int((~finite).sum()), "too far out": int((~near).sum())}

@@ -48,9 +48,10 @@ class _Reader:
         self.buffers = Buffers(path, document, chunk)
         self.vertices: list[np.ndarray] = []
         self.faces: list[np.ndarray] = []
-        self.normals: list[np.ndarray] = []
-        self.colours: list[np.ndarray] = []
-        self.textures: list[np.ndarray] = []
+        # Of each primitive's vertices, None where it has none.
+        self.normals: list[np.ndarray | None] = []
+        self.colours: list[np.ndarray | None] = []
+        self.textures: list[np.ndarray | None] = []
         self.material: list[np.ndarray] = []
         self.part: list[np.ndarray] = []
         self.parts: dict[str, int] = {}
@@ -71,20 +72,24 @@ class _Reader:
         materials = [
             _material(self.path, self.json, k) for k in range(len(self.json.get("materials", [])))
         ]
-        faces = np.concatenate(self.faces)
+        faces, counts = _joined(self.faces), [len(each) for each in self.vertices]
+        normals, colours, places = (
+            _whole(each, counts, faces) for each in (self.normals, self.colours, self.textures)
+        )
         return Model(
             path=self.path,
             format="GLB" if self.path.suffix.lower() == ".glb" else "glTF",
-            vertices=np.concatenate(self.vertices),
+            vertices=_joined(self.vertices),
             faces=faces,
             parts=tuple(self.parts),
-            part=np.concatenate(self.part),
+            part=np.concatenate(self.part) if len(self.parts) > 1 else None,
             materials=tuple(materials),
             material=np.concatenate(self.material) if materials else None,
-            normals=_whole(self.normals, faces),
-            texture_places=_whole(self.textures, faces),
-            colours=_whole(self.colours, faces),
-            colours_of="vertices" if _whole(self.colours, faces) else "",
+            normals=normals,
+            flat=normals is None,  # specification 3.7.2.1: "flat normals" where none are given
+            texture_places=places,
+            colours=colours,
+            colours_of="vertices" if colours else "",
             ignored=tuple(self._ignored()),
             grain=FLOAT32,
             unit="metre",
@@ -118,9 +123,11 @@ class _Reader:
         self.colours.append(self._attribute(attributes, "COLOR_0", len(at), 3))
         # From the top: a Model's v runs up.
         places = self._attribute(attributes, "TEXCOORD_0", len(at), 2)
-        self.textures.append(np.column_stack([places[:, 0], 1.0 - places[:, 1]]))
+        self.textures.append(
+            None if places is None else np.column_stack([places[:, 0], 1.0 - places[:, 1]])
+        )
         first = sum(len(each) for each in self.vertices[:-1])
-        self.faces.append(faces + first)
+        self.faces.append(faces + np.int32(first) if first else faces)
         self.count += len(faces)
         material = whole(primitive["material"]) if "material" in primitive else -1
         if material >= len(self.json.get("materials", [])):
@@ -132,16 +139,9 @@ class _Reader:
             self.left_out["morph targets"] = None
 
     def _faces(self, primitive: dict[str, Any], mode: int, count: int) -> np.ndarray:
-        index = np.arange(count)
+        index = np.arange(count, dtype=np.int32)
         if "indices" in primitive:
-            index = self.buffers.accessor(primitive["indices"], (1,))[:, 0].astype(np.int64)
-        beyond = index[(index < 0) | (index >= count)]
-        if len(beyond):
-            raise ModelFault(
-                self.path, f"accessor {primitive['indices']}",
-                f"it names vertex {beyond[0]}, and there are 0 to {count - 1}",
-                "the file is damaged: export the model again",
-            )  # fmt: skip
+            index = self.buffers.indices(primitive["indices"], count)
         if mode == STRIP:
             return cut_strips(index)
         if mode == FAN:
@@ -152,19 +152,21 @@ class _Reader:
 
     def _normals(
         self, attributes: dict[str, Any], at: np.ndarray, linear: np.ndarray
-    ) -> np.ndarray:
+    ) -> np.ndarray | None:
         found = self._attribute(attributes, "NORMAL", len(at), 3)
+        if found is None:
+            return None
         a, b, c = linear
         return found @ np.array([np.cross(b, c), np.cross(c, a), np.cross(a, b)]).T
 
     def _attribute(
         self, attributes: dict[str, Any], name: str, count: int, wide: int
-    ) -> np.ndarray:
-        """(count, wide); NaN where the primitive has none."""
+    ) -> np.ndarray | None:
+        """(count, wide); None where the primitive has none."""
         if name not in attributes:
-            return np.full((count, wide), np.nan)
+            return None
         found = self.buffers.accessor(attributes[name], (wide, wide + 1))[:, :wide]
-        return found if len(found) == count else np.full((count, wide), np.nan)
+        return found if len(found) == count else None
 
     def _ignored(self) -> list[str]:
         """What would be seen in another program."""
@@ -194,9 +196,9 @@ class _Reader:
         return ignored + [f"the extension {quoted(str(each))} is not known" for each in unknown]
 
 
-def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
-    """The JSON, and of a GLB its binary chunk."""
-    chunk = b""
+def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes | memoryview]:
+    """The JSON, and of a GLB its binary chunk, which is not copied."""
+    chunk: bytes | memoryview = b""
     if data[:4] == b"glTF":
         if len(data) < 20 or int.from_bytes(data[8:12], "little") > len(data):
             raise ModelFault(
@@ -206,8 +208,8 @@ def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes]:
         if data[4:8] != b"\2\0\0\0":
             raise ModelFault(path, "header", "it is not of version 2", "export it as glTF 2.0")
         size = int.from_bytes(data[12:16], "little")
-        text, rest = data[20 : 20 + size], data[20 + size :]
-        if len(rest) >= 8 and rest[4:8] == b"BIN\0":
+        text, rest = data[20 : 20 + size], memoryview(data)[20 + size :]
+        if len(rest) >= 8 and bytes(rest[4:8]) == b"BIN\0":
             chunk = rest[8 : 8 + int.from_bytes(rest[:4], "little")]
     else:
         text = data
@@ -254,11 +256,22 @@ def _texture(path: Path, document: dict[str, Any], surface: dict[str, Any]) -> d
     }
 
 
-def _whole(tables: list[np.ndarray], faces: np.ndarray) -> PerCorner | None:
+def _joined(tables: list[np.ndarray]) -> np.ndarray:
+    """One is not copied: of a large file it counts."""
+    return tables[0] if len(tables) == 1 else np.concatenate(tables)
+
+
+def _whole(
+    tables: list[np.ndarray | None], counts: list[int], faces: np.ndarray
+) -> PerCorner | None:
     """All primitives' in one; where they have none, corners have no row."""
-    if not tables:
+    wide = next((each.shape[1] for each in tables if each is not None), 0)
+    if not wide:
         return None
-    table = np.concatenate(tables)
+    table = np.concatenate([
+        np.full((count, wide), np.nan) if each is None else each
+        for each, count in zip(tables, counts, strict=True)
+    ])  # fmt: skip
     known = np.isfinite(table).all(axis=1)
     if not known.any():
         return None

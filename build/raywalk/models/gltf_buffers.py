@@ -21,12 +21,32 @@ CUT = "it is cut short or damaged: export the model again"
 class Buffers:
     """Reads accessors; a buffer when it is first asked for."""
 
-    def __init__(self, path: Path, document: dict[str, Any], chunk: bytes):
+    def __init__(self, path: Path, document: dict[str, Any], chunk: bytes | memoryview):
         self.path, self.json, self.chunk = path, document, chunk
-        self._read: dict[int, bytes] = {}
+        self._read: dict[int, bytes | memoryview] = {}
 
     def accessor(self, index: int, wide: tuple[int, ...]) -> np.ndarray:
         """(n, w) float64, w one of those wanted. Raises ModelFault."""
+        entry, values, kind = self._values(index, wide)
+        found = values.astype(float)
+        if entry.get("normalized") and kind[0] in "iu":
+            found = np.maximum(found / np.iinfo(kind).max, -1.0)
+        return found
+
+    def indices(self, index: int, known: int) -> np.ndarray:
+        """(n,) int32 that all are from 0 on and below `known`. Raises ModelFault."""
+        values = self._values(index, (1,))[1][:, 0]
+        beyond = values[~((values >= 0) & (values < known))]
+        if len(beyond):
+            raise ModelFault(
+                self.path, f"accessor {index}",
+                f"it names vertex {beyond[0]:.17g}, and there are 0 to {known - 1}",
+                "the file is damaged: export the model again",
+            )  # fmt: skip
+        return values.astype(np.int32)
+
+    def _values(self, index: int, wide: tuple[int, ...]) -> tuple[dict[str, Any], np.ndarray, str]:
+        """Its entry, its numbers (n, w) as they are, and their kind."""
         entry = self.json["accessors"][whole(index)]
         kind, size = KINDS.get(entry["componentType"]), WIDE.get(entry["type"])
         count = whole(entry["count"])
@@ -40,17 +60,14 @@ class Buffers:
             values = np.zeros((count, size), kind)
         else:
             raise self._fault(index, f"its {count} values stand in no buffer")
-        values = self._sparse(index, entry, values, kind, size)
-        found = values.astype(float)
-        if entry.get("normalized") and kind[0] in "iu":
-            found = np.maximum(found / np.iinfo(kind).max, -1.0)
-        return found
+        return entry, self._sparse(index, entry, values, kind, size), kind
 
     def view(self, index: int) -> bytes:
         """The bytes of a view of a buffer, as far as they are there. Raises ModelFault."""
         entry = self.json["bufferViews"][index]
         begin = whole(entry.get("byteOffset", 0))
-        return self._buffer(whole(entry["buffer"]))[begin : begin + whole(entry["byteLength"])]
+        held = self._buffer(whole(entry["buffer"]))
+        return bytes(held[begin : begin + whole(entry["byteLength"])])
 
     def _sparse(
         self, index: int, entry: dict[str, Any], values: np.ndarray, kind: str, size: int
@@ -89,12 +106,12 @@ class Buffers:
         )  # fmt: skip
         return np.ascontiguousarray(table)
 
-    def _buffer(self, index: int) -> bytes:
+    def _buffer(self, index: int) -> bytes | memoryview:
         if index not in self._read:
             self._read[index] = self._bytes(index)
         return self._read[index]
 
-    def _bytes(self, index: int) -> bytes:
+    def _bytes(self, index: int) -> bytes | memoryview:
         uri = self.json["buffers"][index].get("uri")
         if uri is None:
             return self.chunk

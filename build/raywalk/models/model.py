@@ -53,6 +53,7 @@ class Model:
     colours: PerCorner | None = None  # of 3, each from 0 to 1
     colours_of: str = ""  # "vertices" or "faces"
     smoothing: np.ndarray | None = None  # (f,) int32 groups; 0 flat
+    flat: bool = False  # one normal a triangle, unless a scene says `smooth = true`
     ignored: tuple[str, ...] = ()  # what of the file is not used, a sentence each
     grain: float = 0.0  # step of its numbers as a share of their place; 2^-23 for float32
     unit: str = ""  # if the file says it
@@ -60,7 +61,9 @@ class Model:
 
     def part_of(self) -> np.ndarray:
         """(f,) int32"""
-        return np.zeros(len(self.faces), np.int32) if self.part is None else self.part
+        if self.part is None:
+            return np.broadcast_to(np.int32(0), len(self.faces))  # of no weight
+        return self.part
 
     def material_of(self) -> np.ndarray:
         """(f,) int32, -1 for none"""

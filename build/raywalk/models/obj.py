@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from array import array
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +27,7 @@ NOT_READ = {
     **dict.fromkeys((b"curv", b"curv2", b"surf", b"vp", b"cstype"), "free-form surfaces"),
 }  # fmt: skip
 
+MOST_NAMES = 6  # in a sentence
 FARTHEST = 1 << 62  # an index that no file has, and that still is a number of 64 bits
 
 
@@ -56,7 +57,8 @@ class _Reader:
         self.vertex, self.texture, self.normal = array("q"), array("q"), array("q")
         self.part, self.material, self.smoothing = array("i"), array("i"), array("i")
         self.parts: dict[str, int] = {}
-        self.named: dict[str, int] = {}
+        self.named: dict[str, int] = {}  # materials
+        self.named_at: dict[str, int] = {}  # the line that first uses each
         self.libraries: list[str] = []
         self.missing: list[str] = []
         self.group, self.object, self.now = "", "", (-1, -1, -1)
@@ -206,6 +208,7 @@ class _Reader:
 
     def _use(self, words: list[bytes], line: bytes) -> None:
         name = name_of(b" ".join(words[1:]))
+        self.named_at.setdefault(name, self.line)
         self.now = (self.now[0], self.named.setdefault(name, len(self.named)), self.now[2])
 
     def _library(self, words: list[bytes], line: bytes) -> None:
@@ -317,7 +320,24 @@ class _Reader:
                 continue
             found.append(path)
             known |= read_mtl(path, self.path.parent)
+        if found:
+            self.missing += self._undefined(known, found)
         return [known.get(name, FileMaterial(name)) for name in self.named], found
+
+    def _undefined(self, known: dict[str, FileMaterial], found: list[Path]) -> Iterator[str]:
+        """Of materials that faces use and the libraries lack, as many as a person reads."""
+        names = [name for name in self.named if name not in known]
+        where = " and ".join(quoted(path.name) for path in found)
+        holds = ", ".join(quoted(name) for name in list(known)[:MOST_NAMES]) or "none"
+        holds += f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
+        for name in names[:MOST_NAMES]:
+            yield (
+                f"line {self.named_at[name]}: usemtl names {quoted(name)}, which {where} "
+                f"does not define (it has {holds}): its faces have no colour of the file; correct "
+                "the name, or export both files again"
+            )
+        if len(names) > MOST_NAMES:
+            yield f"and {len(names) - MOST_NAMES} more materials that {where} does not define"
 
     def _ignored(self) -> list[str]:
         ignored = [f"{what} are not read" for what in dict.fromkeys(NOT_READ.values())

@@ -18,12 +18,13 @@ def report(cleaned: Cleaned) -> dict[str, Any]:
     """Plain values, which JSON can write. Lengths are in the file's own units."""
     model, shape = cleaned.model, cleaned.shape
     places = _open_places(cleaned)
-    low, high = _box(cleaned)
+    corners = cleaned.vertices[_used(cleaned)]
+    low, high = corners.min(axis=0), corners.max(axis=0)
     return {
         "file": model.path.name,
         "format": model.format,
         "triangles": len(cleaned.faces),
-        "vertices": len(np.unique(cleaned.faces)),
+        "vertices": len(corners),
         "box": [low.tolist(), high.tolist()],
         "size": (high - low).tolist(),
         "unit": model.unit,
@@ -33,7 +34,7 @@ def report(cleaned: Cleaned) -> dict[str, Any]:
         "parts": _parts(cleaned),
         "materials": _materials(cleaned),
         "normals": "own" if model.normals else "smoothing groups" if model.smoothing is not None
-        else "",
+        else "flat" if model.flat else "",
         "colours": model.colours_of,
         "closed": shape.closed,
         "open_edges": {"count": len(places), "places": places[:PLACES].tolist()},
@@ -51,11 +52,11 @@ def report(cleaned: Cleaned) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _box(cleaned: Cleaned) -> tuple[np.ndarray, np.ndarray]:
+def _used(cleaned: Cleaned) -> np.ndarray:
+    """(v,) bool: corners of triangles."""
     used = np.zeros(len(cleaned.vertices), bool)
     used[cleaned.faces] = True
-    places = cleaned.vertices[used]
-    return places.min(axis=0), places.max(axis=0)
+    return used
 
 
 def _open_places(cleaned: Cleaned) -> np.ndarray:
@@ -66,7 +67,9 @@ def _open_places(cleaned: Cleaned) -> np.ndarray:
 
 def _parts(cleaned: Cleaned) -> list[dict[str, Any]]:
     model = cleaned.model
-    counts = np.bincount(model.part_of()[cleaned.source], minlength=len(model.parts))
+    if model.part is None:
+        return [{"name": model.parts[0], "triangles": len(cleaned.faces)}]
+    counts = np.bincount(model.part[cleaned.source], minlength=len(model.parts))
     return [
         {"name": name, "triangles": int(count)}
         for name, count in zip(model.parts, counts.tolist(), strict=True)

@@ -7,7 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.models.edges import Edges, edges_of, joined, neighbours_of, open_edges
+from raywalk.models.edges import (
+    Edges,
+    edges_of,
+    gathered,
+    joined,
+    neighbours_of,
+    open_edges,
+    unpaired,
+)
 
 # Points of a shell that are asked whether another holds it.
 ASKED = 9
@@ -55,11 +63,15 @@ def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> 
     """part: (f,) int, which named part a triangle is of: shells of one part keep their sense to
     each other, so that what is inside out as a whole keeps its hollows."""
     edges = edges_of(faces)
-    label, against, faulty = _wound_alike(edges, len(faces))
-    faces, turned = faces.copy(), against.copy()
-    faces[against] = faces[against][:, ::-1]
+    open_ends, pairs = open_edges(edges, faces), neighbours_of(edges)
+    edges = unpaired(edges)  # no more is asked of, and of large models the others weigh most
+    label, against, faulty = _wound_alike(pairs, len(faces))
+    del pairs
     groups = _groups(label)
     is_closed = _closed(edges, label, against, groups, faulty)
+    del label
+    faces, turned = faces.copy(), against.copy()
+    faces[against] = faces[against][:, ::-1]
     shells = _shells(vertices, faces, groups, is_closed)
     within, overlapping, is_unknown = _nested(vertices, faces, shells)
     senses = _senses(shells, within, part)
@@ -72,24 +84,30 @@ def turn_outwards(vertices: np.ndarray, faces: np.ndarray, part: np.ndarray) -> 
         Shell(s.triangles, s.closed, s.volume, s.box, within[k], senses[k] < 0)
         for k, s in enumerate(shells)
     )
-    return Turned(faces, turned, made, tuple(overlapping), is_unknown, open_edges(edges))
+    return Turned(faces, turned, made, tuple(overlapping), is_unknown, open_ends)
 
 
-def _wound_alike(edges: Edges, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _wound_alike(
+    pairs: tuple[np.ndarray, np.ndarray, np.ndarray], count: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Label (f,) of each triangle's group, which to turn (f,) bool so that all neighbours of a
-    group agree, the fewer ones, and the groups' labels in which none can agree."""
-    one, other, against = neighbours_of(edges)
+    group agree, the fewer ones, and the groups' labels in which none can agree.
+
+    pairs: as `neighbours_of` has it.
+    """
+    one, other, against = pairs
     label, parity, torn = joined(count, one, other, against)
-    size = np.bincount(label, minlength=count)
-    many = 2 * np.bincount(label, weights=parity, minlength=count) > size
-    turn = parity ^ many[label]
+    more = np.zeros(count, np.int32)  # that are turned, than that are not
+    np.add.at(more, label, np.where(parity, np.int8(1), np.int8(-1)))
+    turn = parity ^ gathered(more > 0, label)
     faulty = np.unique(label[one[torn]])
-    turn[np.isin(label, faulty)] = False  # a Moebius strip has no two sides
+    if len(faulty):
+        turn[np.isin(label, faulty)] = False  # a Moebius strip has no two sides
     return label, turn, faulty
 
 
 def _groups(label: np.ndarray) -> list[np.ndarray]:
-    order = np.argsort(label, kind="stable")
+    order = np.argsort(label, kind="stable").astype(np.int32)
     if not len(order):
         return []
     return np.split(order, np.flatnonzero(np.diff(label[order])) + 1)
@@ -99,8 +117,10 @@ def _closed(
     edges: Edges, label: np.ndarray, against: np.ndarray, groups: list[np.ndarray],
     faulty: np.ndarray,
 ) -> list[bool]:  # fmt: skip
-    """Whether each group's triangles pass each of their edges as often to and fro."""
-    # Neighbours over an edge of their own agree, or their group is faulty.
+    """Whether each group's triangles pass each of their edges as often to and fro.
+
+    edges: those that are not of two. Others agree, or their group is faulty.
+    """
     bad = set(label[edges.side[edges.start[edges.uses == 1]] // 3].tolist())
     bad |= set(faulty.tolist())
     crowded = np.repeat(edges.uses > 2, edges.uses)
@@ -121,19 +141,18 @@ def _shells(
 ) -> list[Shell]:
     """Every group with its box and volume, all at once: a tree has 100,000 leaves."""
     order, starts = np.concatenate(groups), np.cumsum([0, *map(len, groups)])[:-1]
-    rows = faces[order]
-    boxes = np.empty((len(groups), 2, 3))
-    some = range(0, len(rows), MANY)
+    boxes, of_each = np.empty((len(groups), 2, 3)), np.empty(len(order))
+    some = [slice(k, k + MANY) for k in range(0, len(order), MANY)]
     for k, axis in enumerate(vertices.T):
         for end, least in ((0, np.minimum), (1, np.maximum)):
-            of_each = [least.reduce(axis[rows[j : j + MANY]], axis=1) for j in some]
-            boxes[:, end, k] = least.reduceat(np.concatenate(of_each), starts)
+            for part in some:
+                least.reduce(axis[faces[order[part]]], axis=1, out=of_each[part])
+            boxes[:, end, k] = least.reduceat(of_each, starts)
     whose = np.repeat(np.arange(len(groups), dtype=np.int32), [len(group) for group in groups])
     middle = boxes.mean(axis=1)
-    parts = [
-        _six_volumes(vertices[rows[k : k + MANY]] - middle[whose[k : k + MANY], None]) for k in some
-    ]
-    volumes = np.where(is_closed, np.add.reduceat(np.concatenate(parts), starts), 0.0)
+    for part in some:
+        of_each[part] = _six_volumes(vertices[faces[order[part]]] - middle[whose[part], None])
+    volumes = np.where(is_closed, np.add.reduceat(of_each, starts), 0.0)
     return [
         Shell(*each) for each in zip(groups, is_closed, volumes.tolist(), list(boxes), strict=True)
     ]

@@ -126,6 +126,8 @@ def _normals(facts: dict[str, Any]) -> str:
     return {
         "own": "its own are used (smooth = false: flat faces)",
         "smoothing groups": "by its smoothing groups (smooth = false: flat faces)",
+        "flat": "it has none: flat faces, as glTF has it (smooth = true: averaged, but at edges "
+        "sharper than `crease`)",
         "": "it has none: averaged, but at edges sharper than `crease` (40 degrees)",
     }[facts["normals"]]
 

@@ -48,8 +48,8 @@ Key = tuple[str, str]  # a part of the package, and an id in it
 class _Object:
     name: str
     places: array = field(default_factory=lambda: array("d"))
-    corners: array = field(default_factory=lambda: array("q"))
-    colour: array = field(default_factory=lambda: array("q"))  # rows of all materials, -1 for none
+    corners: array = field(default_factory=lambda: array("i"))
+    colour: array = field(default_factory=lambda: array("i"))  # rows of all materials, -1 for none
     parts: list[tuple[Key, np.ndarray]] = field(default_factory=list)  # of other objects
 
 
@@ -204,7 +204,7 @@ class _Reader:
 
     def _index(self, element: Element, key: str) -> int:
         text = element.get(key, "")
-        if not (text.isascii() and text.isdigit() and len(text) < 18):
+        if not (text.isascii() and text.isdigit() and len(text) < 10):
             self._fault(element, f"{key} is {quoted(text)}, which is no vertex")
         return int(text)
 
@@ -256,16 +256,18 @@ class _Reader:
             if np.linalg.det(matrix[:3]) < 0:
                 corners = corners[:, ::-1]
             vertices.append(places @ matrix[:3] + matrix[3])
-            faces.append(corners.astype(np.int32) + np.int32(first))
+            faces.append(corners + np.int32(first))
             first += len(places)
-            colour.append(np.array(found.colour, np.int32))
+            colour.append(np.asarray(found.colour))
             part.append(np.full(len(corners), parts.setdefault(name, len(parts)), np.int32))
         if not count:
             raise ModelFault(self.path, "", "it holds no triangle", "export a mesh of triangles")
         rows = np.concatenate(colour)
+        del colour, found, corners, places
+        self.objects.clear()
         return Model(
             self.path, "3MF", np.concatenate(vertices), np.concatenate(faces),
-            parts=tuple(parts), part=np.concatenate(part),
+            parts=tuple(parts), part=np.concatenate(part) if len(parts) > 1 else None,
             materials=tuple(self.materials), material=rows if (rows >= 0).any() else None,
             ignored=tuple(f"{what} are not read" for what in self.left_out), unit=self.unit,
         )  # fmt: skip

@@ -45,7 +45,7 @@ def weld_cracks(
     A closed surface is left as it is, however fine. weld: share of the size, WELD if not given;
     then corners are joined too that the file's numbers (grain: their step) cannot tell apart.
     """
-    ends = np.unique(open_edges(edges_of(faces)))
+    ends = np.unique(open_edges(edges_of(faces), faces))
     if not len(ends) or weld == 0:
         return faces, 0
     points = vertices[ends]

@@ -216,10 +216,10 @@ class MeshTable(ObjectTable):
     file: Maybe[Name] = maybe(
         "a .obj, .stl, .ply, .off, .gltf, .glb or .3mf file, relative to the scene file"
     )
-    smooth: Flag = means(
+    smooth: Maybe[Flag] = maybe(
         "normals of the file, by its smoothing groups, or averaged at each vertex, "
-        "but not over edges sharper than `crease`; false: one per triangle",
-        True,
+        "but not over edges sharper than `crease`; false: one per triangle (default true, but "
+        "false of glTF without normals, as it is specified)"
     )
     subdivide: Annotated[
         int, Field(strict=True, ge=0, le=3), Allowed("a whole number from 0 to 3")

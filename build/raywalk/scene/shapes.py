@@ -294,7 +294,8 @@ class Mesh(Shape):
 
     model: str
     path: Path
-    smooth: bool = True  # normals interpolated from the vertices, else one per triangle
+    # Normals interpolated from the vertices, else one per triangle; None: as its format has it.
+    smooth: bool | None = None
     subdivide: int = 0  # rounds of Loop subdivision before tracing, 0..3
     crease: float = CREASE  # degrees: sharper edges stay sharp where normals are averaged
     weld: float | None = None  # corners nearer than this share of the size are one; None: 1e-6
