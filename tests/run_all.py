@@ -1,7 +1,8 @@
-"""Runs every check and test, as many steps at a time as there are cores; the last line counts them.
+"""Runs every check and test, one step more at once than there are cores; the last line counts them.
 
-Each file of the viewer's tests is a step; cores that are done take the next. What fails beside
-others is tried once more by itself, and told as unsteady if it passes then; with --once it is not.
+Each file of the viewer's tests is a step, and steps often wait: for a browser, a server, a clock.
+What fails beside others is tried once more by itself, and told as unsteady if it passes then; with
+--once it is not.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ class Result:
 
 def main(steps: Sequence[Step], once: bool) -> int:
     """Every step runs, even after a failure: one run tells all that is wrong."""
-    with ThreadPoolExecutor(os.cpu_count()) as threads:
+    with ThreadPoolExecutor(1 + (os.cpu_count() or 1)) as threads:
         results = list(threads.map(run, steps))
     if not once:
         results = try_again(results)
