@@ -18,14 +18,14 @@ export interface Taken {
 export function createModes(session: Session, acts: Actions, { link, views, recolour, notify, onDemand }: Taken) {
   const { body } = document;
   const isEmbedded = [location.search, location.hash.slice(1)].some((asked) => new URLSearchParams(asked).has("embed"));
-  const sign = onDemand.one("help", ({ createKeySign }) => createKeySign(body));
+  const sign = onDemand.one("at-hand", ({ createKeySign }) => createKeySign(body));
   const saving = onDemand.one("saving", ({ createSaving }) => createSaving(session, views, notify));
-  const sheet = onDemand.one("help", ({ createHelp }) => createHelp());
+  const sheet = onDemand.one("at-hand", ({ createHelp }) => createHelp());
   const help = () => sheet.use((turn) => turn());
   const lecture = onDemand.one("lecture", ({ createLecture }) => createLecture(body));
 
   const menu = document.querySelector("#menu");
-  const tools = onDemand.one("tools", ({ createTools, createWayOut }) => {
+  const tools = onDemand.one("at-hand", ({ createTools, createWayOut }) => {
     const made = createTools({ link, save: (what, done, kind) => saving.use((saves) => saves[what](done, kind)), notify, help });
     menu?.prepend(made.element);
     if (isEmbedded) document.querySelector(".below-row")?.append(createWayOut(link));

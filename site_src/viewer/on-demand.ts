@@ -9,15 +9,13 @@ import { troubleOfPart } from "./trouble";
 const PARTS = {
   slice: () => import("./stage/slice"),
   "switch-acts": () => import("./switch-acts"),
-  "what-if-switches": () => import("./panels/what-if-switches"),
+  "what-if": () => import("./panels/what-if"),
   "card-rays": () => import("./panels/card-rays"),
   "card-tree": () => import("./panels/card-tree"),
   "card-sum": () => import("./panels/card-sum"),
   code: () => import("./panels/code"),
-  copies: () => import("./panels/copies"),
   saving: () => import("./saving"),
   drawer: () => import("./panels/drawer"),
-  tools: () => import("./panels/tools"),
   lecture: () => import("./panels/lecture"),
   spoken: () => import("./panels/spoken"),
   "traced-picture": () => import("./stage/traced-picture"),
@@ -26,8 +24,8 @@ const PARTS = {
   "box-lines": () => import("./state/box-lines"),
   flat: () => import("./stage/flat"),
   "event-words": () => import("./event-words"),
-  article: () => import("./panels/article"),
-  help: () => import("./panels/help"),
+  told: () => import("./panels/told"),
+  "at-hand": () => import("./panels/at-hand"),
 };
 type Parts = typeof PARTS;
 export type PartName = keyof Parts;

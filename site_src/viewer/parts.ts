@@ -10,14 +10,13 @@ import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
-import { createSavings } from "./panels/savings";
 import { createTileColours } from "./panels/tile-colours";
 import { createToolsDrawer } from "./panels/tools-drawer";
-import { createWhatIf } from "./panels/what-if";
 import type { SavedView } from "./saving";
 import type { Session } from "./session";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
+import { isSwitched } from "./state/switches";
 import { isAsking, type ViewState } from "./state/view-state";
 import { say } from "./words";
 
@@ -34,7 +33,7 @@ const ON_STAGE = ".stage > .picture"; // what must not hide a label
 const NARROW = "(max-width: 760px)";
 
 function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: PartsPlace) {
-  const whatIf = createWhatIf(acts, onDemand);
+  const whatIf = onDemand.one("what-if", ({ createWhatIf }) => createWhatIf(acts, home));
   return {
     picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
     card: createCard(acts, onDemand),
@@ -43,10 +42,10 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     lesson: createLesson(acts),
     player: createPlayer(acts),
     whatIf,
-    drawer: createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start") }, whatIf.toggle, session.changed, onDemand),
+    drawer: createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start"), whatIf: () => whatIf.use(({ turn }) => (turn(), session.changed())) }, session.changed, onDemand),
     tileColours: createTileColours(session.changed, onDemand),
     page: createPage(page, onDemand),
-    savings: createSavings(onDemand),
+    savings: onDemand.one("told", ({ createSavings }) => createSavings(home.querySelector(".side")!)),
     // Nothing is spoken before the page is whole.
     spoken: onDemand.one("spoken", ({ createSpoken }) => createSpoken(home)),
   };
@@ -54,12 +53,12 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
 type Panels = ReturnType<typeof createPanels>;
 
 /** The stage with the drawer beside it and the ray card at its other side, and under all of them what is told and done. */
-function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, whatIf, drawer, tileColours, savings }: Panels) {
+function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, drawer, tileColours }: Panels) {
   const space = element("section", "stage", stage.element);
-  const side = element("div", "side", card.head, card.element, legend.element, savings.element);
+  const side = element("div", "side", card.head, card.element, legend.element);
   // What is told comes first for those who go through the page by Tab, wherever it stands.
   home.append(
-    element("div", "below", lesson.element, element("div", "below-row", player.element, whatIf.undo, controls.element), tileColours.element, whatIf.element),
+    element("div", "below", lesson.element, element("div", "below-row", player.element, controls.element), tileColours.element),
     element("div", "stage-row", drawer.element, space),
     side,
   );
@@ -94,10 +93,10 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.controls.show(state, scene);
   panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null, words);
   panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
-  panels.whatIf.show(state, traced.scene);
+  if (isSwitched(state.switches) || panels.whatIf.now()) panels.whatIf.nowOr(session.changed)?.show(state, traced.scene);
   panels.tileColours.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
-  panels.savings.show(scene);
+  if (state.tab !== "none") panels.savings.nowOr(session.changed)?.show(scene); // it stands under a tab
   panels.spoken.now()?.show(state, scene, trace, asking);
 }
 
@@ -114,8 +113,9 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.append(...made.parts);
     return made;
   });
+  const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const eventWords = onDemand.one("event-words", (part) => part);
-  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), traced: (isWanted, come) => (isWanted ? tracedPicture.nowOr(come) : tracedPicture.now()) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), scrolled: () => hint.use((tell) => tell()), traced: (isWanted, come) => (isWanted ? tracedPicture.nowOr(come) : tracedPicture.now()) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {

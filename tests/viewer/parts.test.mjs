@@ -38,17 +38,15 @@ const PARTS = {
   "event-words": [(page) => page.keyboard.press("."), ".event-says"],
   slice: [(page) => page.keyboard.press("x"), ".slice canvas"],
   drawer: [(page) => page.locator(".open-drawer").click(), ".drawer .view-switch"],
-  "what-if-switches": [(page) => page.locator(".open-what-if").click(), ".what-if .lamp"],
+  "what-if": [(page) => page.locator(".open-what-if").click(), ".what-if .lamp"],
   "switch-acts": [(page) => page.keyboard.press("s"), ".recombined-size"],
+  told: [(page) => openChooser(page).then(() => page.locator(`nav.scenes a[data-scene="${mesh.id}"]`).click()), `#page img[src*="${mesh.id}"]`],
   "card-rays": [tab("rays"), "li.ray"],
   "card-tree": [tab("tree"), ".tree .node"],
   "card-sum": [tab("sum"), ".sums .formula"],
   code: [tab("code"), ".code-lines li"],
-  tools: [(page) => page.locator(".menu-open").click(), ".tools button"],
-  copies: [tool("Copy the pixel's rays as text"), "textarea.by-hand, button.done"],
+  "at-hand": [(page) => page.locator(".menu-open").click(), ".tools button"],
   saving: [download("Save this view"), "button.done"],
-  help: [(page) => page.keyboard.press("?"), "dialog[open] .keys"],
-  article: [(page) => openChooser(page).then(() => page.locator(`nav.scenes a[data-scene="${mesh.id}"]`).click()), `#page img[src*="${mesh.id}"]`],
   "box-lines": [(page) => page.locator(".tile-menu").selectOption("tests"), ".tile-values span:nth-child(3)"],
   lecture: [(page) => press(page, "j", "b"), ".blackout"],
 };
@@ -96,7 +94,7 @@ for (const [where, base] of [["a host", () => server.url], ["a disk", () => ON_D
     assert.deepEqual(page.asked, []);
     for (const [name, [act, shows]] of Object.entries(PARTS)) {
       await act(page);
-      await page.locator(shows).first().waitFor({ state: name === "article" ? "attached" : "visible" });
+      await page.locator(shows).first().waitFor({ state: name === "told" ? "attached" : "visible" });
       assert.deepEqual(page.asked.splice(0), [name]);
       await page.keyboard.press("Escape");
     }
@@ -116,7 +114,7 @@ test("parts come in idle time, after the scene is there", async () => {
 
 test("what was left open at the last visit, or is in the address, comes by itself", async () => {
   const page = await pageAt(server.url, { hash: "#still=1&gl=none&n=15&p=5,8&slice=row&if=-shadows&e=2" });
-  for (const name of ["slice", "what-if-switches", "switch-acts", "event-words"]) await page.locator(PARTS[name][1]).first().waitFor();
+  for (const name of ["slice", "what-if", "switch-acts", "event-words"]) await page.locator(PARTS[name][1]).first().waitFor();
   assert.ok(page.asked.includes("flat"), "without WebGL");
   await tab("tree")(page);
   await page.waitForFunction(() => location.hash.includes("tab=tree"));
@@ -140,7 +138,7 @@ test("several keys before a part is there all count, in their order", async () =
     window.heard = [];
     addEventListener("keydown", ({ key }) => window.heard.push(key));
   });
-  const { asked, letGo } = await hold(page, "**/part-help-*");
+  const { asked, letGo } = await hold(page, "**/part-at-hand-*");
   await press(page, "?");
   await asked;
   await press(page, "?", "?");
@@ -173,12 +171,12 @@ for (const [what, reply] of Object.entries({
   "is not there": (route) => route.fulfill({ status: 404 }),
   "is lost on its way": (route) => route.abort("connectionreset"),
   "is a sign-in page": (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>Sign in</title>" }),
-  "is cut": (route) => route.fulfill({ contentType: "text/javascript", body: 'raywalkParts.offer("help",$shared=>{' }),
+  "is cut": (route) => route.fulfill({ contentType: "text/javascript", body: 'raywalkParts.offer("at-hand",$shared=>{' }),
   "is empty": (route) => route.fulfill({ contentType: "text/javascript", body: "" }),
 }))
   test(`a part ${what}: said when it is used, not in idle time; the rest works; a second try does what was asked for`, async () => {
     const page = await newPage(browser);
-    await page.route("**/part-help-*", reply);
+    await page.route("**/part-at-hand-*", reply);
     page.home = server.url;
     await page.goto(`${server.url}${rich.path}${FLAT}`);
     await page.evaluate(() => window.raywalk.whole);
@@ -214,7 +212,7 @@ test("several parts that cannot be had are one sentence, and the network's retur
   assert.ok(page.asked.filter((name) => name === "card-tree").length === 1, page.asked.join());
   await page.context().setOffline(false);
   await page.locator(".tree .node").first().waitFor();
-  await page.locator(PARTS["what-if-switches"][1]).first().waitFor();
+  await page.locator(PARTS["what-if"][1]).first().waitFor();
   await page.locator(PARTS.slice[1]).waitFor();
   assert.ok(!(await page.locator("#notice").isVisible()));
   await page.close();

@@ -60,6 +60,56 @@ test("one finger on a tile selects it, and on the picture too", async () => {
   assert.deepEqual((await state(page)).pixel, [0, 4]);
 });
 
+const scrolled = () => page.evaluate(() => scrollY);
+/** A finger that moves on the stage in small steps, after it has rested so long. */
+async function swipe([x, y], [dx, dy], rest = 0) {
+  const finger = (type, share) => hand.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: x + share * dx, y: y + share * dy, id: 0 }] });
+  await finger("touchStart", 0);
+  if (rest) await page.waitForTimeout(rest);
+  for (let k = 1; k <= 10; k++) await finger("touchMove", k / 10);
+  await finger("touchEnd", 1);
+  await settled(page);
+}
+
+test("a swipe up the stage scrolls the page, turns nothing, picks nothing, and that is said once", async () => {
+  await open(page, ON_DISK, rich.path, "still=1&n=5&cam=camera");
+  await page.evaluate(() => (localStorage.clear(), scrollTo(0, 0)));
+  const before = await state(page);
+  const tile = await tileOnPage(page, 3, 3);
+  const said = () => page.locator(".done-sentence").innerText();
+  await swipe([tile.x, tile.y], [0, -150]);
+  await page.waitForFunction(() => scrollY > 60);
+  await page.waitForFunction(() => /swipe scrolls the page/.test(document.querySelector(".done-sentence").textContent));
+  assert.deepEqual(await state(page), before);
+  await page.waitForFunction(() => document.querySelector(".done-sentence").textContent === "");
+  const at = await scrolled();
+  await swipe([tile.x, tile.y - 100], [0, 150]);
+  await page.waitForFunction((at) => scrollY < at, at);
+  assert.equal(await said(), "", "not a second time");
+});
+
+test("a finger that has rested turns the view wherever it goes, and so does one that goes sideways; the page keeps still", async () => {
+  for (const [way, rest] of [[[0, -120], 600], [[120, 0], 0]]) {
+    await open(page, ON_DISK, rich.path, "still=1");
+    await page.evaluate(() => scrollTo(0, 0));
+    const box = await stageBox();
+    const before = await stats(page);
+    await swipe([box.x + 40, box.y + 200], way, rest);
+    assert.notDeepEqual((await stats(page)).eye, before.eye, way.join());
+    assert.ok(Math.abs((await stats(page)).reach - before.reach) < 1e-9);
+    assert.equal(await scrolled(), 0);
+  }
+});
+
+test("two fingers that go up together move the view and not the page", async () => {
+  await open(page, ON_DISK, rich.path, "still=1");
+  await page.evaluate(() => scrollTo(0, 0));
+  const before = await stats(page);
+  await touch(...Array.from({ length: 10 }, (_, k) => [[60, 330 - 12 * k], [120, 330 - 12 * k]]));
+  assert.notDeepEqual((await stats(page)).target, before.target);
+  assert.equal(await scrolled(), 0);
+});
+
 test("the page scrolls when the finger is on the card", async () => {
   const head = await page.locator(".card").boundingBox();
   assert.equal(await page.locator(".card").evaluate((e) => getComputedStyle(e).touchAction), "auto");

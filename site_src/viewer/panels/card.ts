@@ -9,7 +9,6 @@ import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { createCardHead, type Copy } from "./card-head";
 import type { PixelRays, RaysView } from "./card-types";
-import { copy } from "./clipboard";
 import { element, named } from "../element";
 import { createShares } from "./shares";
 import { createTabs } from "./tabs";
@@ -50,11 +49,11 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
   let tab: ViewState["tab"] = "none";
   let lit: readonly [LitLine | null, RayEvent | null] = [null, null];
 
-  const copies = onDemand.one("copies", (part) => part);
+  const atHand = onDemand.one("at-hand", (part) => part);
   function copyRays(what: Copy, done: () => void) {
     if (isCovered) return;
-    const { rows } = now!;
-    copies.use(({ treeText, treeTable }) => void copy(what === "text" ? treeText(heading, rows) : treeTable(rows), done));
+    const [title, { rows }] = [heading, now!];
+    atHand.use(({ copyRays }) => copyRays(what, title, rows, done));
   }
 
   /** Only the visible panel is filled. */

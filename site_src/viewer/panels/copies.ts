@@ -3,6 +3,7 @@ import { isGiving } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
 import type { Vec3 } from "../trace/types";
 import { list, number, percent, plain, say, tone, vector } from "../words";
+import { copy } from "./clipboard";
 import { lightWords, rayWords } from "./ray-words";
 
 const colour = (v: Vec3) => list(v.map(number));
@@ -63,3 +64,6 @@ export function treeTable(rows: readonly RayRow[]): string {
   ];
   return [columns.map(([name]) => name), ...rows.map((row) => columns.map(([, of]) => quoted(of(row))))].map((line) => `${line.join(",")}\r\n`).join("");
 }
+
+/** title: of the text. done: the clipboard has it. */
+export const copyRays = (what: "text" | "table", title: string, rows: readonly RayRow[], done: () => void) => void copy(what === "text" ? treeText(title, rows) : treeTable(rows), done);

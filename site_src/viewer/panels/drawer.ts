@@ -1,6 +1,6 @@
 /** The tools beside the stage: looks, slices, what the tiles show, what if, and buttons that do what dragging does. */
 import type { Actions } from "../actions";
-import { group } from "../element";
+import { button, group } from "../element";
 import type { Moves } from "../state/observer";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
@@ -9,15 +9,22 @@ import { createTileMenu } from "./tile-menu";
 import { createViewPad } from "./view-pad";
 import { createViewSwitch } from "./view-switch";
 
-export type DrawerActs = Moves & Pick<Actions, "camera" | "look" | "slice" | "colours"> & { start: () => void };
+export type DrawerActs = Moves & Pick<Actions, "camera" | "look" | "slice" | "colours"> & { start: () => void; whatIf: () => void };
 
-/** whatIf: the button that opens the switches. */
-export function createDrawer(acts: DrawerActs, whatIf: HTMLElement) {
+/** The button that opens the switches, whose panel comes with it or was opened before. */
+function createOpener(open: () => void) {
+  const made = button(say("whatIf.open.word"), say("whatIf.open.help"), open, { className: "open-what-if" });
+  made.setAttribute("aria-controls", "what-if");
+  made.setAttribute("aria-expanded", String(!!document.querySelector("#what-if:not([hidden])")));
+  return made;
+}
+
+export function createDrawer(acts: DrawerActs) {
   const view = createViewSwitch(acts);
   const tiles = createTileMenu(acts);
   const pad = createViewPad(acts);
   return {
-    parts: [view.element, view.note, tiles.element, whatIf, group(say("pad.name"), "", pad.element)],
+    parts: [view.element, view.note, tiles.element, createOpener(acts.whatIf), group(say("pad.name"), "", pad.element)],
     show(state: ViewState, scene: SceneData) {
       view.show(state, scene);
       tiles.show(state);

@@ -1,8 +1,9 @@
-/** All keys on one sheet, and what a pressed key means for those who watch. */
+/** All keys on one sheet, what a pressed key means for those who watch, and what fingers do on the stage. */
 import { say } from "../words";
 import { createDialog } from "./dialog";
 import { button, element, pressed } from "../element";
-import { singleKeys } from "./remember";
+import { sayDone } from "./done";
+import { isFirstTime, singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */
 const GROUPS = [
@@ -98,3 +99,6 @@ export function createKeySign(body: HTMLElement) {
     },
   };
 }
+
+/** Said once, when a finger on the stage has scrolled the page. */
+export const createSwipeHint = () => () => isFirstTime("swipe") && sayDone(document.body, say("stage.swipe"));

@@ -11,7 +11,7 @@ export interface PageParts {
 }
 
 export function createPage({ root, article, title, links }: PageParts, onDemand: OnDemand) {
-  const writing = onDemand.one("article", (part) => part);
+  const writing = onDemand.one("told", (part) => part);
   let written = article.dataset.scene; // the pipeline wrote the article for this scene, with more figures than we know
 
   return {

@@ -1,29 +1,20 @@
 /** What tracing the scene did not have to do, folded away under the ray card. */
-import type { OnDemand } from "../on-demand";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { element } from "../element";
+import { savingsOf } from "./article";
 
-export function createSavings(onDemand: OnDemand) {
-  const root = element("details", "savings");
+/** side: the element that holds the card. */
+export function createSavings(side: HTMLElement) {
   const summary = element("summary", "", say("savings.title"));
-  const article = onDemand.one("article", (part) => part);
-  let scene: SceneData | null = null;
+  const root = element("details", "savings", summary);
+  side.append(root);
   let filled = "";
-  function fill() {
-    if (!root.open || !scene || filled === scene.id) return;
-    article.use(({ savingsOf }) => {
-      filled = scene!.id;
-      root.replaceChildren(summary, ...savingsOf(scene!));
-    });
-  }
-  root.append(summary);
-  root.addEventListener("toggle", fill);
   return {
-    element: root,
-    show(next: SceneData) {
-      scene = next;
-      fill();
+    show(scene: SceneData) {
+      if (filled === scene.id) return;
+      filled = scene.id;
+      root.replaceChildren(summary, ...savingsOf(scene));
     },
   };
 }

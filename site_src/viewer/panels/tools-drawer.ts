@@ -6,15 +6,15 @@ import { say } from "../words";
 import { button, element, named } from "../element";
 import type { DrawerActs } from "./drawer";
 
-/** draw: what the page shows, once tools have come. whatIf: the button that opens the switches. */
-export function createToolsDrawer(acts: DrawerActs, whatIf: HTMLElement, draw: () => void, onDemand: OnDemand) {
+/** draw: what the page shows, once tools have come. */
+export function createToolsDrawer(acts: DrawerActs, draw: () => void, onDemand: OnDemand) {
   const toggle = button(say("drawer.word"), say("drawer.help"), turn, { className: "open-drawer" });
   const root = named(element("section", "drawer"), say("drawer.word"));
   root.id = "drawer";
   root.hidden = true;
   toggle.setAttribute("aria-controls", root.id);
   const content = onDemand.one("drawer", ({ createDrawer }) => {
-    const made = createDrawer(acts, whatIf);
+    const made = createDrawer(acts);
     root.append(...made.parts);
     return made;
   });

@@ -1,51 +1,37 @@
-/** What if: the button that opens the switches, which come when first opened, under the stage, and the one that undoes them all. */
+/** What if: the panel of switches under the stage, and the button that undoes them all. It comes when first opened or set. */
 import type { Actions } from "../actions";
-import type { OnDemand } from "../on-demand";
 import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { button, element, named } from "../element";
-import type { WhatIfActs } from "./what-if-switches";
+import { createSwitches, type WhatIfActs } from "./what-if-switches";
 
-export function createWhatIf(acts: WhatIfActs & Pick<Actions, "asTraced">, onDemand: OnDemand) {
-  const toggle = button(say("whatIf.open.word"), say("whatIf.open.help"), () => (root.hidden ? open() : close()), { className: "open-what-if" });
+/** home: the element that holds the page's parts. */
+export function createWhatIf(acts: WhatIfActs & Pick<Actions, "asTraced">, home: HTMLElement) {
   const undo = button(say("whatIf.undo.word"), say("whatIf.undo.help"), acts.asTraced, { className: "undo-switches" });
-  const root = named(element("section", "what-if"), say("whatIf.region"));
+  const switches = createSwitches(acts);
+  const root = named(element("section", "what-if", ...switches.groups), say("whatIf.region"));
   root.id = "what-if";
-  toggle.setAttribute("aria-controls", root.id);
-  const switches = onDemand.one("what-if-switches", ({ createSwitches }) => {
-    const made = createSwitches(acts);
-    root.append(...made.groups);
-    return made;
-  });
-  let shown: readonly [ViewState, SceneData] | null = null; // the scene as it was traced
+  root.hidden = true;
+  home.querySelector(".controls")!.before(undo);
+  home.querySelector(".below")!.append(root);
   let opened = false; // when switches are first set outside of a lesson: only once, the person may close it
 
-  const open = () =>
-    switches.use(({ show }) => {
-      if (shown) show(...shown);
-      root.hidden = false;
-      toggle.setAttribute("aria-expanded", "true");
-    });
-  function close() {
-    root.hidden = true;
-    toggle.setAttribute("aria-expanded", "false");
+  function turn(open: boolean) {
+    root.hidden = !open;
+    document.querySelector(".open-what-if")?.setAttribute("aria-expanded", String(open));
   }
-  close();
-
   return {
-    element: root,
-    toggle,
-    undo,
-    show(...next: readonly [ViewState, SceneData]) {
-      shown = next;
-      if (!root.hidden) switches.now()?.show(...next);
-      const isAny = isSwitched(next[0].switches);
+    turn: () => turn(!!root.hidden),
+    show(state: ViewState, scene: SceneData) {
+      const isAny = isSwitched(state.switches);
       undo.hidden = !isAny;
-      if (!isAny || opened || next[0].step !== null) return; // a lesson says what it switches, and its stage keeps still
-      opened = true;
-      open();
+      if (isAny && !opened && state.step === null) { // a lesson says what it switches, and its stage keeps still
+        opened = true;
+        turn(true);
+      }
+      if (!root.hidden) switches.show(state, scene);
     },
   };
 }

@@ -1,4 +1,6 @@
-/** What fingers, a mouse or a wheel do on the stage, in the stage's terms. */
+/** What fingers, a mouse or a wheel do on the stage, in the stage's terms. Where the page scrolls it is the page's that one finger
+ *  goes up or down (touch-action in the style sheet), unless it has rested on the stage; the browser then takes the finger away
+ *  (pointercancel), so until it moves here nothing is done. */
 export interface GestureActs {
   /** May this point be selected? Then dragging from it selects on; elsewhere it turns the view. */
   isOnTiles: (x: number, y: number) => boolean;
@@ -8,10 +10,14 @@ export interface GestureActs {
   orbit: (dx: number, dy: number) => void;
   pan: (dx: number, dy: number) => void;
   zoom: (factor: number) => void;
+  /** A finger was taken for scrolling. */
+  scrolled: () => void;
 }
 
 const WHEEL_PER_PIXEL = 0.0016;
 const WHEEL_LINE = 16; // pixels, for mice that count lines
+const RESTED = 350; // ms until a finger that rests turns the view, wherever it goes then
+const STEADY = 8; // pixels that a resting finger may move
 
 interface Touch {
   x: number;
@@ -21,6 +27,8 @@ interface Touch {
 export function listenToGestures(element: HTMLElement, acts: GestureActs) {
   const down = new Map<number, Touch>();
   let doing: "pick" | "orbit" | "pan" | "two" | null = null;
+  let waits: Touch | null = null; // where a finger came down of which it is not known yet what it does
+  let rest = 0;
   const at = (event: PointerEvent): Touch => {
     const box = element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -35,16 +43,34 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
     const here = at(event);
     element.setPointerCapture(event.pointerId);
     down.set(event.pointerId, here);
+    settle(null);
     if (down.size >= 2) doing = "two";
-    else if (event.shiftKey || event.button === 1) doing = "pan";
-    else doing = event.button === 0 && acts.isOnTiles(here.x, here.y) ? "pick" : "orbit";
-    if (doing === "pick") acts.pick(here.x, here.y);
+    else if (event.pointerType === "touch") {
+      waits = here;
+      rest = window.setTimeout(() => settle("orbit"), RESTED);
+    } else if (event.shiftKey || event.button === 1) doing = "pan";
+    else begin(event.button, here);
+  }
+  const begin = (button: number, { x, y }: Touch) => {
+    settle(button === 0 && acts.isOnTiles(x, y) ? "pick" : "orbit");
+    if (doing === "pick") acts.pick(x, y);
+  };
+  /** What the hand does is known. */
+  function settle(what: typeof doing) {
+    clearTimeout(rest);
+    waits = null;
+    doing = what;
   }
 
   function drag(event: PointerEvent) {
     const here = at(event);
     const before = down.get(event.pointerId);
     if (!before) return acts.hover(here.x, here.y);
+    if (waits) {
+      const [across, along] = [Math.abs(here.x - waits.x), Math.abs(here.y - waits.y)];
+      if (across + along < STEADY || (along > across && getComputedStyle(element).touchAction === "pan-y")) return;
+      begin(0, waits);
+    }
     if (doing === "two" && down.size >= 2) {
       const was = spread();
       down.set(event.pointerId, here);
@@ -60,7 +86,9 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
 
   function release(event: PointerEvent) {
     down.delete(event.pointerId);
-    if (down.size === 0) doing = null;
+    if (waits && event.type === "pointercancel") acts.scrolled();
+    else if (waits && acts.isOnTiles(waits.x, waits.y)) acts.pick(waits.x, waits.y); // a tap
+    if (down.size === 0) settle(null);
   }
 
   function wheel(event: WheelEvent) {
@@ -76,5 +104,6 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
   element.addEventListener("pointercancel", release);
   element.addEventListener("pointerleave", acts.leave);
   element.addEventListener("wheel", wheel, { passive: false });
+  element.addEventListener("touchmove", (event) => doing && event.cancelable && event.preventDefault(), { passive: false }); // it is not the page's
   element.addEventListener("contextmenu", (event) => event.preventDefault());
 }

@@ -1,4 +1,5 @@
-/** Words beside things on the stage. They step aside for one another; the least important give way. */
+/** Words beside things on the stage. They keep clear of one another, of rays and of what those meet; a word that stands far from
+ *  its thing has a line to it, and one that finds no place is not shown: the least important give way. */
 import { element } from "../element";
 
 export interface Label {
@@ -10,7 +11,6 @@ export interface Label {
   below?: boolean; // rather than beside: the thing is wide
 }
 
-
 export interface Box {
   left: number;
   top: number;
@@ -18,39 +18,79 @@ export interface Box {
   bottom: number;
 }
 
-const GAP = 12; // from the thing to its label
-const CHAR = { sign: 7.4, hit: 7.8, stop: 7.8 }; // width of a character at most
-const HEIGHT = 22;
-
-const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-
-/** Right, left, below, above, then the corners: before, at or after the thing across and down. */
-const SPOTS = [[2, 1], [0, 1], [1, 2], [1, 0], [2, 2], [2, 0], [0, 2], [0, 0]];
-
-/** Of these spots the first that is free, inside and not struck through by a line; failing
- *  that, the first that is free. strokes: places along the lines, x y x y ... */
-function place(label: Label, width: number, height: number, taken: readonly Box[], strokes: readonly number[], large: number): Box | null {
-  const w = label.text.length * CHAR[label.kind] * large + 8;
-  const high = HEIGHT * large;
-  const [xs, ys] = [[label.x - GAP - w, label.x - w / 2, label.x + GAP], [label.y - GAP - high, label.y - high / 2, label.y + GAP]];
-  const spots = SPOTS.map(([x, y]) => [xs[x], ys[y]]);
-  if (label.below) spots.unshift([label.x - w / 2, label.y + 1.6 * GAP], [label.x - w / 2, label.y - 1.6 * GAP - high]);
-  const boxes = spots.map(([left, top]) => ({ left, top, right: left + w, bottom: top + high }));
-  const inside = (b: Box) => b.left >= 4 && b.top >= 4 && b.right <= width - 4 && b.bottom <= height - 4;
-  const free = boxes.filter((box) => inside(box) && !taken.some((other) => overlap(box, other)));
-  const struck = ({ left, top, right, bottom }: Box) => {
-    for (let k = 0; k < strokes.length; k += 2)
-      if (strokes[k] > left && strokes[k] < right && strokes[k + 1] > top && strokes[k + 1] < bottom) return true;
-    return false;
-  };
-  return free.find((box) => !struck(box)) ?? free[0] ?? null;
+/** An upright ellipse. */
+export interface Round {
+  x: number;
+  y: number;
+  wide: number; // half of it
+  high: number;
 }
 
-/** Places every few pixels along a line, x y x y ..., for labels to keep clear of. */
-export function strokesAlong(from: readonly [number, number], to: readonly [number, number]): number[] {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const steps = Math.max(1, Math.min(300, Math.ceil(Math.hypot(dx, dy) / 6)));
-  return Array.from({ length: steps + 1 }, (_, k) => [from[0] + (k / steps) * dx, from[1] + (k / steps) * dy]).flat();
+/** What no word may lie on. CSS pixels. */
+export interface Clear {
+  boxes: readonly Box[];
+  rounds: readonly Round[];
+  strokes: readonly number[]; // ends of lines: x y of the one, x y of the other ...
+  faint: readonly number[]; // of lines that a word should not lie on either, if it may stand near its thing
+}
+export const NOTHING: Clear = { boxes: [], rounds: [], strokes: [], faint: [] };
+
+const CHAR = { sign: 7.4, hit: 7.8, stop: 7.8 }; // width of a character at most
+const HEIGHT = 22;
+const AWAY = [12, 26, 44, 66, 92, 122, 156, 196]; // from the thing to its word, the nearest first
+const NEAR = 3; // of these, for which faint lines count
+const BESIDE = 5; // from a line's middle to a word: half its width and its casing
+const LED = 30; // from here on a word has a line to its thing
+
+const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+/** Of a place to a stretch. */
+const distance = (at: number, low: number, high: number) => Math.max(low - at, 0, at - high);
+const isOn = ({ x, y, wide, high }: Round, { left, right, top, bottom }: Box) => Math.hypot(distance(x, left, right) / wide, distance(y, top, bottom) / high) < 1;
+
+/** Do lines pass the box, or its surroundings? (Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, 1984) */
+function isStruck({ left, top, right, bottom }: Box, ends: readonly number[]): boolean {
+  for (let k = 0; k < ends.length; k += 4) {
+    let [from, to] = [0, 1];
+    for (const [axis, low, high] of [[0, left, right], [1, top, bottom]]) {
+      const run = ends[k + 2 + axis] - ends[k + axis];
+      const shares = [low - BESIDE, high + BESIDE].map((edge) => (edge - ends[k + axis]) / run);
+      from = Math.max(from, Math.min(...shares));
+      to = Math.min(to, Math.max(...shares));
+    }
+    if (from <= to) return true;
+  }
+  return false;
+}
+
+/** Right, left, below, above, then the corners: across and down. */
+const SPOTS = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
+
+/** The nearest place that is inside and clear. large: times as large as on a desk. */
+function place({ text, kind, x, y, below }: Label, width: number, height: number, { boxes, rounds, strokes, faint }: Clear, taken: readonly Box[], large: number): Box | null {
+  const [w, h] = [text.length * CHAR[kind] * large + 8, HEIGHT * large];
+  const spots = below ? [...SPOTS.slice(2, 4), ...SPOTS] : SPOTS;
+  const all = AWAY.map((away) =>
+    spots.map(([across, down]) => {
+      const gap = below && !across ? 1.6 * away : away;
+      const [left, top] = [x + across * (gap + w / 2) - w / 2, y + down * (gap + h / 2) - h / 2];
+      return { left, top, right: left + w, bottom: top + h };
+    }),
+  );
+  const isClear = (box: Box) =>
+    box.left >= 4 && box.top >= 4 && box.right <= width - 4 && box.bottom <= height - 4 && ![...boxes, ...taken].some((other) => overlap(box, other)) && !rounds.some((round) => isOn(round, box)) && !isStruck(box, strokes);
+  const near = all.slice(0, NEAR).flat().find((box) => isClear(box) && !isStruck(box, faint));
+  return near ?? all.flat().find(isClear) ?? null;
+}
+
+/** A line from the word to its thing, which the style sheet draws. */
+function lead({ style }: HTMLElement, { x, y }: Label, { left, top, right, bottom }: Box) {
+  const [fromX, fromY] = [Math.max(left, Math.min(right, x)), Math.max(top, Math.min(bottom, y))];
+  const long = Math.hypot(x - fromX, y - fromY);
+  const put = (name: string, value: string) => style.setProperty(`--lead-${name}`, value);
+  put("x", `${fromX - left}px`);
+  put("y", `${fromY - top}px`);
+  put("long", `${long < LED ? 0 : long - 8}px`);
+  put("turn", `${Math.atan2(y - fromY, x - fromX)}rad`);
 }
 
 export function createLabels() {
@@ -69,22 +109,23 @@ export function createLabels() {
 
   return {
     element: root,
-    /** Most important first; taken: places that are not free; large: times as large as on a desk. */
-    show(labels: readonly Label[], width: number, height: number, taken: readonly Box[] = [], strokes: readonly number[] = [], large = 1) {
-      const used = [...taken];
+    /** Most important first; large: times as large as on a desk. */
+    show(labels: readonly Label[], width: number, height: number, clear = NOTHING, large = 1) {
+      const taken: Box[] = [];
       const alive = new Set(labels.map((label) => label.key));
       for (const [key, span] of spans) if (!alive.has(key)) span.remove(), spans.delete(key);
       for (const label of labels) {
         const span = spanOf(label);
         if (span.textContent !== label.text) span.textContent = label.text;
         span.className = label.kind;
-        const box = place(label, width, height, used, strokes, large);
+        const box = place(label, width, height, clear, taken, large);
         span.hidden = !box;
         if (!box) continue;
-        used.push(box);
+        taken.push(box);
         span.style.transform = `translate(${Math.round(box.left)}px, ${Math.round(box.top)}px)`;
         span.style.width = `${Math.round(box.right - box.left)}px`;
         span.style.textAlign = box.right < label.x ? "right" : box.left > label.x ? "left" : "center";
+        lead(span, label, box);
       }
     },
   };

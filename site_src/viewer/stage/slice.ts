@@ -1,7 +1,7 @@
 /** The slice view: a row's or a column's plane of camera rays as a flat drawing, in place of the stage. */
 import { element } from "../element";
 import { say } from "../words";
-import { createLabels, strokesAlong } from "./labels";
+import { createLabels, NOTHING } from "./labels";
 import { drawSlice } from "./slice-drawing";
 import { namesOf } from "./slice-names";
 import { sheetOf, type Sheet, type SliceView } from "./slice-sheet";
@@ -28,8 +28,8 @@ export function createSlice(acts: { pick: (along: number) => void }) {
     sheet = sheetOf(now, width, height);
     drawSlice(brush, now, sheet);
     const { on } = sheet;
-    const strokes = now.chosen.flatMap((line) => strokesAlong(on(line.from), on(line.to)));
-    labels.show(namesOf(now, sheet), width, height, [], strokes, now.large ? 1.43 : 1);
+    const strokes = now.chosen.flatMap((line) => [...on(line.from), ...on(line.to)]);
+    labels.show(namesOf(now, sheet), width, height, { ...NOTHING, strokes }, now.large ? 1.43 : 1);
   }
 
   function pick(event: PointerEvent) {

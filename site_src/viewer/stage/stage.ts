@@ -2,15 +2,15 @@
 import type { Actions } from "../actions";
 import { element, named } from "../element";
 import { onPlane } from "../state/frustum";
-import type { Line } from "../state/lines";
 import { observerOf, orbit, pan, zoom, type Moves, type ObserverChoice } from "../state/observer";
-import { createProjection, type Projection } from "../state/projection";
+import { createProjection } from "../state/projection";
 import type { Observer } from "../state/types";
 import { along, length, sub } from "../state/vectors";
 import { say } from "../words";
 import { createDrawing, type DrawingActs } from "./drawing";
 import { listenToGestures } from "./gestures";
-import { createLabels, strokesAlong, type Box } from "./labels";
+import { clearOf } from "./clear";
+import { createLabels, type Box } from "./labels";
 import type { Drawn, StageView } from "./renderer";
 import type { slideSvg } from "./slide";
 import { namesOf } from "./stage-names";
@@ -20,11 +20,11 @@ import { lineUnder, nearestTile, tileUnder } from "./under";
 export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer">, Pick<Actions, "pick" | "light" | "point"> {
   move: (observer: ObserverChoice) => void;
   /** What lies over the drawing in the traced look; null until its part has come, and then `come` is called. */
+  scrolled: () => void;
   traced: (isWanted: boolean, come: () => void) => TracedPicture | null;
 }
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
-const STROKES_OF = 40; // lines: with more, no label finds a clear place
 
 /** over: what stands on the stage and must not hide a label. */
 export function createStage(acts: StageActs, withGl: boolean, over: () => readonly Element[]) {
@@ -47,14 +47,14 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => readon
   const observerFor = (choice: ObserverChoice, { scene, plane }: StageView) => observerOf(choice, scene, plane, size.width / size.height);
 
   function draw(view: StageView) {
-    const { scene, plane, state, recombined, chosen } = view;
+    const { scene, plane, state, recombined } = view;
     const observer = observerFor(state.observer, view);
     const projection = createProjection(observer, size.width, size.height);
     drawn = { view, observer, projection };
     drawing.renderer().draw(drawn);
     const seen = state.look === "traced" && state.observer === "camera";
     acts.traced(seen, redraw)?.show(seen ? scene : null, plane, projection, recombined, state.wipe);
-    labels.show(namesOf(drawn), size.width, size.height, takenOn(root, over()), strokesOf(chosen, projection), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
+    labels.show(namesOf(drawn), size.width, size.height, clearOf(drawn, takenOn(root, over())), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
     frames++;
   }
   const redraw = () => drawn && draw(drawn.view);
@@ -130,6 +130,7 @@ function listenToHand(stage: HTMLElement, now: () => Drawn | null, acts: StageAc
     orbit: (dx, dy) => turn(-dx * ORBIT_DEGREES, dy * ORBIT_DEGREES),
     pan: (dx, dy) => shift(-dx / shorter(), dy / shorter()),
     zoom: come,
+    scrolled: acts.scrolled,
   });
 }
 
@@ -139,12 +140,6 @@ function takenOn(stage: HTMLElement, over: readonly Element[]): Box[] {
   const boxes = over.map((each) => each.getBoundingClientRect());
   return boxes.map(({ left, right, top, bottom }) => ({ left: left - at.left, right: right - at.left, top: top - at.top, bottom: bottom - at.top }));
 }
-
-const strokesOf = (lines: readonly Line[], { project }: Projection): number[] =>
-  lines.slice(0, STROKES_OF).flatMap(({ from, to }) => {
-    const [a, b] = [project(from), project(to)];
-    return a.depth > 0 && b.depth > 0 ? strokesAlong([a.x, a.y], [b.x, b.y]) : [];
-  });
 
 /** For tests: from where it is drawn, and where on the stage is what. */
 const placesOf = (drawn: Drawn | null) => ({
