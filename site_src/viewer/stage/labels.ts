@@ -18,12 +18,10 @@ export interface Box {
   bottom: number;
 }
 
-/** An upright ellipse. */
 export interface Round {
   x: number;
   y: number;
-  wide: number; // half of it
-  high: number;
+  radius: number;
 }
 
 /** What no word may lie on. CSS pixels. */
@@ -45,7 +43,7 @@ const LED = 30; // from here on a word has a line to its thing
 const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 /** Of a place to a stretch. */
 const distance = (at: number, low: number, high: number) => Math.max(low - at, 0, at - high);
-const isOn = ({ x, y, wide, high }: Round, { left, right, top, bottom }: Box) => Math.hypot(distance(x, left, right) / wide, distance(y, top, bottom) / high) < 1;
+const isOn = ({ x, y, radius }: Round, { left, right, top, bottom }: Box) => Math.hypot(distance(x, left, right), distance(y, top, bottom)) < radius;
 
 /** Do lines pass the box, or its surroundings? (Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, 1984) */
 function isStruck({ left, top, right, bottom }: Box, ends: readonly number[]): boolean {

@@ -1,0 +1,114 @@
+/** No word on the stage lies on a ray of the selected pixel, or on what its rays meet. Measured on the page, with rays of our own. */
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, open, scenesOfSite, settled, stats } from "./browser.mjs";
+import { readScene } from "./scene-files.mjs";
+import { load } from "./typescript.mjs";
+
+const { createProjection, corners, toObject, add, scale, sub } = await load("state/projection.ts", "state/placing.ts", "state/vectors.ts");
+const SIZES = [[1280, 800, ""], [1920, 1080, ""], [390, 844, ""], [700, 460, "?embed"]];
+const SCENES = scenesOfSite().filter(({ key }) => ["2", "3", "5", "8", "9"].includes(key));
+const SEED = 20261130;
+const PIXELS = 6; // of 15 x 15, of each scene
+const HALF_LINE = 1.5; // CSS pixels
+const LARGE = 0.5; // of the stage: beside an object that takes more there is no room
+const FOV = 40;
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser, { sharp: true });
+});
+after(() => browser.close());
+
+/** Whole numbers below `most` (a linear congruential generator; D. E. Knuth's MMIX). */
+function* randoms(most) {
+  for (let state = BigInt(SEED); ; ) {
+    state = (state * 6364136223846793005n + 1442695040888963407n) & 0xffffffffffffffffn;
+    yield Number((state >> 33n) % BigInt(most));
+  }
+}
+
+const labels = () =>
+  page.evaluate(() => {
+    const from = document.querySelector(".stage-view").getBoundingClientRect();
+    return [...document.querySelectorAll(".stage-view .labels > span:not([hidden])")].map((span) => {
+      const { left, top, right, bottom } = span.getBoundingClientRect();
+      return { text: span.textContent, kind: span.className, left: left - from.left, top: top - from.top, right: right - from.left, bottom: bottom - from.top };
+    });
+  });
+
+/** Is the line seen within the box? By its points, a third of a pixel or less apart. */
+function passes({ from, to }, { left, top, right, bottom }, project) {
+  for (let k = 0; k <= 6000; k++) {
+    const { x, y, depth } = project(add(from, scale(sub(to, from), k / 6000)));
+    if (depth > 0 && x > left - HALF_LINE && x < right + HALF_LINE && y > top - HALF_LINE && y < bottom + HALF_LINE) return true;
+  }
+  return false;
+}
+
+/** Does the ray from the eye meet the object's unit ball, or its box? In the object's own space. */
+function meets(object, eye, way) {
+  const from = toObject(object.transform, eye);
+  const run = sub(toObject(object.transform, add(eye, way)), from);
+  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  if (object.type === "sphere") {
+    const [a, b, c] = [dot(run, run), dot(from, run), dot(from, from) - 1];
+    return b < 0 && b * b >= a * c;
+  }
+  const [low, high] = object.box;
+  const shares = [0, 1, 2].map((k) => [(low[k] - from[k]) / run[k], (high[k] - from[k]) / run[k]]);
+  const enters = Math.max(0, ...shares.map((pair) => Math.min(...pair)));
+  return enters < Math.min(...shares.map((pair) => Math.max(...pair)));
+}
+
+const BOXES = { box: [[-1, -1, -1], [1, 1, 1]], cylinder: [[-1, -1, -1], [1, 1, 1]], disc: [[-1, -1, 0], [1, 1, 1e-9]], triangle: [[0, 0, 0], [1, 1, 1e-9]] };
+const boxOf = ({ type, mesh }, scene) => (mesh ? scene.meshes[mesh].box : BOXES[type]);
+
+/** What the words must keep clear of: objects that the lines meet or that are in their way, seen whole and with room beside them. */
+function metBy(lines, scene, names, projection) {
+  const seen = scene.objects.filter(({ name, type }) => names.has(name) && type !== "plane");
+  return seen.flatMap((object) => {
+    const points = corners(object, scene).map(projection.project);
+    const span = (of) => Math.max(...of) - Math.min(...of);
+    if (points.some(({ depth }) => depth < scene.bounds.radius / 300)) return [];
+    // A ball takes about half of the box round its corners' box.
+    const share = (span(points.map(({ x }) => x)) * span(points.map(({ y }) => y))) / (projection.width * projection.height);
+    return share > LARGE ? [] : [{ ...object, box: boxOf(object, scene) }];
+  });
+}
+
+for (const [width, height, query] of SIZES)
+  test(`at ${width} x ${height}${query} no word lies on a ray or on what it meets: ${SCENES.length} scenes, ${PIXELS} pixels each (seed ${SEED})`, async (t) => {
+    await page.setViewportSize({ width, height });
+    const random = randoms(15);
+    let [asked, shown, all] = [0, 0, 0];
+    for (const { id, path } of SCENES) {
+      const scene = readScene(id);
+      await open(page, ON_DISK, path + query, "still=1&gl=none&n=15&tiles=empty");
+      for (let k = 0; k < PIXELS; k++) {
+        const pixel = [random.next().value, random.next().value];
+        await follow(page, `still=1&gl=none&n=15&tiles=empty&p=${pixel.join()}`);
+        await settled(page);
+        const [{ lines, eye, target, events, width: wide, height: high }, words] = [await stats(page), await labels()];
+        const projection = createProjection({ eye, target, up: [0, 1, 0], fov: FOV }, wide, high);
+        const names = new Set(events.flatMap(({ what, name, by }) => (what === "meets" ? [name] : what === "blocked" ? [by] : [])));
+        const objects = metBy(lines, scene, names, projection);
+        asked += lines.some(({ light, leaves }) => light < 0 && !leaves) ? 1 : 0;
+        shown += words.some(({ kind }) => kind === "hit") ? 1 : 0;
+        all += words.length;
+        const where = `${id} ${pixel.join()}`;
+        for (const word of words) {
+          for (const line of lines) assert.ok(!passes(line, word, projection.project), `${where}: "${word.text}" lies on a line`);
+          for (let x = word.left; x <= word.right; x += 3)
+            for (let y = word.top; y <= word.bottom; y += 3) {
+              const way = add(scale(projection.forward, projection.focal), add(scale(projection.right, x - wide / 2), scale(projection.up, high / 2 - y)));
+              for (const object of objects) assert.ok(!meets(object, eye, way), `${where}: "${word.text}" lies on ${object.name}`);
+            }
+        }
+      }
+    }
+    t.diagnostic(`${all} words; where the camera ray hits is named at ${shown} of ${asked} pixels`);
+    assert.ok(shown >= 0.8 * asked, "not by leaving words out");
+  });
+
+test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
