@@ -155,9 +155,12 @@ export function flatMirrors(solids: Object3D, flat: readonly FlatMirror[], backg
     const { uniforms } = sheet.material;
     uniforms.seen.value = target.texture;
     sheet.material.addEventListener("dispose", () => target.dispose());
+    let drawnFrom = "";
     sheet.onBeforeRender = (renderer, world, camera) => {
-      if (!putAtImage(there, camera as PerspectiveCamera, plane)) return;
       const { width, height } = renderer.domElement;
+      const from = [...camera.matrixWorld.elements, ...(camera as PerspectiveCamera).projectionMatrix.elements, width, height].join();
+      if (from === drawnFrom || !putAtImage(there, camera as PerspectiveCamera, plane)) return; // nothing moves but the eye
+      drawnFrom = from;
       target.setSize(width, height);
       uniforms.size.value = [width, height];
       drawInto(target, renderer, world, there, solids, [mirror, ...sheets]);
