@@ -97,6 +97,7 @@ IN_A_ROW = {
     "balls": 'type = "sphere"\ncenter = [{k}, 0, 0]\nradius = 0.4',
     "boxes": 'type = "box"\nminimum = [{k}, 0, 0]\nmaximum = [{next}, 1, 1]',
     "triangles": 'type = "triangle"\na = [{k}, 0, 0]\nb = [{next}, 0, 0]\nc = [{k}, 1, 0]',
+    "pipes": 'type = "cylinder"\nstart = [{k}, 0, 0]\nend = [{next}, 0, 0]\nradius = 1',
 }
 
 
@@ -105,7 +106,7 @@ def test_warnings_of_eight_times_as_many_objects_take_not_much_longer(
     tmp_path: Path, kind: str
 ) -> None:
     """Objects of which each touches the next, as a wall's stones and a fan's triangles do: shared
-    corners and faces are found without asking all pairs."""
+    corners, rims and faces are found without asking all pairs."""
     path = tmp_path / "scene.toml"
 
     def check(n: int) -> Callable[[], object]:

@@ -11,8 +11,8 @@ from raywalk.geometry.faces import BOX, SHAPE, TRIANGLE, shape_record
 from raywalk.geometry.shared_rims import shared_rims
 from raywalk.scene.exact import DIGITS, exact, rest_of, rounded
 from raywalk.scene.model import Scene
-from raywalk.scene.placement import exact_placement
-from raywalk.scene.shapes import Box, Canonical, Mesh, Shape, Triangle
+from raywalk.scene.placement import exact_placement, is_unmoved
+from raywalk.scene.shapes import Box, Canonical, Mesh, Shape, Triangle, Triple
 
 
 class Primitives(NamedTuple):
@@ -52,14 +52,21 @@ def compile_primitives(scene: Scene) -> Primitives:
     inverse = _stack([_inverse(linear) for linear, _ in placed], (3, 3))
     middle = _stack([centre for _, centre in placed], (3,))
     to_world, to_local = rounded(_stack([linear for linear, _ in placed], (3, 3))), rounded(inverse)
+    centre = rounded(middle)
     sizes = np.linalg.svd(to_world, compute_uv=False)  # half axes of the unit sphere's image
     shapes = [scene.objects[k].shape for k in kept]
     is_edged = np.array([isinstance(shape, EDGED) for shape in shapes], bool)
-    edged = np.flatnonzero(is_edged)
     corner, corner_rest = np.zeros((2, len(kept), 8, 3))
-    corners = _stack([_corners(shapes[row], *placed[row]) for row in edged.tolist()], (8, 3))
-    corner[edged], corner_rest[edged] = rounded(corners), rest_of(corners)
-    rimmed, rims = shared_rims(shapes, placed, inverse)
+    moved = []
+    for row in np.flatnonzero(is_edged).tolist():
+        if is_unmoved(scene.objects[kept[row]]):
+            given = _given_corners(shapes[row])
+            corner[row, : len(given)] = given
+        else:
+            moved.append(row)
+    corners = _stack([_corners(shapes[row], *placed[row]) for row in moved], (8, 3))
+    corner[moved], corner_rest[moved] = rounded(corners), rest_of(corners)
+    rimmed, rims = shared_rims(shapes, placed, inverse, to_world, centre)
     is_edged[rimmed] = True
     corner[rimmed], corner_rest[rimmed] = rounded(rims), rest_of(rims)
     row_of = np.full(len(scene.objects), -1, np.int32)
@@ -67,19 +74,13 @@ def compile_primitives(scene: Scene) -> Primitives:
     return Primitives(
         shape=np.array([shape_record(shape.canonical) for shape in shapes], SHAPE),
         object=np.array(kept, np.int32),
-        centre=rounded(middle),
+        centre=centre,
         centre_rest=rest_of(middle),
         to_world=to_world,
         to_local=to_local,
         to_local_rest=rest_of(inverse),
         is_skewed=_growth(to_world, to_local) > SKEWED,
-        is_thin=np.array(
-            [
-                _is_thin(shape.canonical, m, own)
-                for shape, m, own in zip(shapes, to_world, sizes, strict=True)
-            ],
-            bool,
-        ),
+        is_thin=_are_thin([shape.canonical for shape in shapes], to_world, sizes),
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),
         reach_sq=np.array(
             [
@@ -145,6 +146,15 @@ BOX_CORNERS = exact([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1
 TRIANGLE_CORNERS = exact([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
 
 
+def _given_corners(shape: Shape) -> list[Triple]:
+    """The same, as they stand in the scene file: float64 to the last digit."""
+    if isinstance(shape, Triangle):
+        return [shape.a, shape.b, shape.c]
+    assert isinstance(shape, Box)
+    (x, y, z), (u, v, w) = shape.minimum, shape.maximum
+    return [(a, b, c) for c in (z, w) for b in (y, v) for a in (x, u)]
+
+
 def _corners(shape: Shape, linear: np.ndarray, centre: np.ndarray) -> np.ndarray:
     """(8, 3) Decimals: where the corners of a box or triangle stand, then zeros."""
     given = BOX_CORNERS if isinstance(shape, Box) else TRIANGLE_CORNERS
@@ -182,25 +192,24 @@ THIN = 4.0
 SQUARE = 1e-9  # cosine below which two axes are square to each other, but for rounding
 
 
-def _is_thin(canonical: Canonical, to_world: np.ndarray, sizes: np.ndarray) -> bool:
-    """Whether the way from a point next to the surface to its canonical foot is far from the
-    shortest in the world.
+def _are_thin(canonical: list[Canonical], to_world: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """(p,) bool: whether the way from a point next to the surface to its canonical foot is far from
+    the shortest in the world.
 
-    sizes: (3,) half axes of the unit sphere's image, the longest first.
+    sizes: (p, 3) half axes of the unit sphere's image, the longest first.
     """
-    is_open = canonical.name in ("plane", "disc", "triangle")
-    if not is_open and not sizes[0] > THIN * sizes[-1]:
-        return False
-    axes = to_world / np.linalg.norm(to_world, axis=0)
-    turned = np.abs(axes.T @ axes - np.eye(3))  # cosines
-    if is_open:
-        across = 1 if canonical.name == "plane" else 2
-        return bool(turned[across].max() > SQUARE)
-    if canonical.name == "sphere" or turned.max() > SQUARE:
-        return True
-    wide, other = np.linalg.norm(to_world[:, :2], axis=0)
-    is_round = abs(wide - other) <= SQUARE * wide and canonical.ends == (1.0, 1.0)
-    return canonical.name != "box" and not is_round
+    lengths = np.linalg.norm(to_world, axis=1)
+    axes = to_world / lengths[:, None]
+    turned = np.abs(axes.transpose(0, 2, 1) @ axes - np.eye(3))  # cosines
+    names = np.array([each.name for each in canonical], "U8")
+    is_open = np.isin(names, ("plane", "disc", "triangle"))
+    across = np.where(names == "plane", 1, 2)
+    is_leaning = turned[np.arange(len(names)), across].max(axis=1, initial=0.0) > SQUARE
+    is_skew = turned.max(axis=(1, 2), initial=0.0) > SQUARE
+    is_even = np.array([each.ends == (1.0, 1.0) for each in canonical], bool)
+    is_round = is_even & (np.abs(lengths[:, 0] - lengths[:, 1]) <= SQUARE * lengths[:, 0])
+    is_thin = (names == "sphere") | is_skew | ~((names == "box") | is_round)
+    return np.where(is_open, is_leaning, (sizes[:, 0] > THIN * sizes[:, -1]) & is_thin)
 
 
 def _growth(to_world: np.ndarray, to_local: np.ndarray) -> np.ndarray:

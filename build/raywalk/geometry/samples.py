@@ -148,16 +148,23 @@ def rows_under(primitives, x, y, z):
 
 
 @kernel
-def lies_in(primitives, one, other):
+def canonical_samples(shape, out):
+    """Writes the first points of a surface to out (n, 3)."""
+    for k in range(len(out)):
+        out[k, 0], out[k, 1], out[k, 2] = canonical_sample(shape, k)
+
+
+@kernel
+def lies_in(primitives, samples, one, other):
     """Whether a part of row one's surface lies in row other's, the same way round; surfaces that
-    are open face both ways."""
+    are open face both ways. samples: (SAMPLES, 3) canonical points of row one's."""
     shape, facing = primitives.shape[one], primitives.shape[other]
     if shape.code == PLANE:
         return False
     both = not (is_solid(shape) and (is_solid(facing) or facing.code == PLANE))
     count = FEW if shape.code == SPHERE and facing.code == SPHERE else SAMPLES
     for k in range(count):
-        x, y, z = canonical_sample(shape, k)
+        x, y, z = samples[k, 0], samples[k, 1], samples[k, 2]
         wx, wy, wz = to_local(primitives.to_world[one], x, y, z)
         c = primitives.centre[one]
         near, lx, ly, lz = is_on(primitives, other, c[0] + wx, c[1] + wy, c[2] + wz)
@@ -216,10 +223,12 @@ def may_share(primitives, planes, number, sizes, one, other):
     bound = ONE_PLANE * max(sizes[one], sizes[other])
     for i in range(number[one]):
         for j in range(number[other]):
-            p, q = planes[one, i], planes[other, j]
-            cosine = p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+            cosine = 0.0
+            for axis in range(3):
+                cosine += planes[one, i, axis] * planes[other, j, axis]
             sign = 1.0 if cosine > 0.0 else -1.0
-            if sign * cosine > 1.0 - ONE_PLANE and abs(p[3] - sign * q[3]) <= bound:
+            apart = planes[one, i, 3] - sign * planes[other, j, 3]
+            if sign * cosine > 1.0 - ONE_PLANE and abs(apart) <= bound:
                 return True
     return False
 
@@ -230,6 +239,8 @@ def which_share(primitives, planes, number, sizes, pairs, most):
     looked at, up to `most` closely."""
     out = np.zeros(len(pairs), np.bool_)
     asked = 0
+    # Points of the last pair's surfaces, which the next one's often are alike.
+    samples, codes, tips = np.empty((2, SAMPLES, 3)), np.full(2, -1), np.zeros(2)
     for k in range(len(pairs)):
         one, other = pairs[k, 0], pairs[k, 1]
         if not may_share(primitives, planes, number, sizes, one, other):
@@ -237,7 +248,13 @@ def which_share(primitives, planes, number, sizes, pairs, most):
         if asked == most:
             return out, k
         asked += 1
-        out[k] = lies_in(primitives, one, other) or lies_in(primitives, other, one)
+        for way in range(2):
+            row = pairs[k, way]
+            shape = primitives.shape[row]
+            if shape.code != PLANE and (codes[way] != shape.code or tips[way] != shape.tip):
+                canonical_samples(shape, samples[way])
+                codes[way], tips[way] = shape.code, shape.tip
+            out[k] = out[k] or lies_in(primitives, samples[way], row, pairs[k, 1 - way])
     return out, len(pairs)
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.geometry.rims import CENTRE, FRAME, HIGH, LOW
-from raywalk.scene.exact import DIGITS, rounded
+from raywalk.scene.exact import DIGITS
 from raywalk.scene.shapes import Cone, Cylinder, Disc, Shape
 
 # Rims are one if no more than the rounding of what they were given as sets them apart: this share
@@ -30,24 +30,29 @@ class Rim(NamedTuple):
 
 
 def shared_rims(
-    shapes: list[Shape], placed: list[Place], inverse: np.ndarray
+    shapes: list[Shape],
+    placed: list[Place],
+    inverse: np.ndarray,
+    linear: np.ndarray,
+    centre: np.ndarray,
 ) -> tuple[list[int], np.ndarray]:
     """Rows (s,) with a rim that another has too, and what `rims.py` reads of each: (s, 8, 3)
     Decimals.
 
-    inverse: (p, 3, 3) Decimals, of the linear parts.
+    inverse: (p, 3, 3) Decimals, of the linear parts; linear, centre: those rounded.
     """
     rims = [rim for k, shape in enumerate(shapes) for rim in _rims_of(k, shape)]
-    first = _first_of_each(rims, placed)
+    first = _first_of_each(rims, linear, centre)
     rows = sorted({rims[k].row for pair in enumerate(first) if pair[0] != pair[1] for k in pair})
-    out = np.full((len(rows), 8, 3), Decimal(0), object)
+    if not rows:
+        return [], np.zeros((0, 8, 3), object)
+    out, place = np.full((len(rows), 8, 3), Decimal(0), object), {k: n for n, k in enumerate(rows)}
     with localcontext(prec=DIGITS):
         for rim, one in zip(rims, first, strict=True):
-            if rim.row in rows:
-                linear = placed[rim.row][0]
-                start = HIGH if rim.z == 1 else LOW
-                numbers = _numbers(rims[one], placed, inverse, linear[:, 2])
-                out[rows.index(rim.row), start : start + len(numbers)] = numbers
+            if rim.row in place:
+                start, up = HIGH if rim.z == 1 else LOW, placed[rim.row][0][:, 2]
+                numbers = _numbers(rims[one], placed, inverse, up)
+                out[place[rim.row], start : start + len(numbers)] = numbers
     return rows, out
 
 
@@ -68,36 +73,50 @@ def _numbers(rim: Rim, placed: list[Place], inverse: np.ndarray, up: np.ndarray)
     rows, radius = inverse[rim.row], rim.radius
     out = np.empty((4, 3), object)
     out[CENTRE] = centre + rim.z * linear[:, 2]
-    out[FRAME], out[FRAME + 1] = rows[0] / radius, rows[1] / radius
+    out[FRAME : FRAME + 2] = rows[:2] if radius == 1 else rows[:2] / radius
     out[FRAME + 2] = rows[2] if rows[2] @ up > 0 else -rows[2]
     return out
 
 
-def _first_of_each(rims: list[Rim], placed: list[Place]) -> list[int]:
-    """(n,) the first of the rims that coincide with each: itself, if no other does."""
+def _first_of_each(rims: list[Rim], linear: np.ndarray, centre: np.ndarray) -> list[int]:
+    """(n,) the first of the rims that coincide with each: itself, if no other does.
+
+    linear: (p, 3, 3), centre: (p, 3) float64, of rows.
+    """
     first = list(range(len(rims)))
     if len(rims) < 2:
         return first
-    linear = np.array([rounded(placed[rim.row][0]) for rim in rims])
-    middle = np.array([rounded(placed[rim.row][1]) for rim in rims])
-    middle += np.array([rim.z for rim in rims])[:, None] * linear[:, :, 2]
+    row = np.array([rim.row for rim in rims])
+    linear = linear[row]
+    middle = centre[row] + np.array([rim.z for rim in rims])[:, None] * linear[:, :, 2]
     flat = linear[:, :, :2] * np.array([float(rim.radius) for rim in rims])[:, None, None]
     # The same for all axes that an ellipse can be made of.
     form = flat @ flat.transpose(0, 2, 1)
     size = np.sqrt(np.abs(form).max(axis=(1, 2)))
     off = ONE * (size + np.abs(middle).max(axis=1))
+    for one, other in _near_pairs(middle, form, size, off):
+        low, high = sorted((_root(first, one), _root(first, other)))
+        first[high] = low
+    return [_root(first, k) for k in range(len(rims))]
+
+
+def _near_pairs(
+    middle: np.ndarray, form: np.ndarray, size: np.ndarray, off: np.ndarray
+) -> Iterator[tuple[int, int]]:
+    """Those of n rims that are one. off: (n,) by how much their places may differ."""
     along = middle @ ALONG
     order = np.argsort(along, kind="stable")
     ends = np.searchsorted(along[order], along[order] + 2.0 * off[order], side="right")
-    for place, end in enumerate(ends.tolist()):
-        k, others = order[place], order[place + 1 : end]
-        near = (np.abs(middle[others] - middle[k]).max(axis=1) <= off[k]) & (
-            np.abs(form[others] - form[k]).max(axis=(1, 2)) <= 2.0 * size[k] * off[k]
-        )
-        for other in others[near]:
-            one, two = sorted((_root(first, int(k)), _root(first, int(other))))
-            first[two] = one
-    return [_root(first, k) for k in range(len(rims))]
+    here = np.arange(len(order))
+    for step in range(1, len(order)):
+        here = here[here + step < ends[here]]
+        if not len(here):
+            return
+        one, other = order[here], order[here + step]
+        near = np.abs(middle[other] - middle[one]).max(axis=1) <= off[one]
+        apart = np.abs(form[other] - form[one]).max(axis=(1, 2))
+        near &= apart <= 2.0 * size[one] * off[one]
+        yield from zip(one[near].tolist(), other[near].tolist(), strict=True)
 
 
 def _root(first: list[int], k: int) -> int:

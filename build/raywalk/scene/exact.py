@@ -82,6 +82,8 @@ def axes_across(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The two unit axes across a unit vector: the world axes left when its largest component is
     dropped, made perpendicular to it; x and z of a vector that is upright."""
     first, second = (axis for axis in range(3) if axis != int(np.argmax(np.abs(n))))
+    if n[first] == n[second] == 0:  # most are upright
+        return EYE[first], EYE[second]
     u = unit(_perpendicular(EYE[first], n))
     return u, unit(_perpendicular(_perpendicular(EYE[second], n), u))
 

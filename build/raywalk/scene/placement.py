@@ -30,10 +30,15 @@ def exact_placement(obj: SceneObject) -> tuple[np.ndarray, np.ndarray]:
     with localcontext(prec=DIGITS):
         linear, centre = obj.shape.placement()
         # Most are: two products of Decimals less.
-        if obj.transform is UNMOVED or np.array_equal(obj.transform, UNMOVED):
+        if is_unmoved(obj):
             return +linear, +centre
         outer = exact(obj.transform)
         return outer[:3, :3] @ linear, outer[:3, :3] @ centre + outer[:3, 3]
+
+
+def is_unmoved(obj: SceneObject) -> bool:
+    """Whether it stands where its shape says."""
+    return obj.transform is UNMOVED or np.array_equal(obj.transform, UNMOVED)
 
 
 def checker_axes(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -271,8 +271,9 @@ class Triangle(Shape):
     canonical = TRIANGLE
 
     def placement(self) -> Placement:
-        a, b, c = exact(self.a), exact(self.b), exact(self.c)
-        return np.column_stack([b - a, c - a, across(b - a, c - a)]), a
+        a, b, c = exact([self.a, self.b, self.c])
+        u, v = b - a, c - a
+        return np.array([u, v, across(u, v)]).T, a
 
     def flaws(self) -> Iterator[Flaw]:
         ends = (self.a, self.b), (self.a, self.c), (self.b, self.c)

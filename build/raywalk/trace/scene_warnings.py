@@ -207,8 +207,21 @@ def _outside(tracer: Tracer, waves: list[Wave], middle: np.ndarray) -> Iterator[
     for wave in waves:
         for met in (wave.hits.object, wave.lighting.blocker):
             away[met[met >= 0]] = False
+    surely = _is_beyond(tracer, frame, half, eye)
     for k in np.flatnonzero(away):
         # If all of its points are beyond one side, so is their middle: most need not be asked.
-        if beside(samples_of(tracer.compiled, int(k)).point).all(axis=1).any():
+        if surely[k] or beside(samples_of(tracer.compiled, int(k)).point).all(axis=1).any():
             name = quoted(scene.objects[k].name)
             yield f"{name} is outside the picture, and no ray of it meets it"
+
+
+def _is_beyond(tracer: Tracer, frame: np.ndarray, half: float, eye: np.ndarray) -> np.ndarray:
+    """(objects,) bool: a sphere that holds it lies behind the eye or beyond a side of the picture,
+    so that none of its points needs to be asked; never a mesh."""
+    table = tracer.compiled.primitives
+    x, y, z = frame @ (table.centre - eye).T
+    beyond = np.maximum(np.abs(x), np.abs(y)) - half * z
+    out = np.zeros(len(table.row_of), bool)
+    reach = np.sqrt(table.reach_sq)
+    out[table.object] = np.maximum(-z, beyond / np.hypot(1.0, half)) > reach
+    return out
