@@ -51,10 +51,42 @@ def test_a_folder_that_holds_something_else_is_refused_untouched(tmp_path):
     assert names(tmp_path) == ["thesis.txt"]
 
 
-def test_a_file_in_the_sites_place_is_refused_untouched(tmp_path):
+@pytest.mark.parametrize("said", ["settings\nindex.html\n", "", "\xff"])
+def test_another_programs_file_of_our_markers_name_is_no_leave(tmp_path, said):
+    """It could even list the files beside it."""
+    (tmp_path / MARKER).write_bytes(said.encode("latin-1"))
+    (tmp_path / "index.html").write_text("mine")
+    with pytest.raises(SourceErrors, match="which is no list of ours"):
+        write_site(tmp_path)
+    assert (tmp_path / "index.html").read_text() == "mine"
+
+
+def test_links_in_a_circle_and_names_too_long_are_refused(tmp_path):
+    (tmp_path / "one").symlink_to("two")
+    (tmp_path / "two").symlink_to("one")
+    for name in ("one", "x" * 300):
+        with pytest.raises(SourceErrors, match="is no place for a site"):
+            write_site(tmp_path / name)
+
+
+@pytest.mark.parametrize("out", ["scenes/dist", "scenes/01/dist", "work/dist", "."])
+def test_a_site_lies_in_nothing_that_builds_read(tmp_path, monkeypatch, capsys, out):
+    """Nor do they lie in it: `serve` would build for ever, and each site hold the one before."""
+    (tmp_path / "all" / "scenes" / "01").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path / "all")
+    write_site(Path("other"))
+    Path("other", MARKER).rename(MARKER)  # so that "." is a site's folder
+    for command in ("site", "serve"):
+        assert main([command, "--out", out, "--work", "work"]) == 1
+        said = capsys.readouterr().err
+        assert "which builds read" in said and "choose another --out" in said
+
+
+@pytest.mark.parametrize("place", ["dist", "dist/site"])
+def test_a_file_in_the_sites_place_is_refused_untouched(tmp_path, place):
     (tmp_path / "dist").write_text("notes")
-    with pytest.raises(SourceErrors, match="is a file; a site needs a folder"):
-        write_site(tmp_path / "dist")
+    with pytest.raises(SourceErrors, match="dist: is a file; a site needs a folder"):
+        write_site(tmp_path / place)
     assert (tmp_path / "dist").read_text() == "notes"
 
 
@@ -85,6 +117,41 @@ def test_a_site_from_before_there_were_marks_is_ours(tmp_path):
         (out / name).write_text("old")
     write_site(out)
     assert names(out) == [MARKER, "index.html"]
+
+
+def test_of_a_site_without_a_list_all_that_may_be_anybody_elses_stays(tmp_path):
+    for name in ("LICENSES.txt", "sizes.json", "sw.js", "index.html", "thesis.txt"):
+        (tmp_path / name).write_text("old")
+    write_site(tmp_path)
+    assert names(tmp_path) == [MARKER, "index.html", "thesis.txt"]
+
+
+def test_an_empty_folder_of_a_repository_stays(tmp_path, way):
+    """After `git gc` refs/heads is empty, and without it git finds no repository."""
+    out = tmp_path / "dist"
+    with publish.staged(out) as fresh:
+        (fresh / "slides").mkdir()
+        (fresh / "slides" / "deck.pdf").write_text("old")
+    (out / ".git" / "refs" / "heads").mkdir(parents=True)
+    write_site(out)
+    assert names(out) == sorted([".git", ".git/refs", ".git/refs/heads", MARKER, "index.html"])
+
+
+def test_a_file_that_is_not_ours_is_never_written_over(tmp_path, way):
+    """Put there before a site had one of its name; the site before stays, and so does the file."""
+    out = tmp_path / "dist"
+    with publish.staged(out) as fresh:
+        (fresh / "index.html").write_text("old")
+    (out / "robots.txt").write_text("mine")
+    with (
+        pytest.raises(SourceErrors, match=r"robots\.txt: is not ours, and a new file of the site"),
+        publish.staged(out) as fresh,
+    ):
+        (fresh / "index.html").write_text("new")
+        (fresh / "robots.txt").write_text("theirs")
+    assert (out / "index.html").read_text() == "old"
+    assert (out / "robots.txt").read_text() == "mine"
+    assert [path.name for path in tmp_path.iterdir()] == ["dist"]
 
 
 def test_what_somebody_put_beside_our_files_stays_and_our_old_files_go(tmp_path, way):

@@ -11,6 +11,7 @@ from typing import Any
 
 from raywalk.work import times
 from raywalk.work.last_build import LastBuild, inputs_of
+from raywalk.work.ownership import refuse_nested
 from raywalk.work.progress import Message
 from raywalk.work.publish import ready
 from raywalk.work.snapshot import one_build
@@ -57,7 +58,7 @@ def run(chosen: Namespace) -> Generator[str | Message, None, None]:
 def _run(chosen: Namespace) -> Iterator[str | Message]:
     started = time.monotonic()
     times.begin()
-    ready(chosen.out)  # before anything is traced
+    refuse_out(chosen)  # before anything is traced
     last = LastBuild(chosen.work, chosen.out)
     with times.phase("look what changed"):
         inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
@@ -83,6 +84,20 @@ def _run(chosen: Namespace) -> Iterator[str | Message]:
     if chosen.times:
         yield from times.table(chosen.times)
     yield f"{traced}; {size / 1e6:.1f} MB in {chosen.out}/, {time.monotonic() - started:.1f} s"
+
+
+def refuse_out(chosen: Namespace) -> None:
+    """Raises SourceErrors where a site must not go: over what somebody else has there, or into
+    what a build reads."""
+    ready(chosen.out)
+    refuse_nested(
+        chosen.out,
+        {
+            "the folder of scenes": chosen.scenes,
+            "the folder of templates": SITE_SOURCE,
+            "the folder of kept work": chosen.work,
+        },
+    )
 
 
 def listed_sizes(chosen: Namespace) -> Iterator[str]:

@@ -43,6 +43,7 @@ def run(chosen: Namespace) -> Iterator[str | Message]:
     if chosen.site:
         yield from _serve_as_it_is(chosen)
         return
+    build_site.refuse_out(chosen)  # before anything in it is handed out
     live = Live()
     service = _server(chosen.out, chosen.port, live)
     Thread(target=service.serve_forever, daemon=True).start()

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from raywalk.errors import SourceError, SourceErrors
 from raywalk.work.exchange import exchange
 from raywalk.work.leftovers import abandoned, owned_name
-from raywalk.work.ownership import keep_foreign, mark, refuse_foreign
+from raywalk.work.ownership import HINT, keep_foreign, mark, refuse_foreign
 
 TRIES = 20  # two builds that end in the same moment; each try lasts two renames
 SITE, REPLACED = "site", "replaced"  # in a folder beside: a site that may be needed again, or not
@@ -41,7 +42,12 @@ def staged(out: Path) -> Iterator[Path]:
 def ready(out: Path) -> Path:
     """Where the site goes: where a link leads, the link stays. What a killed build left is mended.
     Raises SourceErrors where something else is there."""
-    out = out.resolve()
+    try:
+        out = out.resolve()
+        out.exists()
+    except (OSError, RuntimeError, ValueError) as problem:  # links in a circle, a name too long
+        message = f"is no place for a site ({getattr(problem, 'strerror', None) or problem})"
+        raise SourceErrors([SourceError(out, "", message, hint=HINT)]) from None
     restore(out)
     refuse_foreign(out)
     return out
