@@ -18,7 +18,7 @@ from raywalk.slides.figure import Picture, Slide
 from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.layout import LAYOUTS, Box
-from raywalk.slides.lesson_words import words_and_pictures
+from raywalk.slides.lesson_words import plain_text, words_and_pictures
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import deck_pdf
 from raywalk.slides.pptx import deck_pptx
@@ -36,6 +36,7 @@ A photograph, ![a lake](<big lake.jpg>), and a plan: ![the plan](plan.svg)
 '''
 view = { resolution = 7, pixel = [3, 3], rays = ["all"], tiles = "empty" }
 """
+ON_PAGE = "(shown on the scene\u2019s page)"
 SIZES = {"angle.png": (300, 200), "big lake.jpg": (2400, 600)}
 
 
@@ -76,15 +77,21 @@ def test_each_picture_has_a_slide_behind_its_step(sketched: Made, aspect: str) -
         assert slide.is_continued and slide.notes == (picture.alt,)
     step = next(slide for slide in deck.slides if slide.title == "Equal angles.")
     said = " ".join(getattr(item, "words", "") for item in step.items)
-    assert "a lake" in said and "the plan" in said  # they stand in a sentence
+    # They stand in a sentence; a drawing that is not among the slides is on the page.
+    assert "a lake," in said and f"the plan {ON_PAGE}" in said
     assert "a ray and its mirror ray" not in said  # it is shown instead
     assert "a ray and its mirror ray" in step.notes[1]
 
 
 def test_a_picture_alone_leaves_no_words_and_others_their_own() -> None:
     paragraphs, shown = words_and_pictures("See ![x](a.png) here.\n\n![y](b.png)\n\n![z](c.svg)")
-    assert [each.text for each in paragraphs] == ["See x here.", "z"]
+    assert [each.text for each in paragraphs] == ["See x here.", f"z {ON_PAGE}"]
     assert [each.file for each in shown] == ["a.png", "b.png"]
+
+
+def test_a_worksheet_says_where_its_questions_pictures_are_seen() -> None:
+    """It has words alone, of whatever kind a picture is."""
+    assert plain_text("See ![x](a.png).", on_page=True) == f"See x {ON_PAGE}."
 
 
 def test_every_format_has_the_pictures(sketched: Made) -> None:

@@ -187,7 +187,8 @@ class StepTable(Table):
     """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
     text: LessonText = means(
-        "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png)"
+        "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png); "
+        "slides and worksheets have of an .svg its words"
     )
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
     answer: Maybe[LessonText] = maybe("what is said once everyone has predicted, in Markdown")

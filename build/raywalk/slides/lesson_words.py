@@ -10,6 +10,7 @@ from urllib.parse import unquote
 
 from raywalk.scene.lesson_text import lesson_html
 from raywalk.slides.figure import Run
+from raywalk.slides.words import say
 
 LONGEST_TITLE = 74  # characters: two lines on a slide
 BLOCKS = {"p", "li", "h1", "h2", "h3", "h4", "h5", "h6", "pre", "blockquote", "td", "th"}
@@ -25,10 +26,13 @@ class Paragraph:
         return "".join(run.text for run in self.runs)
 
 
-def paragraphs_of(markdown: str) -> list[Paragraph]:
-    """What a reader reads: links are their words, pictures their description."""
-    reader = _Reader()
-    reader.feed(lesson_html(markdown))
+def paragraphs_of(markdown: str, on_page: bool = False) -> list[Paragraph]:
+    """What a reader reads: links are their words, pictures their description.
+
+    on_page: they are seen on the scene's page only, which is said.
+    """
+    reader = _Reader(on_page)
+    reader.feed(lesson_html(markdown, "here" if on_page else ""))
     reader.close()
     reader.end_paragraph()
     return reader.paragraphs
@@ -43,7 +47,7 @@ class Shown(NamedTuple):
 
 def words_and_pictures(markdown: str) -> tuple[list[Paragraph], list[Shown]]:
     """The same, where pictures are shown: of one that stands by itself no word is left.
-    An SVG is put in words."""
+    An SVG is put in words, with where it is seen."""
     reader = _Reader()
     reader.feed(lesson_html(markdown, "here"))
     reader.close()
@@ -51,9 +55,9 @@ def words_and_pictures(markdown: str) -> tuple[list[Paragraph], list[Shown]]:
     return reader.paragraphs, reader.pictures
 
 
-def plain_text(markdown: str) -> str:
-    """All words in one line, as on the slides of the step taken together."""
-    return " ".join(paragraph.text for paragraph in paragraphs_of(markdown))
+def plain_text(markdown: str, on_page: bool = False) -> str:
+    """All words in one line, as on the slides of the step taken together. on_page: as above."""
+    return " ".join(paragraph.text for paragraph in paragraphs_of(markdown, on_page))
 
 
 def title_and_body(paragraphs: list[Paragraph]) -> tuple[str, list[Paragraph]]:
@@ -84,8 +88,9 @@ def _after(runs: tuple[Run, ...], skipped: int) -> tuple[Run, ...]:
 class _Reader(HTMLParser):
     """Collects runs from the HTML that our own Markdown writer made."""
 
-    def __init__(self) -> None:
+    def __init__(self, on_page: bool = False) -> None:
         super().__init__(convert_charrefs=True)
+        self.on_page = on_page
         self.paragraphs: list[Paragraph] = []
         self.pictures: list[Shown] = []
         self.runs: list[Run] = []
@@ -103,8 +108,9 @@ class _Reader(HTMLParser):
         if tag == "img":
             source, alt = (dict(attrs).get(key) or "" for key in ("src", "alt"))
             was, file = self.is_only_pictures, unquote(source.rpartition("/")[2])
-            self.handle_data(alt)
-            if not file.lower().endswith(".svg"):  # PDF and PowerPoint draw none: its words stay
+            is_svg = file.lower().endswith(".svg")  # PDF and PowerPoint draw none: its words stay
+            self.handle_data(say("slides.onPage", words=alt) if is_svg or self.on_page else alt)
+            if not is_svg:
                 self.pictures.append(Shown(file, alt))
                 self.is_only_pictures = was
         if tag == "math":

@@ -44,7 +44,7 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
 def questions(lesson: Lesson) -> list[Question]:
     """From the trace of the lesson's first grid, and the lesson's own."""
     return lesson.questions + [
-        Question(plain_text(step.text), plain_text(step.answer))
+        Question(plain_text(step.text, on_page=True), plain_text(step.answer, on_page=True))
         for step in lesson.scene.lesson
         if step.answer
     ]
