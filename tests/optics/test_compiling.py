@@ -93,3 +93,14 @@ def test_a_kernel_whose_cache_cannot_be_written_is_compiled_all_the_same(tmp_pat
         [sys.executable, "-c", script], env=settings, check=True, capture_output=True, text=True
     )
     assert done.stdout == "done\n"
+
+
+def test_where_nothing_is_to_be_compiled_a_kernel_is_the_function_itself():
+    """`make mutants` judges most mutants so: a changed kernel need not be compiled to fail."""
+    script = "from raywalk.optics.compiled import kernel, lean\n"
+    script += "print(type(kernel(lambda x: 2 * x)).__name__, lean(lambda x: 2 * x)(4))"
+    settings = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    done = subprocess.run(
+        [sys.executable, "-c", script], env=settings, check=True, capture_output=True, text=True
+    )
+    assert done.stdout == "function 8\n"

@@ -42,8 +42,11 @@ def compiled_once(dispatcher: Any) -> Any:
     does so for this function. Who waits finds the code in the cache afterwards.
 
     Processes do not wait for one another in a circle: a kernel's lock is kept while those it calls
-    are compiled, and no two kernels call each other.
+    are compiled, and no two kernels call each other. Where numba is told to compile nothing
+    (NUMBA_DISABLE_JIT), the kernel is the function itself.
     """
+    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+        return dispatcher
     compile_alone: Callable[..., Any] = dispatcher.compile
     name = f"{dispatcher.py_func.__module__}.{dispatcher.py_func.__qualname__}"
 
