@@ -24,7 +24,10 @@ const FORMULAS = {
   "Fresnel's or Snell's terms": /\b(?:n1|eta|cosT|sinT|cos_t)\b\s*[*/]/,
 };
 /** A formula's look that is something else here, with why. */
-const NOT_ONE = [["state/section.ts", "the discriminant of a quadratic"]]; // how far a point lies beside the drawn plane: Pythagoras
+const NOT_ONE = [
+  ["state/section.ts", "the discriminant of a quadratic"], // how far a point lies beside the drawn plane: Pythagoras
+  ["stage/flat-mirrors.ts", "a direction mirrored at a normal"], // where a camera's image stands behind a mirror: no ray is sent on
+];
 
 test("no source looks like a formula of the assignment", () => {
   for (const file of sources)
