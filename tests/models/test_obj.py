@@ -258,6 +258,12 @@ def test_materials_are_those_of_the_library_or_a_name(tmp_path: Path) -> None:
     assert [each.diffuse for each in missing.materials] == [None, None, None]
 
 
+def test_texture_coordinates_that_a_file_does_not_have_are_told(tmp_path: Path) -> None:
+    """Faces name them, and there is not one."""
+    named = obj_text(cube(), triangles()[:11]) + "f 1/1 2/2 4/3\n"
+    assert read(tmp_path, named).ignored == ("texture coordinates are not used: line 20 is broken",)
+
+
 def test_colours_behind_vertices_are_read(tmp_path: Path) -> None:
     """`v x y z r g b`, from 0 to 1 or to 255; not if only some vertices have one."""
     lines = CUBE.splitlines()

@@ -15,7 +15,7 @@ from urllib.parse import unquote
 import numpy as np
 
 from raywalk.models.faults import ModelFault, quoted
-from raywalk.models.gltf_buffers import Buffers, beside_gltf, whole
+from raywalk.models.gltf_buffers import Buffers, beside_gltf, entry_of, whole
 from raywalk.models.gltf_nodes import Placed, placed_meshes
 from raywalk.models.model import FileMaterial, Model, PerCorner
 from raywalk.models.ply import cut_strips
@@ -102,10 +102,17 @@ class _Reader:
         packed = [name for key, name in COMPRESSED.items() if key in extensions]
         mode = primitive.get("mode", TRIANGLES)
         attributes = primitive["attributes"]
+        if "POSITION" not in attributes:
+            raise ModelFault(
+                self.path, f"mesh {placed.mesh}", "one of its primitives has no POSITION",
+                "it has no place without: export the model again",
+            )  # fmt: skip
         if mode not in (TRIANGLES, STRIP, FAN):
             self.left_out["points and lines"] = None
             return
-        if packed and "bufferView" not in self.json["accessors"][attributes["POSITION"]]:
+        if packed and "bufferView" not in entry_of(
+            self.path, self.json, "accessors", attributes["POSITION"]
+        ):
             self.left_out[f"triangles compressed by {packed[0]}"] = None
             return
         at = self.buffers.accessor(attributes["POSITION"], (3,))
@@ -129,9 +136,10 @@ class _Reader:
         first = sum(len(each) for each in self.vertices[:-1])
         self.faces.append(faces + np.int32(first) if first else faces)
         self.count += len(faces)
-        material = whole(primitive["material"]) if "material" in primitive else -1
-        if material >= len(self.json.get("materials", [])):
-            raise IndexError(f"there is no material {material}")
+        material = -1
+        if "material" in primitive:
+            material = whole(primitive["material"])
+            entry_of(self.path, self.json, "materials", material)
         self.material.append(np.full(len(faces), material, np.int32))
         part = self.parts.setdefault(placed.name, len(self.parts))
         self.part.append(np.full(len(faces), part, np.int32))
@@ -231,7 +239,7 @@ def parts_of(path: Path, data: bytes) -> tuple[dict[str, Any], bytes | memoryvie
 
 
 def _material(path: Path, document: dict[str, Any], index: int) -> FileMaterial:
-    entry = document["materials"][index]
+    entry = entry_of(path, document, "materials", index)
     name = str(entry.get("name") or f"material {index + 1}")
     surface = entry.get("pbrMetallicRoughness", {})
     r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in surface.get("baseColorFactor", [1] * 4))
@@ -242,11 +250,13 @@ def _texture(path: Path, document: dict[str, Any], surface: dict[str, Any]) -> d
     """Keys of FileMaterial: which picture, where, and how it is looked up."""
     if "baseColorTexture" not in surface:
         return {}
-    texture = document["textures"][whole(surface["baseColorTexture"]["index"])]
+    texture = entry_of(path, document, "textures", surface["baseColorTexture"]["index"])
     if "source" not in texture:  # an extension's format
         return {}
-    image = document["images"][whole(texture["source"])]
-    sampler = document["samplers"][whole(texture["sampler"])] if "sampler" in texture else {}
+    image = entry_of(path, document, "images", texture["source"])
+    sampler = {}
+    if "sampler" in texture:
+        sampler = entry_of(path, document, "samplers", texture["sampler"])
     uri = str(image.get("uri", ""))
     held = not uri or uri.startswith("data:")
     return {

@@ -47,7 +47,7 @@ class Buffers:
 
     def _values(self, index: int, wide: tuple[int, ...]) -> tuple[dict[str, Any], np.ndarray, str]:
         """Its entry, its numbers (n, w) as they are, and their kind."""
-        entry = self.json["accessors"][whole(index)]
+        entry = entry_of(self.path, self.json, "accessors", index)
         kind, size = KINDS.get(entry["componentType"]), WIDE.get(entry["type"])
         count = whole(entry["count"])
         if kind is None or size not in wide:
@@ -64,7 +64,7 @@ class Buffers:
 
     def view(self, index: int) -> bytes:
         """The bytes of a view of a buffer, as far as they are there. Raises ModelFault."""
-        entry = self.json["bufferViews"][index]
+        entry = entry_of(self.path, self.json, "bufferViews", index)
         begin = whole(entry.get("byteOffset", 0))
         held = self._buffer(whole(entry["buffer"]))
         return bytes(held[begin : begin + whole(entry["byteLength"])])
@@ -92,7 +92,7 @@ class Buffers:
     def _view(
         self, index: int, view: int, offset: int, kind: str, count: int, size: int
     ) -> np.ndarray:
-        entry = self.json["bufferViews"][whole(view)]
+        entry = entry_of(self.path, self.json, "bufferViews", view)
         data = self._buffer(whole(entry["buffer"]))
         begin, length = whole(entry.get("byteOffset", 0)), whole(entry["byteLength"])
         item = np.dtype(kind).itemsize * size
@@ -112,7 +112,7 @@ class Buffers:
         return self._read[index]
 
     def _bytes(self, index: int) -> bytes | memoryview:
-        uri = self.json["buffers"][index].get("uri")
+        uri = entry_of(self.path, self.json, "buffers", index).get("uri")
         if uri is None:
             return self.chunk
         if uri.startswith("data:"):
@@ -145,6 +145,24 @@ def beside_gltf(path: Path, document: dict[str, Any]) -> Iterator[Path]:
         uri = buffer.get("uri")
         if isinstance(uri, str) and not uri.startswith("data:"):
             yield path.parent / unquote(uri)
+
+
+ONE = {"meshes": "mesh"}  # of others without the s
+
+
+def entry_of(path: Path, document: dict[str, Any], kind: str, index: Any) -> dict[str, Any]:
+    """One of a list of the file, such as its meshes. Raises ModelFault where it has fewer."""
+    entries, place = document.get(kind, []), whole(index)
+    if not isinstance(entries, list):
+        raise TypeError(f"{kind} is no list")
+    if place >= len(entries):
+        there = f"there are 0 to {len(entries) - 1}" if entries else "there is none"
+        raise ModelFault(
+            path, "", f"it names {ONE.get(kind, kind[:-1])} {place}, and {there}",
+            "the file is damaged: export the model again",
+        )  # fmt: skip
+    found: dict[str, Any] = entries[place]
+    return found
 
 
 def whole(value: Any) -> int:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raywalk.models.faults import ModelFault
-from raywalk.models.gltf_buffers import whole
+from raywalk.models.gltf_buffers import entry_of
 
 TURNS = ("matrix", "rotation", "scale", "translation")
 HUGE = 1e100  # of a node's matrix
@@ -29,7 +29,7 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
     nodes = document.get("nodes", [])
     scenes = document.get("scenes", [])
     if scenes:
-        first = scenes[whole(document.get("scene", 0))].get("nodes", [])
+        first = entry_of(path, document, "scenes", document.get("scene", 0)).get("nodes", [])
     else:
         inner = {child for node in nodes for child in node.get("children", [])}
         first = [k for k in range(len(nodes)) if k not in inner]
@@ -46,13 +46,13 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
                 "the file is damaged: export the model again",
             )  # fmt: skip
         met.add(index)
-        node = nodes[whole(index)]
+        node = entry_of(path, document, "nodes", index)
         own = _matrix(node)
         if not (np.abs(own) < HUGE).all():
             raise ModelFault(path, f"node {index}", "its place is no number", "export it again")
         matrix = outer @ own
         if "mesh" in node:
-            mesh = document["meshes"][whole(node["mesh"])]
+            mesh = entry_of(path, document, "meshes", node["mesh"])
             name = node.get("name") or mesh.get("name") or f"node {index}"
             yield Placed(node["mesh"], matrix, str(name))
         waiting += [(child, matrix) for child in reversed(node.get("children", []))]

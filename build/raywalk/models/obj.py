@@ -288,9 +288,9 @@ class _Reader:
     ) -> PerCorner | None:
         """Rows of a table at the corners of triangles; None, and said, where it is broken."""
         row = _whole(rows, np.int64)
-        if not len(values) or not row.any():
+        if not row.any():
             return None
-        table = np.frombuffer(values).reshape(-1, wide)
+        table = np.frombuffer(values or array("d")).reshape(-1, wide)
         if row.max() > len(table):
             place = int(np.searchsorted(np.cumsum(self.counts), row.argmax(), side="right"))
             self.broken.setdefault(what, self.line_of[place])

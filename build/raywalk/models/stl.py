@@ -57,7 +57,8 @@ def _binary(path: Path, data: bytes) -> Model:
         )  # fmt: skip
     count = stated if 0 < stated <= there else there
     if stated != there:
-        ignored.append(f"the count in its header, {stated}, is wrong: {there} triangles follow")
+        follow = "1 triangle follows" if there == 1 else f"{there} triangles follow"
+        ignored.append(f"the count in its header, {stated}, is wrong: {follow}")
         ignored += [f"what follows triangle {count} is not read"] if count < there else []
     records = np.frombuffer(data, RECORD, count, HEADER)
     with np.errstate(invalid="ignore"):

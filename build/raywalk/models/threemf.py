@@ -24,6 +24,7 @@ import numpy as np
 
 from raywalk.models.faults import ModelFault, quoted
 from raywalk.models.model import Colour, FileMaterial, Model
+from raywalk.models.text import why_no_number
 
 MODEL = "3d/3dmodel.model"
 PART_PATH = "{http://schemas.microsoft.com/3dmanufacturing/production/2015/06}path"
@@ -200,7 +201,10 @@ class _Reader:
         except KeyError:
             self._fault(element, f"it has no {key}")
         except ValueError:
-            self._fault(element, f"{key} is {quoted(element.attrib[key])}, which is not a number")
+            cause, remedy = why_no_number(element.attrib[key].encode())
+            kind = element.tag.rpartition("}")[2]
+            place = f"{key} of a <{kind}> of {quoted(self.now.name)}"
+            raise ModelFault(self.path, place, cause, remedy) from None
 
     def _index(self, element: Element, key: str) -> int:
         text = element.get(key, "")
