@@ -85,6 +85,7 @@ def test_the_scene_without_slips_is_in_order(tmp_path):
         ('"sphere"', "sphere", "sphere is no value", 'in quotes: "sphere"'),
         ("0.5\n", "Yes\n", "Yes is no value", "true and false"),
         ("[0, -1, 0]", "[0; -1; 0]", "; separates nothing", "by commas"),
+        ("[0, -1, 0]", "[0 -1 0]", "0 -1 has no comma between its numbers", "by commas"),
         ("fov = 40", "fov: 40", "a colon stands behind fov", "write fov = ..."),
         ("[0, -1, 0]", "(0, -1, 0)", "(0, -1, 0) stands in round", "write [0, -1, 0]"),
         ("[0, -1, 0]", "0, -1, 0", "0, -1, 0 stands in no brackets", "write [0, -1, 0]"),
@@ -123,6 +124,8 @@ def test_texts_and_comments_may_hold_any_of_them(tmp_path):
 
 def test_a_mistake_of_another_kind_keeps_the_parsers_words(tmp_path):
     assert "this is not TOML" in said_of(tmp_path, "[camera]", "[camera")
+    said = said_of(tmp_path, "[0, -1, 0]", "[0, -1, 0")
+    assert "unclosed array" in said and "on a line before is not closed" in said
 
 
 @pytest.mark.parametrize(
@@ -144,6 +147,11 @@ def test_a_point_with_decimal_commas_is_told_so(tmp_path):
     said = said_of(tmp_path, "[0, 0, 5]", "[0, 0,8, 5]")
     assert "camera.eye: [0, 0, 8, 5] is not three numbers" in said
     assert "0,8 is two numbers" in said
+
+
+def test_a_misspelt_type_is_named(tmp_path):
+    said = said_of(tmp_path, 'type = "sphere"', 'Typ = "sphere"')
+    assert 'objects[0].type: missing\n  "Typ" stands there  known: sphere' in said
 
 
 def test_control_characters_are_shown_and_not_sent_to_the_terminal():

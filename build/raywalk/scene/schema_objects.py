@@ -255,7 +255,9 @@ def _with_known_type(value: Any) -> Any:
     if not isinstance(kind, str) or kind not in SHAPES:
         known = f"known: {joined(SHAPES)}"
         if kind is None:
-            raise refusal("missing", at="type", allowed=known)
+            slip = next((key for key in value if closest(key, ["type"])), "")
+            hint = f"{quoted(slip)} stands there" if slip else ""
+            raise refusal("missing", at="type", allowed=known, hint=hint)
         message = f"{show(kind)} is not a shape"
         raise refusal(message, at="type", allowed=known, hint=did_you_mean(kind, SHAPES))
     return value

@@ -54,6 +54,8 @@ def _position(text: str, place: int) -> tuple[int, int]:
 def _hint(what: str) -> str:
     if "Cannot overwrite" in what or "Cannot declare" in what or "Cannot mutate" in what:
         return "a key or table stands here a second time"
+    if "Unclosed" in what:
+        return "a bracket that is opened on a line before is not closed: ] or }"
     if "Invalid value" in what:
         return "texts stand in quotes, yes and no are true and false, decimals have a point"
     return ""

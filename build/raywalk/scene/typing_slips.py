@@ -10,7 +10,7 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-from raywalk.scene.typed_numbers import NUMBER, PLAIN, Slip, number_slips
+from raywalk.scene.typed_numbers import ITS_END, NUMBER, PLAIN, Slip, number_slips
 
 #: Texts in any of TOML's quotes, and comments: what is in them is nobody's business.
 SPOKEN = re.compile(
@@ -34,6 +34,10 @@ FOREIGN = [
     (
         rf"=[ \t]*({NUMBER})[ \t]*(°|[a-df-zµ]+)[ \t]*$",
         "{1} has a unit, {2}", "write {1}: lengths are in world units, angles in degrees",
+    ),
+    (
+        rf"[\[,][ \t]*({NUMBER}[ \t]+{NUMBER}){ITS_END}",
+        "{1} has no comma between its numbers", "numbers are separated by commas",
     ),
     (rf"({NUMBER})[ \t]*%", "{0} is no number", "write it as a share of 1, such as 0.5"),
     (
