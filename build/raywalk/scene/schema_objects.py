@@ -26,7 +26,7 @@ from raywalk.scene.fields import (
 from raywalk.scene.schema_transforms import TransformTable
 from raywalk.scene.shapes import CREASE, Triple
 from raywalk.scene.table import LIST, SINGLE, TABLE, Table, by_form
-from raywalk.scene.wording import TAG, did_you_mean, joined, show
+from raywalk.scene.wording import TAG, closest, did_you_mean, joined, quoted, show
 
 Repeat = Annotated[tuple[Positive, Positive], Allowed("two numbers above 0, [across, upwards]")]
 
