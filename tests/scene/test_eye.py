@@ -11,16 +11,23 @@ from raywalk.scene.checks import is_strictly_inside
 from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
 
+# Shares of the way to the surface, and whether one is inside there.
+WAYS = ((0.5, True), (0.75, True), (1 - 1e-10, True), (1 + 1e-10, False))
 
+
+@pytest.mark.parametrize("is_moved", [True, False], ids=["moved", "as it is"])
 @pytest.mark.parametrize("kind", SOLIDS)
-def test_a_place_is_inside_up_to_the_surface(rng: np.random.Generator, kind: str) -> None:
-    """From the middle outwards in 60 directions: inside until a billionth before the surface,
-    outside from a billionth behind it."""
-    obj = SceneObject(kind, SHAPES[kind], 0, random_affine(rng))
+def test_a_place_is_inside_up_to_the_surface(
+    rng: np.random.Generator, kind: str, is_moved: bool
+) -> None:
+    """From the middle outwards in 60 directions: inside until a ten-billionth before the surface,
+    outside from as much behind it. One that nothing moves is asked by a sphere round it first."""
+    moved = (random_affine(rng),) if is_moved else ()
+    obj = SceneObject(kind, SHAPES[kind], 0, *moved)
     middle = placement(obj)[1]
     for direction in unit(rng.normal(size=(60, 3))):
         [hit] = true_hits(obj, middle, direction)
-        for share, expected in ((0.5, True), (0.75, True), (1 - 1e-9, True), (1 + 1e-9, False)):
+        for share, expected in WAYS:
             place = middle + share * float(hit.t) * direction
             assert is_strictly_inside(place.tolist(), obj) == expected
 
