@@ -9,7 +9,7 @@ from tests.geometry.by_hand import SHAPES, SOLIDS, random_affine, unit
 from raywalk.bench.truth import true_hits
 from raywalk.scene.checks import is_strictly_inside
 from raywalk.scene.model import SceneObject
-from raywalk.scene.placement import placement
+from raywalk.scene.placement import UNMOVED, placement
 
 # Shares of the way to the surface, and whether one is inside there.
 WAYS = ((0.5, True), (0.75, True), (1 - 1e-10, True), (1 + 1e-10, False))
@@ -22,8 +22,7 @@ def test_a_place_is_inside_up_to_the_surface(
 ) -> None:
     """From the middle outwards in 60 directions: inside until a ten-billionth before the surface,
     outside from as much behind it. One that nothing moves is asked by a sphere round it first."""
-    moved = (random_affine(rng),) if is_moved else ()
-    obj = SceneObject(kind, SHAPES[kind], 0, *moved)
+    obj = SceneObject(kind, SHAPES[kind], 0, random_affine(rng) if is_moved else UNMOVED)
     middle = placement(obj)[1]
     for direction in unit(rng.normal(size=(60, 3))):
         [hit] = true_hits(obj, middle, direction)
