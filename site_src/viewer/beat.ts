@@ -11,6 +11,8 @@ export interface BeatActs {
   runs: () => boolean; // does time move?
   step: (seconds: number) => void;
   blinks: () => boolean;
+  /** ms since the last frame while time runs; 0: it does not. */
+  paced: (ms: number) => void;
 }
 
 export function createBeat(acts: BeatActs) {
@@ -23,13 +25,20 @@ export function createBeat(acts: BeatActs) {
   function tick(now: number) {
     frame = 0;
     if (acts.runs()) {
-      if (last) acts.step(Math.min(LONGEST_STEP, (now - last) / 1000));
+      if (last) {
+        acts.step(Math.min(LONGEST_STEP, (now - last) / 1000));
+        acts.paced(now - last);
+      }
       last = now;
-    } else last = 0;
+    } else stop();
     acts.draw();
     if (acts.runs()) ask();
-    else last = 0;
+    else stop();
     blink();
+  }
+  function stop() {
+    if (last) acts.paced(0);
+    last = 0;
   }
   function ask() {
     if (acts.runs()) last ||= performance.now(); // the way to the first frame counts as well

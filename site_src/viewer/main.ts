@@ -53,6 +53,7 @@ function start(own: HTMLScriptElement) {
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
   const modes = createModes(session, acts, { link: bar.link, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });
+  const busy = onDemand.one("busy", ({ createBusy }) => createBusy(parts.views.stage));
   const beat = createBeat({
     draw() {
       modes.show();
@@ -60,6 +61,7 @@ function start(own: HTMLScriptElement) {
     },
     runs: () => session.state?.tiles === "filling" || session.state?.playing === true,
     step: (seconds) => passTime(session, seconds),
+    paced: (ms) => busy.when(ms > 125, () => {})?.frame(ms),
     blinks: () => !!session.state && !session.state.still && !reducedMotion.matches && parts.linesDrawn() < BLINK_UP_TO,
   });
 

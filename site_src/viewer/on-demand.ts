@@ -16,12 +16,15 @@ const PARTS = {
   code: () => import("./panels/code"),
   saving: () => import("./saving"),
   drawer: () => import("./panels/drawer"),
+  guide: () => import("./panels/guide"),
   lecture: () => import("./panels/lecture"),
   spoken: () => import("./panels/spoken"),
   "traced-picture": () => import("./stage/traced-picture"),
   surroundings: () => import("./stage/surroundings"),
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),
+  inset: () => import("./stage/inset"),
+  busy: () => import("./stage/busy"),
   flat: () => import("./stage/flat"),
   "event-words": () => import("./event-words"),
   told: () => import("./panels/told"),
@@ -107,6 +110,10 @@ export function createOnDemand(own: HTMLScriptElement, notice: Notice) {
         nowOr(come: () => void) {
           if (!here.has(name) && !isAsked) this.use(() => come());
           return this.now();
+        },
+        /** It is not asked for before it is wanted; from then on it is there. */
+        when(isWanted: boolean, come: () => void) {
+          return isWanted ? this.nowOr(come) : this.now();
         },
       };
     },

@@ -10,7 +10,6 @@ import { createLesson } from "./panels/lesson";
 import { createPage, type PageParts } from "./panels/page";
 import { createPicture } from "./panels/picture";
 import { createPlayer } from "./panels/player";
-import { createTileColours } from "./panels/tile-colours";
 import { createToolsDrawer } from "./panels/tools-drawer";
 import type { SavedView } from "./saving";
 import type { Session } from "./session";
@@ -29,11 +28,12 @@ export interface PartsPlace {
   simpler: (why: string) => void;
 }
 
-const ON_STAGE = ".stage > .picture"; // what must not hide a label
+const ON_STAGE = ".stage > .picture, .busy-note"; // what must not hide a label
 const NARROW = "(max-width: 760px)";
 
 function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: PartsPlace) {
   const whatIf = onDemand.one("what-if", ({ createWhatIf }) => createWhatIf(acts, home));
+  const drawer = createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start"), whatIf: () => whatIf.use(({ turn }) => (turn(), session.changed())) }, session.changed, onDemand);
   return {
     picture: createPicture(page.root, { ...acts, failed: pictureFailed }),
     card: createCard(acts, onDemand),
@@ -42,8 +42,9 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     lesson: createLesson(acts),
     player: createPlayer(acts),
     whatIf,
-    drawer: createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start"), whatIf: () => whatIf.use(({ turn }) => (turn(), session.changed())) }, session.changed, onDemand),
-    tileColours: createTileColours(session.changed, onDemand),
+    drawer,
+    guide: onDemand.one("guide", ({ createGuide }) => createGuide(drawer.open)),
+    tileColours: onDemand.one("tile-legend", ({ createTileLegend }) => createTileLegend(home.querySelector(".below-row")!)),
     page: createPage(page, onDemand),
     savings: onDemand.one("told", ({ createSavings }) => createSavings(home.querySelector(".side")!)),
     // Nothing is spoken before the page is whole.
@@ -53,12 +54,12 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
 type Panels = ReturnType<typeof createPanels>;
 
 /** The stage with the drawer beside it and the ray card at its other side, and under all of them what is told and done. */
-function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, drawer, tileColours }: Panels) {
+function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, card, controls, legend, lesson, player, drawer }: Panels) {
   const space = element("section", "stage", stage.element);
   const side = element("div", "side", card.head, card.element, legend.element);
   // What is told comes first for those who go through the page by Tab, wherever it stands.
   home.append(
-    element("div", "below", lesson.element, element("div", "below-row", player.element, controls.element), tileColours.element),
+    element("div", "below", lesson.element, element("div", "below-row", player.element, controls.element)),
     element("div", "stage-row", drawer.element, space),
     side,
   );
@@ -70,7 +71,7 @@ function layOut(home: HTMLElement, draw: () => void, stage: Stage, { picture, ca
   return (state: ViewState) => {
     const inset = narrow.matches || document.body.classList.contains("embed") || (state.projector && state.tab === "none");
     if (inset !== isInset) (inset ? space : side).prepend(picture.element);
-    isInset = inset;
+    return (isInset = inset);
   };
 }
 
@@ -93,10 +94,11 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.controls.show(state, scene);
   panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null, words);
   panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
-  if (isSwitched(state.switches) || panels.whatIf.now()) panels.whatIf.nowOr(session.changed)?.show(state, traced.scene);
-  panels.tileColours.show(state, view, trace, session.pointed);
+  panels.guide.when(state.step !== null, session.changed)?.show(state);
+  panels.whatIf.when(isSwitched(state.switches), session.changed)?.show(state, traced.scene);
+  panels.tileColours.when(state.colours !== "picture", session.changed)?.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
-  if (state.tab !== "none") panels.savings.nowOr(session.changed)?.show(scene); // it stands under a tab
+  panels.savings.when(state.tab !== "none", session.changed)?.show(scene); // it stands under a tab
   panels.spoken.now()?.show(state, scene, trace, asking);
 }
 
@@ -115,9 +117,10 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   });
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const eventWords = onDemand.one("event-words", (part) => part);
-  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), scrolled: () => hint.use((tell) => tell()), traced: (isWanted, come) => (isWanted ? tracedPicture.nowOr(come) : tracedPicture.now()) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), scrolled: () => hint.use((tell) => tell()), traced: (isWanted, come) => tracedPicture.when(isWanted, come) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
+  const corner = onDemand.one("inset", ({ createInset }) => createInset(panels.picture.element, session.changed));
   const slice = onDemand.one("slice", ({ createSlice, sectionOf }) => {
     const made = createSlice({ pick: acts.pickAlong });
     stage.element.after(made.element);
@@ -154,8 +157,9 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       const { state, scene, trace, view } = present;
       showPanels(panels, session, () => eventWords.nowOr(session.changed), present);
       home.classList.toggle("opened", state.tab !== "none");
-      place(state);
+      const inset = place(state);
       showStage(present, dark); // last: its labels keep clear of the panels that stand on it now
+      if (inset && !shownSlice) corner.nowOr(session.changed)?.show(stage.drawn());
       drawn = { scene: scene.id, n: state.n, tiles: trace ? view.tiles : 0, lines: view.thin.length };
     },
     views: { stage, slice: () => shownSlice },

@@ -66,10 +66,14 @@ export function createSaving(session: Session, { stage, slice }: Views, notify: 
         enlarged(view, scale, (canvas) => snapshot(canvas, view.element, isClear ? null : says).toBlob((blob) => trying(() => keep(blob, "png", done))));
       }),
     slide(done: Done) {
-      const says = caption();
-      const drawn = says === null || slice() ? null : stage.slide(slideSvg, says);
-      if (drawn === null) notify(say("tools.noSlide"));
-      else trying(() => keep(new Blob([drawn], { type: "image/svg+xml" }), "svg", done));
+      const [says, drawn] = [caption(), slice() ? null : stage.drawn()];
+      if (says === null || !drawn) return notify(say("tools.noSlide"));
+      const { view, projection } = drawn;
+      stage.show({ ...view, chosen: [], lit: null }); // those are drawn as lines
+      const picture = stage.redrawn().toDataURL();
+      stage.show(view);
+      const figure = slideSvg(picture, view.chosen, stage.element.querySelector(".labels")!, says, projection, view.scene.bounds.radius / 300);
+      trying(() => keep(new Blob([figure], { type: "image/svg+xml" }), "svg", done));
     },
   };
 }

@@ -19,7 +19,7 @@ export function createCardHead(acts: Pick<Actions, "move"> & { copy: (what: Copy
     return made;
   });
   return {
-    element: element("div", "card-head", chip, element("h2", "pixel", name, rgb), element("div", "joined arrows", ...arrows), element("div", "copies", ...copies)),
+    element: element("div", "card-head", chip, element("h2", "pixel", name, rgb), element("p", "pixel-ray", say("card.oneRay")), element("div", "joined arrows", ...arrows), element("div", "copies", ...copies)),
     /** colour: null while it is not known, or would give an answer away. */
     show([column, row]: readonly [number, number], colour: readonly number[] | null) {
       name.textContent = say("card.pixel", { column, row });

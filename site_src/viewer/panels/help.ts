@@ -3,7 +3,7 @@ import { say } from "../words";
 import { createDialog } from "./dialog";
 import { button, element, pressed } from "../element";
 import { sayDone } from "./done";
-import { isFirstTime, singleKeys } from "./remember";
+import { singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */
 const GROUPS = [
@@ -101,4 +101,10 @@ export function createKeySign(body: HTMLElement) {
 }
 
 /** Said once, when a finger on the stage has scrolled the page. */
-export const createSwipeHint = () => () => isFirstTime("swipe") && sayDone(document.body, say("stage.swipe"));
+export function createSwipeHint() {
+  let isSaid = false;
+  return () => {
+    if (!isSaid) sayDone(document.body, say("stage.swipe"));
+    isSaid = true;
+  };
+}

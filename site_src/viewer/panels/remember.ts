@@ -19,13 +19,6 @@ export const singleKeys = {
   },
 };
 
-/** Is it? From then on it is not. */
-export function isFirstTime(of: string): boolean {
-  const first = recall(of) === null;
-  remember(of, "seen");
-  return first;
-}
-
 let tellRefused = () => {};
 /** act: storage is full or refused, so what was chosen holds until the page is closed. */
 export const whenRefused = (act: () => void) => void (tellRefused = act);

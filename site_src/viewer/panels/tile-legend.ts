@@ -42,21 +42,23 @@ function boxWords({ boxes, spheres, without }: RayBoxes, made: number): string[]
   return [say("tileView.boxes.saved", { made: grouped(made), without: grouped(without), saved }), shown];
 }
 
-export type Pointed = readonly [number, number] | null;
+type Pointed = readonly [number, number] | null;
 
-/** Writes into `legend`. */
-export function createTileLegend(legend: HTMLElement) {
+/** row: the element that it stands under. */
+export function createTileLegend(row: Element) {
   const [least, most] = [element("span"), element("span")];
   const bar = element("span", "ramp");
   bar.style.backgroundImage = ramp();
   const scale = element("div", "scale numbers", least, bar, most);
   const means = element("p", "means");
   const values = element("p", "tile-values numbers");
-  legend.append(means, scale, values);
+  const legend = element("div", "tile-legend", means, scale, values);
+  row.after(legend);
 
   return {
-    show({ pixel }: Pick<ViewState, "pixel">, costs: Costs, { boxes }: Pick<Shown, "boxes">, trace: Trace, pointed: Pointed) {
-      if (costs.view === "picture") return;
+    show({ pixel, colours }: ViewState, { costs, boxes }: Shown, trace: Trace | null, pointed: Pointed) {
+      legend.hidden = colours === "picture" || !trace || !costs;
+      if (legend.hidden || !trace || !costs || costs.view === "picture") return;
       scale.hidden = !costs.values;
       means.textContent = say(`tileView.means.${costs.view}`);
       const end = (value: number) => (costs.values ? written(costs.view as ScaledView, value, true) : "");

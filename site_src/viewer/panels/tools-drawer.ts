@@ -11,27 +11,36 @@ export function createToolsDrawer(acts: DrawerActs, draw: () => void, onDemand: 
   const toggle = button(say("drawer.word"), say("drawer.help"), turn, { className: "open-drawer" });
   const root = named(element("section", "drawer"), say("drawer.word"));
   root.id = "drawer";
-  root.hidden = true;
   toggle.setAttribute("aria-controls", root.id);
   const content = onDemand.one("drawer", ({ createDrawer }) => {
     const made = createDrawer(acts);
     root.append(...made.parts);
     return made;
   });
-  function turn() {
-    root.hidden = !root.hidden;
-    toggle.setAttribute("aria-expanded", String(!root.hidden));
-    if (root.hidden) return;
+  const show = (on: boolean) => {
+    root.hidden = !on;
+    toggle.setAttribute("aria-expanded", String(on));
+  };
+  /** then: called when its tools are there. */
+  function open(then: () => void) {
+    show(true);
     content.use(() => {
       draw();
+      then();
+    });
+  }
+  function turn() {
+    if (!root.hidden) return show(false);
+    open(() => {
       root.scrollIntoView({ block: "nearest" });
       if (toggle.matches(":focus-visible")) root.querySelector("button")?.focus(); // opened by key, whose way on this is
     });
   }
-  toggle.setAttribute("aria-expanded", "false");
+  show(false);
   return {
     element: root,
     toggle,
+    open,
     show(state: ViewState, scene: SceneData) {
       if (!root.hidden) content.now()?.show(state, scene);
     },

@@ -3,7 +3,7 @@
  * row's or a column's rays drawn flat. Under it one sentence says what is seen.
  */
 import type { Actions } from "../actions";
-import { isClear, isMirror, LOOKS, type Look } from "../state/look";
+import { drawsShadows, isClear, isMirror, LOOKS, type Look } from "../state/look";
 import { SLICES, type Slice, type ViewState } from "../state/view-state";
 import type { MaterialData, SceneData } from "../trace/types";
 import { list, say } from "../words";
@@ -13,10 +13,11 @@ type Direction = Exclude<Slice, "none">;
 const DIRECTIONS = SLICES.filter((slice): slice is Direction => slice !== "none");
 
 /** What is seen, and by which tricks: only those that the scene needs. */
-function noteOf(look: Look, { shadows, files, materials }: SceneData): string {
+function noteOf(look: Look, scene: SceneData): string {
+  const { files, materials } = scene;
   if (look !== "approximate") return say(`look.${look}.note`);
   const looksUp = (is: (material: MaterialData) => boolean) => "surroundings" in files && materials.some(is);
-  const tricks = [...(shadows ? [say("look.tricks.shadows")] : []), ...(looksUp(isMirror) ? [say("look.tricks.mirrors")] : []), ...(looksUp(isClear) ? [say("look.tricks.glass")] : [])];
+  const tricks = [...(drawsShadows(scene) ? [say("look.tricks.shadows")] : []), ...(looksUp(isMirror) ? [say("look.tricks.mirrors")] : []), ...(looksUp(isClear) ? [say("look.tricks.glass")] : [])];
   return tricks.length ? say("look.approximate.note", { tricks: list(tricks) }) : say("look.plain.note");
 }
 

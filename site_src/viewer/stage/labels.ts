@@ -46,7 +46,7 @@ const distance = (at: number, low: number, high: number) => Math.max(low - at, 0
 const isOn = ({ x, y, radius }: Round, { left, right, top, bottom }: Box) => Math.hypot(distance(x, left, right), distance(y, top, bottom)) < radius;
 
 /** Do lines pass the box, or its surroundings? (Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, 1984) */
-function isStruck({ left, top, right, bottom }: Box, ends: readonly number[]): boolean {
+export function isStruck({ left, top, right, bottom }: Box, ends: readonly number[]): boolean {
   for (let k = 0; k < ends.length; k += 4) {
     let [from, to] = [0, 1];
     for (const [axis, low, high] of [[0, left, right], [1, top, bottom]]) {
@@ -84,11 +84,7 @@ function place({ text, kind, x, y, below }: Label, width: number, height: number
 function lead({ style }: HTMLElement, { x, y }: Label, { left, top, right, bottom }: Box) {
   const [fromX, fromY] = [Math.max(left, Math.min(right, x)), Math.max(top, Math.min(bottom, y))];
   const long = Math.hypot(x - fromX, y - fromY);
-  const put = (name: string, value: string) => style.setProperty(`--lead-${name}`, value);
-  put("x", `${fromX - left}px`);
-  put("y", `${fromY - top}px`);
-  put("long", `${long < LED ? 0 : long - 8}px`);
-  put("turn", `${Math.atan2(y - fromY, x - fromX)}rad`);
+  style.setProperty("--lead", `translate(${fromX - left}px, ${fromY - top}px) rotate(${Math.atan2(y - fromY, x - fromX)}rad) scaleX(${long < LED ? 0 : long - 8})`);
 }
 
 export function createLabels() {

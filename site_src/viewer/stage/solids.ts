@@ -21,6 +21,7 @@ import {
 import { meshOf } from "../state/mesh";
 import { isWithin, toWorld } from "../state/placing";
 import { endsOf, FORMS } from "../state/shapes";
+import { drawsShadows } from "../state/look";
 import type { Part, Switches } from "../state/switches";
 import { cross, dot, scale, sub } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
@@ -32,7 +33,6 @@ import { createWall } from "./wall";
 // Segments round a sphere: no corner shows at full screen. Of thousands, which are small there, as few
 // as a graphics card draws at ease.
 const roundOf = ({ objects }: SceneData) => Math.max(8, Math.min(64, 2 * Math.floor(400 / Math.sqrt(objects.length))));
-const MANY = 1000; // objects from which on no shadow is drawn: each of a light's six sides would draw all
 const EVERYWHERE = 0.22 * Math.PI; // strength of the light that comes from all sides
 const SHADOW_PIXELS = 512; // of each of a light's six sides
 
@@ -87,7 +87,7 @@ function lightsOf(scene: SceneData, plain: boolean) {
     const light = new PointLight(0xffffff, intensity * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
     light.color.setRGB(...scale(colour, 1 / near));
     light.position.set(...position);
-    light.castShadow = scene.shadows && !plain && scene.objects.length < MANY;
+    light.castShadow = !plain && drawsShadows(scene);
     light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     light.shadow.camera.near = scene.bounds.radius / 40; // nearer, and depths far away run together
     light.shadow.camera.far = scene.bounds.radius * 6;

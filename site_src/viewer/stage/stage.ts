@@ -12,7 +12,6 @@ import { listenToGestures } from "./gestures";
 import { clearOf } from "./clear";
 import { createLabels, type Box } from "./labels";
 import type { Drawn, StageView } from "./renderer";
-import type { slideSvg } from "./slide";
 import { namesOf } from "./stage-names";
 import type { TracedPicture } from "./traced-picture";
 import { lineUnder, nearestTile, tileUnder } from "./under";
@@ -77,23 +76,15 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => readon
   return {
     element: root,
     show: draw,
+    drawn: () => drawn,
     ...moves,
     /** Colours are others now. */
     recolour: () => drawing.renderer().forget(),
-    /** The drawing with so many device pixels in each of the stage's, drawn this moment: later the browser may have cleared
-     *  it. Without a number as many as the screen has. */
+    /** The drawing with so many device pixels in each of the stage's, as many as the screen has if none are named: drawn this
+     *  moment, as later the browser may have cleared it, and so from now on. */
     redrawn(ratio?: number) {
       measure(ratio);
       return drawing.renderer().canvas;
-    },
-    /** The view as an SVG with a line under it, which `svg` makes; null before there is anything. */
-    slide(svg: typeof slideSvg, caption: string): string | null {
-      if (!drawn) return null;
-      const { view, projection } = drawn;
-      drawing.renderer().draw({ ...drawn, view: { ...view, chosen: [], lit: null } });
-      const picture = drawing.renderer().canvas.toDataURL(); // at once: later the browser may have cleared it
-      redraw();
-      return svg(picture, view.chosen, labels.element, caption, projection, view.scene.bounds.radius / 300);
     },
     /** For tests. */
     stats: () => ({ frames, renderer: drawing.renderer().isFlat ? "flat" : "webgl", ...size, gpu: drawing.renderer().held(), ...placesOf(drawn) }),

@@ -1,5 +1,5 @@
 /** How the stage shows the scene: what a graphics card draws by itself, or what the rays found. */
-import type { MaterialData } from "../trace/types";
+import type { MaterialData, SceneData } from "../trace/types";
 import type { ViewState } from "./types";
 
 export type Look = ViewState["look"];
@@ -8,6 +8,11 @@ export const LOOKS: readonly Look[] = ["plain", "approximate", "traced"];
 /** Shares from which on a surface is seen as a mirror, or as something to look through, as trace/surroundings.py has them. */
 export const isMirror = ({ reflect }: Pick<MaterialData, "reflect">): boolean => reflect > 0.5;
 export const isClear = ({ transmit }: Pick<MaterialData, "transmit">): boolean => transmit > 0.3;
+
+const MANY = 1000; // objects from which on no shadow is drawn: each of a light's six sides would draw all
+
+/** Does the approximate look draw shadows? */
+export const drawsShadows = ({ shadows, objects }: Pick<SceneData, "shadows" | "objects">): boolean => shadows && objects.length < MANY;
 
 /** The traced picture stands where the tiles stand: it is the scene only from the ray-tracing camera. */
 export function withLook(state: ViewState, look: Look): ViewState {
