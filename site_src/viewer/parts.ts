@@ -13,6 +13,7 @@ import { createPlayer } from "./panels/player";
 import { createToolsDrawer } from "./panels/tools-drawer";
 import type { SavedView } from "./saving";
 import type { Session } from "./session";
+import type { StageRenderer } from "./stage/renderer";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
 import { isSwitched } from "./state/switches";
@@ -102,8 +103,8 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.spoken.now()?.show(state, scene, trace, asking);
 }
 
-export function createParts(session: Session, acts: Actions, onDemand: OnDemand, where: PartsPlace) {
-  const { home, page, withGl, simpler } = where;
+/** The stage, and what of it comes later. */
+function createStageOf(acts: Actions, onDemand: OnDemand, { page, withGl, simpler }: PartsPlace) {
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
@@ -116,8 +117,20 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     return made;
   });
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
+  const later = {
+    flat,
+    flatRenderer: (use: (make: () => StageRenderer) => void) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)),
+    scrolled: () => hint.use((tell) => tell()),
+    traced: (isWanted: boolean, come: () => void) => tracedPicture.when(isWanted, come),
+  };
+  const stage: Stage = createStage({ ...acts, ...later, move: acts.observer }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  return stage;
+}
+
+export function createParts(session: Session, acts: Actions, onDemand: OnDemand, where: PartsPlace) {
+  const { home } = where;
   const eventWords = onDemand.one("event-words", (part) => part);
-  const stage = createStage({ ...acts, move: acts.observer, flat, flatRenderer: (use) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)), scrolled: () => hint.use((tell) => tell()), traced: (isWanted, come) => tracedPicture.when(isWanted, come) }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
+  const stage = createStageOf(acts, onDemand, where);
   const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
   const corner = onDemand.one("inset", ({ createInset }) => createInset(panels.picture.element, session.changed));

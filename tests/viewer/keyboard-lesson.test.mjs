@@ -76,6 +76,8 @@ test(`${id} by keyboard alone: from the address to the last answer, ${lesson.len
   }
   // The steps ask to look: turn the view, pick a neighbour, walk its rays, all without a pointer.
   await tabTo("Tools: ");
+  assert.ok(await page.locator(".drawer").isVisible(), "an answer that sets switches has opened it");
+  await page.keyboard.press("Enter");
   await page.keyboard.press("Enter");
   await page.locator(".view-pad").waitFor();
   assert.match((await focused()).name, /Plain/, "the focus goes on into the drawer");

@@ -24,6 +24,16 @@ interface Touch {
   y: number;
 }
 
+function listenToWheel(element: HTMLElement, zoom: (factor: number) => void) {
+  function wheel(event: WheelEvent) {
+    if (window.parent !== window && !document.hasFocus()) return; // the page around this one scrolls
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === 1 ? WHEEL_LINE : 1) * (event.ctrlKey ? 6 : 1); // ctrl: a pinch on a trackpad
+    zoom(Math.exp(pixels * WHEEL_PER_PIXEL));
+  }
+  element.addEventListener("wheel", wheel, { passive: false });
+}
+
 export function listenToGestures(element: HTMLElement, acts: GestureActs) {
   const down = new Map<number, Touch>();
   let doing: "pick" | "orbit" | "pan" | "two" | null = null;
@@ -91,19 +101,12 @@ export function listenToGestures(element: HTMLElement, acts: GestureActs) {
     if (down.size === 0) settle(null);
   }
 
-  function wheel(event: WheelEvent) {
-    if (window.parent !== window && !document.hasFocus()) return; // the page around this one scrolls
-    event.preventDefault();
-    const pixels = event.deltaY * (event.deltaMode === 1 ? WHEEL_LINE : 1) * (event.ctrlKey ? 6 : 1); // ctrl: a pinch on a trackpad
-    acts.zoom(Math.exp(pixels * WHEEL_PER_PIXEL));
-  }
-
   element.addEventListener("pointerdown", press);
   element.addEventListener("pointermove", drag);
   element.addEventListener("pointerup", release);
   element.addEventListener("pointercancel", release);
   element.addEventListener("pointerleave", acts.leave);
-  element.addEventListener("wheel", wheel, { passive: false });
+  listenToWheel(element, acts.zoom);
   element.addEventListener("touchmove", (event) => doing && event.cancelable && event.preventDefault(), { passive: false }); // it is not the page's
   element.addEventListener("contextmenu", (event) => event.preventDefault());
 }
