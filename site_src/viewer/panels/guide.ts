@@ -25,7 +25,7 @@ export function createGuide(open: (then: () => void) => void) {
       stop = at;
       word.remove();
       const tool = at && toolOf(state);
-      const isElsewhere = state.projector || document.body.classList.contains("embed") || !matchMedia(ROOM).matches;
+      const isElsewhere = window.raywalkKiosk || state.projector || document.body.classList.contains("embed") || !matchMedia(ROOM).matches;
       if (!tool || known.has(tool) || isElsewhere) return;
       known.add(tool);
       open(() => at === stop && document.querySelector(`.drawer ${tool}`)?.after(word));
