@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
+import { readScene, readWords } from "./scene-files.mjs";
 
 const rich = richScene();
 const HALL = { width: 1920, height: 1080 };
@@ -118,3 +119,24 @@ test("a clicker has Page down alone: it begins the lesson, and at its end the ne
   const now = await state(page);
   assert.deepEqual([now.scene, now.step, now.projector], [second.id, 0, true]);
 });
+
+/** The step or answer of all lessons that says most: its scene, number, and whether it is an answer. */
+function wordiest(lessonOf) {
+  const said = scenesOfSite().flatMap((scene) =>
+    lessonOf(scene.id).flatMap(({ html, answer }, k) => [{ scene, step: k + 1, html }, ...(answer ? [{ scene, step: k + 1, html: answer.html, isAnswer: true }] : [])]),
+  );
+  const lengthOf = ({ html }) => html.replace(/<[^>]+>/g, "").length;
+  return said.reduce((most, each) => (lengthOf(each) > lengthOf(most) ? each : most));
+}
+for (const [home, lessonOf] of [["", (id) => readScene(id).lesson], ["de/", (id) => readWords(id, "de").lesson]])
+  for (const [where, size, hash] of [["in a hall", HALL, QUICK], ["on a desk", { width: 1280, height: 800 }, "still=1&gl=none"]])
+    test(`the step with the most words is seen whole ${where} (${home || "en/"})`, async () => {
+      const { scene, step, isAnswer } = wordiest(lessonOf);
+      await page.setViewportSize(size);
+      await open(page, ON_DISK, home + scene.path, `${hash}&step=${step}${isAnswer ? "&answer=1" : ""}`);
+      const text = page.locator(".lesson-text");
+      assert.ok((await text.innerText()).length > 100);
+      const [cut, bottom] = await text.evaluate((it) => [it.scrollHeight - it.clientHeight, it.getBoundingClientRect().bottom]);
+      assert.ok(cut <= 1, `${scene.id}, step ${step}: ${cut} px of it cannot be seen`);
+      assert.ok(bottom <= size.height, `it ends at ${bottom}`);
+    });

@@ -10,4 +10,6 @@ const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/s
 export const readSections = (id) => read(`${id}/sections`);
 export const readSurroundings = (id) => read(`${id}/surroundings`);
 export const readScene = (id) => read(`${id}/scene`);
+/** A scene's words in another language, as its pages there read them. */
+export const readWords = (id, language) => read(`${id}/words-${language}`);
 export const readTrace = (id, n) => ({ scene: readScene(id), trace: decode(read(`${id}/${n}`), { scene: id, n }) });

@@ -20,6 +20,8 @@ function caption(event: RayEvent, words: Words): HTMLElement[] {
 /** For a lit pixel only once another than the scene's first one is selected. */
 const isWorthSaying = (why: Why | null, { pixel }: ViewState, { start }: SceneData): why is Why => !!why && (why.tone !== "lit" || pixel.join() !== start.pixel.join());
 
+const LONG = 235; // characters: more do not fit into three lines of a desk's size
+
 export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
   const reveal = button(say("lesson.reveal"), say("lesson.revealHelp"), () => acts.turn(1), { className: "primary reveal" });
   const text = element("div", "lesson-text");
@@ -60,6 +62,7 @@ export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
         if (event) text.replaceChildren(...caption(event, words));
         else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
         else text.replaceChildren(isWhy ? element("p", "why", ...marked(words()?.whyDark(why) ?? [])) : element("p", "teaches", scene.teaches));
+        text.classList.toggle("long", text.textContent.length > LONG);
         text.scrollTop = 0;
         contentChanged();
       });
