@@ -26,7 +26,6 @@ const FORMULAS = {
 /** A formula's look that is something else here, with why. */
 const NOT_ONE = [
   ["state/section.ts", "the discriminant of a quadratic"], // how far a point lies beside the drawn plane: Pythagoras
-  ["stage/flat-mirrors.ts", "a direction mirrored at a normal"], // where a camera's image stands behind a mirror: no ray is sent on
 ];
 
 test("no source looks like a formula of the assignment", () => {

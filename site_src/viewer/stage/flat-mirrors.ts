@@ -66,13 +66,17 @@ function planeOf({ geometry, matrix, material }: AnyMesh): Plane {
 function putAtImage(there: PerspectiveCamera, of: PerspectiveCamera, { point, normal, hasBack }: Plane): boolean {
   const world = of.matrixWorld.elements;
   const eye = part(world, 12);
-  const across = (direction: Vec3): Vec3 => sub(direction, scale(normal, 2 * dot(direction, normal)));
-  const height = dot(sub(eye, point), normal);
+  const heightOf = (at: Vec3) => dot(sub(at, point), normal);
+  const height = heightOf(eye);
   if (height === 0 || (height < 0 && !hasBack)) return false;
-  const image = add(point, across(sub(eye, point)));
+  const imageOf = (at: Vec3): Vec3 => {
+    const foot = sub(at, scale(normal, heightOf(at)));
+    return add(foot, sub(foot, at)); // as far behind as it stands before
+  };
+  const image = imageOf(eye);
   there.position.set(...image);
-  there.up.set(...across(part(world, 4)));
-  there.lookAt(...sub(image, across(part(world, 8)))); // a camera looks along its -z
+  there.up.set(...sub(imageOf(add(eye, part(world, 4))), image));
+  there.lookAt(...imageOf(sub(eye, part(world, 8)))); // a camera looks along its -z
   there.updateMatrixWorld();
   const inverse = there.matrixWorldInverse.elements;
   const out = turned(inverse, scale(normal, Math.sign(height)));
