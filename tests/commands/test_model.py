@@ -55,6 +55,16 @@ two.obj: OBJ
     )
 
 
+def test_it_tells_of_a_picture_that_is_not_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "two.mtl").write_text("newmtl red\nmap_Kd gone.png\nnewmtl green\n")
+    path = written(tmp_path / "two.obj", "mtllib two.mtl\n" + TWO)
+    assert "    red: 12 triangles, texture gone.png (not there)\n" in answer(capsys, path)[1]
+    (tmp_path / "gone.png").write_bytes(b"")
+    assert "texture gone.png\n" in answer(capsys, path)[1]
+
+
 @pytest.mark.parametrize(
     ("scale", "place", "told"),
     [

@@ -116,6 +116,12 @@ def test_nodes_move_turn_and_repeat_their_meshes(tmp_path: Path) -> None:
         ({"scene": 2}, "it names scene 2, and there are 0 to 0"),
         ({"accessors": []}, "it names accessor 0, and there is none"),
         ({"bufferViews": []}, "it names bufferView 0, and there is none"),
+        ({"nodes": [{"mesh": 0, "matrix": [1, 2]}]}, "node 0: its matrix is not 16 numbers"),
+        ({"nodes": [{"mesh": 0, "scale": 2}]}, "node 0: its scale is not 3 numbers"),
+        (
+            {"materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0]}}]},
+            "material 0: its baseColorFactor has 2 of 4 numbers",
+        ),
         ({"buffers": []}, "it names buffer 0, and there is none"),
         ({"meshes": [{"primitives": [{"attributes": {"NORMAL": 0}}]}]}, "has no POSITION"),
     ],

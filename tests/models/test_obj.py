@@ -256,6 +256,12 @@ def test_materials_are_those_of_the_library_or_a_name(tmp_path: Path) -> None:
     missing = read(tmp_path, two.replace("my colours", "your colours"))
     assert missing.ignored == ('the material file "your colours.mtl" is not there',)
     assert [each.diffuse for each in missing.materials] == [None, None, None]
+    cased = read(tmp_path, two.replace("my colours.mtl", "My Colours.MTL"))
+    assert cased.ignored == (
+        'the material file "My Colours.MTL" is not there, but "my colours.mtl" is: write it as '
+        "the file is called",
+    )
+    assert read(tmp_path, "mtllib\n" + two).ignored[0] == "line 1: mtllib names no file"
 
 
 def test_texture_coordinates_that_a_file_does_not_have_are_told(tmp_path: Path) -> None:

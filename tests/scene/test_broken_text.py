@@ -29,8 +29,8 @@ def written(folder, content):
 
 def test_broken_toml_is_refused_with_its_line_and_column(tmp_path):
     """The line is where an editor jumps to."""
-    [error] = errors_of(written(tmp_path, SMALLEST.encode() + b"up = [0, 1 0]\n"))
-    assert error.message.startswith("line 7, column 12: this is not TOML")
+    [error] = errors_of(written(tmp_path, SMALLEST.encode() + b"up = [0, @, 0]\n"))
+    assert error.message.startswith("line 7, column 10: this is not TOML")
 
 
 def test_text_that_is_not_utf8_is_refused(tmp_path):

@@ -242,7 +242,13 @@ def _material(path: Path, document: dict[str, Any], index: int) -> FileMaterial:
     entry = entry_of(path, document, "materials", index)
     name = str(entry.get("name") or f"material {index + 1}")
     surface = entry.get("pbrMetallicRoughness", {})
-    r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in surface.get("baseColorFactor", [1] * 4))
+    factor = surface.get("baseColorFactor", [1.0] * 4)
+    if len(factor) != 4:
+        raise ModelFault(
+            path, f"material {index}", f"its baseColorFactor has {len(factor)} of 4 numbers",
+            "the file is damaged: export the model again",
+        )  # fmt: skip
+    r, g, b, a = (min(max(float(x), 0.0), 1.0) for x in factor)
     return FileMaterial(name, (r, g, b), opacity=a, **_texture(path, document, surface))
 
 

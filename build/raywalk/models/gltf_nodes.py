@@ -11,7 +11,7 @@ import numpy as np
 from raywalk.models.faults import ModelFault
 from raywalk.models.gltf_buffers import entry_of
 
-TURNS = ("matrix", "rotation", "scale", "translation")
+COUNTS = {"matrix": 16, "rotation": 4, "scale": 3, "translation": 3}
 HUGE = 1e100  # of a node's matrix
 
 
@@ -47,6 +47,12 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
             )  # fmt: skip
         met.add(index)
         node = entry_of(path, document, "nodes", index)
+        for key, count in COUNTS.items():
+            if key in node and not _are_numbers(node[key], count):
+                raise ModelFault(
+                    path, f"node {index}", f"its {key} is not {count} numbers",
+                    "the file is damaged: export the model again",
+                )  # fmt: skip
         own = _matrix(node)
         if not (np.abs(own) < HUGE).all():
             raise ModelFault(path, f"node {index}", "its place is no number", "export it again")
@@ -58,8 +64,16 @@ def placed_meshes(path: Path, document: dict[str, Any]) -> Iterator[Placed]:
         waiting += [(child, matrix) for child in reversed(node.get("children", []))]
 
 
+def _are_numbers(value: Any, count: int) -> bool:
+    return (
+        isinstance(value, list)
+        and len(value) == count
+        and all(isinstance(each, int | float) for each in value)
+    )
+
+
 def _matrix(node: dict[str, Any]) -> np.ndarray:
-    if not all((np.abs(np.array(node.get(key, [0]), float)) < HUGE).all() for key in TURNS):
+    if not all((np.abs(np.array(node.get(key, [0]), float)) < HUGE).all() for key in COUNTS):
         return np.full((4, 4), np.nan)
     if "matrix" in node:
         return np.array(node["matrix"], float).reshape(4, 4).T

@@ -214,6 +214,9 @@ class _Reader:
     def _library(self, words: list[bytes], line: bytes) -> None:
         """One file whose name may have spaces, or several."""
         whole = name_of(line.strip()[len(b"mtllib") :])
+        if not whole:
+            self.missing.append(f"line {self.line}: mtllib names no file")
+            return
         folder, several = self.path.parent, [name_of(word) for word in words[1:]]
         is_one = is_file(folder / whole) or not any(is_file(folder / name) for name in several)
         self.libraries += [whole] if is_one else several
@@ -316,7 +319,7 @@ class _Reader:
         for library in dict.fromkeys(self.libraries):
             path = self.path.parent / library.replace("\\", "/")
             if not is_file(path):
-                self.missing.append(f"the material file {quoted(library)} is not there")
+                self.missing.append(_not_there(path, library))
                 continue
             found.append(path)
             known |= read_mtl(path, self.path.parent)
@@ -353,6 +356,17 @@ class _Reader:
             f"{what} are not used: line {line} is broken" for what, line in self.broken.items()
         ]
         return ignored + self.missing
+
+
+def _not_there(path: Path, library: str) -> str:
+    """Also that only small and capital letters differ, which elsewhere are one."""
+    said = f"the material file {quoted(library)} is not there"
+    try:
+        beside = [each.name for each in path.parent.iterdir()]
+    except (OSError, ValueError):
+        return said
+    alike = [name for name in beside if name.casefold() == path.name.casefold()]
+    return f"{said}, but {quoted(alike[0])} is: write it as the file is called" if alike else said
 
 
 def is_file(path: Path) -> bool:

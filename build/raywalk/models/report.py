@@ -86,10 +86,20 @@ def _materials(cleaned: Cleaned) -> list[dict[str, Any]]:
             "colour": None if each.diffuse is None else list(each.diffuse),
             "opacity": each.opacity,
             "texture": _texture_of(each),
+            "texture_missing": _lacks_texture(each),
             "triangles": int((of == k).sum()),
         }
         for k, each in enumerate(model.materials)
     ]
+
+
+def _lacks_texture(material: FileMaterial) -> bool:
+    """Whether it names a picture's file that is not there."""
+    file = material.texture if material.texture_inside < 0 else None
+    try:
+        return file is not None and not file.is_file()
+    except (OSError, ValueError):
+        return True
 
 
 def _texture_of(material: FileMaterial) -> str | None:

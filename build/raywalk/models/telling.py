@@ -117,6 +117,7 @@ def _looks(each: dict[str, Any]) -> str:
         looks += f", colour {_point(each['colour'])}"
     if each.get("texture"):
         looks += f", texture {shown(each['texture'])}"
+        looks += " (not there)" if each.get("texture_missing") else ""
     if each.get("opacity", 1.0) < 1.0:
         looks += f", opacity {each['opacity']:.4g}"
     return looks
