@@ -79,6 +79,9 @@ class Told:
         assert not chosen.slides_later
         self.story.append("slides")
 
+    def tell_to_stop(self):
+        self.story.append("end")
+
     def stop(self):
         self.story.append("stop")
 
@@ -98,7 +101,7 @@ def test_a_save_stops_slides_before_anything_else(monkeypatch, tmp_path):
     """They are begun anew in the next pause, and once a pause."""
     told = Told(monkeypatch, [[], [], ["scene.toml"], [], []])
     followed(tmp_path)
-    pages = ["build 1", "slides", "stop", "grids", "build 2", "slides"]
+    pages = ["build 1", "slides", "end", "grids", "stop", "build 2", "slides"]
     assert told.story == [*pages, "stop"]
 
 
@@ -106,7 +109,8 @@ def test_a_build_of_pages_is_given_up_when_something_is_saved_meanwhile(monkeypa
     """The next one has it; slides wait until all is shown."""
     told = Told(monkeypatch, [["a"], ["b"], []], meanwhile=[2])
     live = followed(tmp_path)
-    shown = ["build 1", "stop", "grids", "build 2", "given up 2", "stop", "grids", "build 3"]
+    anew = ["end", "grids", "stop"]
+    shown = ["build 1", *anew, "build 2", "given up 2", *anew, "build 3"]
     assert told.story == [*shown, "slides", "stop"]
     assert live.news.version == 2  # of three builds one showed nothing
 

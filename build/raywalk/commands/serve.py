@@ -64,10 +64,11 @@ def _follow(chosen: Namespace, live: Live, scratch: Path) -> Iterator[str | Mess
         pause_ends: float | None = time.monotonic() + PAUSE
         while True:
             if changed := saves.wait(TICK):
-                slides.stop()
+                slides.tell_to_stop()
                 yield f"saved: {', '.join(shown_path(Path(path)) for path in changed[:3])}"
                 live.begin()
                 sights.show(chosen, live)
+                slides.stop()
                 yield from _built(pages_first, live, saves)
                 pause_ends = time.monotonic() + PAUSE
             elif pause_ends and time.monotonic() > pause_ends and not live.news.trouble:

@@ -51,10 +51,15 @@ class SlidesBeside:
         self._heard = SimpleQueue()
         Thread(target=_listen, args=(process.stdout, self._heard), daemon=True).start()
 
-    def stop(self) -> None:
-        """Ends it, done or not. The site is whole at any moment, and what is finished is kept."""
+    def tell_to_stop(self) -> None:
+        """Ends it, done or not, and does not wait until it has gone: its memory takes a moment."""
         if self._process:
             self._process.terminate()
+
+    def stop(self) -> None:
+        """Ends it, done or not. The site is whole at any moment, and what is finished is kept."""
+        self.tell_to_stop()
+        if self._process:
             self._forget(self._process)
 
     def messages(self) -> Iterator[str | Message | Ended]:
