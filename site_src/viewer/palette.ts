@@ -18,6 +18,7 @@ export const STAGE = {
   casing: "#0B0F14", // round the selected rays: they stand out from bright walls too
   onPaper: false,
   wall: [0.4, 0.43, 0.48], // shares of its colour: walls step back behind the objects they carry
+  wallGlow: 0.6, // share of what it shows without any light
 };
 
 /** On a light page: as on paper, with a white casing so that dark lines show on dark things. */

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { follow, launch, newPage, ON_DISK, open, scenesOfSite, settled, stats } from "./browser.mjs";
+import { pixelOf, randomFrom } from "./random.mjs";
 import { readScene } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -19,14 +20,6 @@ before(async () => {
   page = await newPage(browser, { sharp: true });
 });
 after(() => browser.close());
-
-/** Whole numbers below `most` (a linear congruential generator; D. E. Knuth's MMIX). */
-function* randoms(most) {
-  for (let state = BigInt(SEED); ; ) {
-    state = (state * 6364136223846793005n + 1442695040888963407n) & 0xffffffffffffffffn;
-    yield Number((state >> 33n) % BigInt(most));
-  }
-}
 
 const labels = () =>
   page.evaluate(() => {
@@ -80,13 +73,13 @@ function metBy(lines, scene, names, projection) {
 for (const [width, height, query] of SIZES)
   test(`at ${width} x ${height}${query} no word lies on a ray or on what it meets: ${SCENES.length} scenes, ${PIXELS} pixels each (seed ${SEED})`, async (t) => {
     await page.setViewportSize({ width, height });
-    const random = randoms(15);
+    const random = randomFrom(SEED);
     let [asked, shown, all] = [0, 0, 0];
     for (const { id, path } of SCENES) {
       const scene = readScene(id);
       await open(page, ON_DISK, path + query, "still=1&gl=none&n=15&tiles=empty");
       for (let k = 0; k < PIXELS; k++) {
-        const pixel = [random.next().value, random.next().value];
+        const pixel = pixelOf(random, 15);
         await follow(page, `still=1&gl=none&n=15&tiles=empty&p=${pixel.join()}`);
         await settled(page);
         const [{ lines, eye, target, events, width: wide, height: high }, words] = [await stats(page), await labels()];

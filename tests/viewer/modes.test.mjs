@@ -27,12 +27,17 @@ async function isSaid(before, says) {
   assert.equal(await places(), before);
 }
 
-test("Link copies the address of this very view, and says so without moving anything", async () => {
+/** Another view than the page began with, the menu open, and what is copied kept; where everything then stands. */
+async function readyToCopy() {
   await open(page, ON_DISK, rich.path, START);
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
   await press(page, "ArrowRight", "h");
   await openMenu(page);
-  const before = await places();
+  return places();
+}
+
+test("Link copies the address of this very view, and says so without moving anything", async () => {
+  const before = await readyToCopy();
   await button("Copy the link").click();
   await isSaid(before, /link .* is copied/);
   const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];
@@ -42,11 +47,7 @@ test("Link copies the address of this very view, and says so without moving anyt
 });
 
 test("Embed copies a frame's code that shows this very view in another page, and says so", async () => {
-  await open(page, ON_DISK, rich.path, START);
-  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
-  await press(page, "ArrowRight", "h");
-  await openMenu(page);
-  const before = await places();
+  const before = await readyToCopy();
   await button("Copy the code").click();
   await isSaid(before, /code .* is copied/);
   const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];

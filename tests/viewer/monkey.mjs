@@ -2,20 +2,10 @@
  *  are made inside the page, as fast as it takes them; what only a browser can do (its own keys, its mouse, another
  *  window size) comes from outside between two bursts. */
 import assert from "node:assert/strict";
+import { randomFrom } from "./random.mjs";
 import { readScene } from "./scene-files.mjs";
 
 export const BURST = 50;
-
-/** Mulberry32: numbers in 0..1, enough for a monkey. */
-export function randomFrom(seed) {
-  let at = seed >>> 0;
-  return () => {
-    at = (at + 0x6d2b79f5) >>> 0;
-    let t = Math.imul(at ^ (at >>> 15), at | 1);
-    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
 
 /** Before the page's scripts: what would leave the page or ask the person is only counted. */
 export function tame() {

@@ -10,14 +10,14 @@ from __future__ import annotations
 
 from array import array
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from raywalk.models.faults import ModelFault, quoted
-from raywalk.models.model import FileMaterial, Model, PerCorner
-from raywalk.models.mtl import read_mtl
+from raywalk.models.model import Model, PerCorner
+from raywalk.models.obj_libraries import names_of, read_libraries
 from raywalk.models.polygons import triangulated
 from raywalk.models.text import a_number, lines, name_of, one_encoding
 
@@ -27,7 +27,6 @@ NOT_READ = {
     **dict.fromkeys((b"curv", b"curv2", b"surf", b"vp", b"cstype"), "free-form surfaces"),
 }  # fmt: skip
 
-MOST_NAMES = 6  # in a sentence
 FARTHEST = 1 << 62  # an index that no file has, and that still is a number of 64 bits
 
 
@@ -217,9 +216,8 @@ class _Reader:
         if not whole:
             self.missing.append(f"line {self.line}: mtllib names no file")
             return
-        folder, several = self.path.parent, [name_of(word) for word in words[1:]]
-        is_one = is_file(folder / whole) or not any(is_file(folder / name) for name in several)
-        self.libraries += [whole] if is_one else several
+        several = [name_of(word) for word in words[1:]]
+        self.libraries += names_of(self.path.parent, whole, several)
 
     def _group_of_smoothing(self, words: list[bytes], line: bytes) -> None:
         switch = words[1] if len(words) > 1 else b"off"
@@ -239,7 +237,8 @@ class _Reader:
         if self.normal:
             self._fill_up()
         triangles, polygon = triangulated(vertices, counts, corners)
-        materials, found = self._materials()
+        told = read_libraries(self.path.parent, self.libraries, self.named_at)
+        self.missing += told.lacks
         smoothing = _whole(self.smoothing, np.int32)[polygon]
         normals = self._table(self.normals, self.normal, 3, "own normals", triangles)
         colours = self._colours(len(vertices), corners[triangles])
@@ -250,8 +249,8 @@ class _Reader:
             faces=corners[triangles],
             parts=tuple(self.parts),
             part=_whole(self.part, np.int32)[polygon],
-            materials=tuple(materials),
-            material=_whole(self.material, np.int32)[polygon] if materials else None,
+            materials=tuple(told.materials),
+            material=_whole(self.material, np.int32)[polygon] if told.materials else None,
             normals=normals,
             texture_places=self._table(
                 self.textures, self.texture, 2, "texture coordinates", triangles
@@ -261,7 +260,7 @@ class _Reader:
             # A group that is not named for some faces is taken as one of its own.
             smoothing=smoothing & 0x7FFFFFFF if (smoothing >= 0).any() else None,
             ignored=tuple(self._ignored()),
-            beside=tuple(found),
+            beside=tuple(told.found),
         )
 
     def _no_face(self, vertices: int) -> ModelFault:
@@ -312,36 +311,6 @@ class _Reader:
             table = table / 255.0 if table.max() > 1.0 else table
         return PerCorner(np.clip(np.nan_to_num(table), 0.0, 1.0), faces)
 
-    def _materials(self) -> tuple[list[FileMaterial], list[Path]]:
-        """Of each name that faces use; what no library tells is a name alone."""
-        known: dict[str, FileMaterial] = {}
-        found = []
-        for library in dict.fromkeys(self.libraries):
-            path = self.path.parent / library.replace("\\", "/")
-            if not is_file(path):
-                self.missing.append(_not_there(path, library))
-                continue
-            found.append(path)
-            known |= read_mtl(path, self.path.parent)
-        if found:
-            self.missing += self._undefined(known, found)
-        return [known.get(name, FileMaterial(name)) for name in self.named], found
-
-    def _undefined(self, known: dict[str, FileMaterial], found: list[Path]) -> Iterator[str]:
-        """Of materials that faces use and the libraries lack, as many as a person reads."""
-        names = [name for name in self.named if name not in known]
-        where = " and ".join(quoted(path.name) for path in found)
-        holds = ", ".join(quoted(name) for name in list(known)[:MOST_NAMES]) or "none"
-        holds += f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
-        for name in names[:MOST_NAMES]:
-            yield (
-                f"line {self.named_at[name]}: usemtl names {quoted(name)}, which {where} "
-                f"does not define (it has {holds}): its faces have no colour of the file; correct "
-                "the name, or export both files again"
-            )
-        if len(names) > MOST_NAMES:
-            yield f"and {len(names) - MOST_NAMES} more materials that {where} does not define"
-
     def _ignored(self) -> list[str]:
         ignored = [f"{what} are not read" for what in dict.fromkeys(NOT_READ.values())
                    if self.skipped[what]]  # fmt: skip
@@ -356,25 +325,6 @@ class _Reader:
             f"{what} are not used: line {line} is broken" for what, line in self.broken.items()
         ]
         return ignored + self.missing
-
-
-def _not_there(path: Path, library: str) -> str:
-    """Also that only small and capital letters differ, which elsewhere are one."""
-    said = f"the material file {quoted(library)} is not there"
-    try:
-        beside = [each.name for each in path.parent.iterdir()]
-    except (OSError, ValueError):
-        return said
-    alike = [name for name in beside if name.casefold() == path.name.casefold()]
-    return f"{said}, but {quoted(alike[0])} is: write it as the file is called" if alike else said
-
-
-def is_file(path: Path) -> bool:
-    """Whether there is one; a name that no file can have has none."""
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
 
 
 def _without_comment(words: list[bytes]) -> list[bytes]:

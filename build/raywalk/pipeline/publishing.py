@@ -61,8 +61,8 @@ class Made:
     def entries(self) -> Iterator[Entry]:
         """All that are used."""
         yield self.viewer
-        for kind in (self.traces, self.data, self.pictures):
-            yield from kind.values()
+        for id in self.traces:
+            yield from self.of_scene(id)
         yield from (deck.entry for deck in self.decks)
 
 

@@ -94,8 +94,6 @@ function startAt(e: number[], plane: readonly number[]) {
   for (const [k, place] of [2, 6, 10, 14].entries()) e[place] = plane[k] * by + (k === 2 ? 1 : 0);
 }
 
-const WALL_GLOW = 0.6; // as wall.ts tones it
-
 /** Colours as the tracer has them, and not as the stage does, whose walls are toned down and whose shade is lit a little; what
  *  it gives brings those back. */
 function inFullColour(solids: Object3D): () => void {
@@ -105,7 +103,7 @@ function inFullColour(solids: Object3D): () => void {
   const tone = (by: number) => {
     for (const { color, emissive } of walls) {
       color?.fromArray(color.toArray().map((v, k) => v * STAGE.wall[k] ** by));
-      emissive?.multiplyScalar(WALL_GLOW ** by);
+      emissive?.multiplyScalar(STAGE.wallGlow ** by);
     }
   };
   tone(-1);

@@ -44,7 +44,7 @@ function geometryOf({ at, facing }: WallSheet, { checker, tile }: ObjectData): B
 export function createWall(object: ObjectData, scene: SceneData, looks: Looks): Mesh {
   const look = looks.of(scene.materials[object.material], FrontSide) as MeshPhongMaterial;
   look.color.setRGB(look.color.r * STAGE.wall[0], look.color.g * STAGE.wall[1], look.color.b * STAGE.wall[2]);
-  look.emissive?.multiplyScalar(0.6); // a mirror or glass wall has neither
+  look.emissive?.multiplyScalar(STAGE.wallGlow); // a mirror or glass wall has neither
   look.specular?.multiplyScalar(0.4);
   if (object.checker) {
     look.map = checkerTexture(object, scene);
