@@ -46,9 +46,10 @@ VIEWER_MAY_IMPORT = {
     "stage": {"stage", "state", "trace", "actions"},
     # event-words holds the sentences for the state's events, which only panels show; what a panel
     # shows later is asked of on-demand.
-    "panels": {"panels", "state", "trace", "event-words", "on-demand", "actions"},
+    "panels": {"panels", "state", "trace", "event-words", "on-demand", "actions", "light-page"},
     # Files beside the folders: what is listed knows nothing of who ties it together.
     "palette.ts": {"trace"},
+    "light-page.ts": {"trace"},
     "event-words.ts": {"state", "trace"},
     "session.ts": {"state", "trace"},
     # Of what sets switches actions know the names only: it comes when one is set.

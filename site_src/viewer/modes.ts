@@ -1,6 +1,5 @@
 /** How the page is used: within another one, full screen, on a projector; and what is taken from it, a link or a picture. */
 import type { Actions } from "./actions";
-import { lightColours } from "./palette";
 import type { OnDemand } from "./on-demand";
 import { button, pressed } from "./element";
 import type { Views } from "./saving";
@@ -22,7 +21,7 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
   const saving = onDemand.one("saving", ({ createSaving }) => createSaving(session, views, notify));
   const sheet = onDemand.one("at-hand", ({ createHelp }) => createHelp());
   const help = () => sheet.use((turn) => turn());
-  const lecture = onDemand.one("lecture", ({ createLecture }) => createLecture(body));
+  const lecture = onDemand.one("lecture", ({ createLecture }) => createLecture(body, () => (recolour(), session.changed())));
 
   const menu = document.querySelector("#menu");
   const tools = onDemand.one("at-hand", ({ createTools, createWayOut }) => {
@@ -51,7 +50,6 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
     show() {
       const isProjector = session.state?.projector ?? false;
       body.classList.toggle("projector", isProjector);
-      if (lightColours(isProjector)) recolour();
       if (isProjector || lecture.now()) lecture.use(({ show }) => show(isProjector));
       pressed(lecturing, isProjector);
     },

@@ -21,6 +21,7 @@ const PARTS = {
   spoken: () => import("./panels/spoken"),
   "traced-picture": () => import("./stage/traced-picture"),
   surroundings: () => import("./stage/surroundings"),
+  marks: () => import("./stage/marks"),
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),
   inset: () => import("./stage/inset"),

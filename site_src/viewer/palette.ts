@@ -1,4 +1,4 @@
-/** Colours that carry meaning. Page colours live in styles/. */
+/** Colours that carry meaning, on a dark page; on a light one: light-page.ts. Page colours live in styles/. */
 import { LINE_KINDS, LINES as TABLE, type LineKind } from "./trace/kinds";
 
 /** How a kind of ray is drawn: never by hue alone, so each has its own dash.
@@ -20,20 +20,6 @@ export const STAGE = {
   wall: [0.4, 0.43, 0.48], // shares of its colour: walls step back behind the objects they carry
   wallGlow: 0.6, // share of what it shows without any light
 };
-
-/** On a light page: as on paper, with a white casing so that dark lines show on dark things. */
-const LIGHT = { lamp: "#E69F00", lampOff: "#5B6673", camera: "#5B6673", frustum: "#3F4A56", gridEmpty: "#5B6673", ring: "#0B4F94", boxEntered: "#8A4B00", boxMissed: "#7A8592", casing: "#FFFFFF", onPaper: true, wall: [1, 1, 1] };
-const DARK_PAGE = { ...STAGE };
-let isLight = false;
-
-/** Colours for a light or a dark page from now on. Returns whether that changes them. */
-export function lightColours(light: boolean): boolean {
-  if (light === isLight) return false;
-  isLight = light;
-  for (const kind of LINE_KINDS) LINES[kind].colour = TABLE[kind][light ? "light" : "dark"];
-  Object.assign(STAGE, light ? LIGHT : DARK_PAGE);
-  return true;
-}
 
 /** Of a lamp's sign: its light's hue, as bright as a sign must be; a white lamp has the sign's own colour. */
 export function lampColour(light: readonly number[]): string {

@@ -13,7 +13,8 @@ import { createPlayer } from "./panels/player";
 import { createToolsDrawer } from "./panels/tools-drawer";
 import type { SavedView } from "./saving";
 import type { Session } from "./session";
-import type { StageRenderer } from "./stage/renderer";
+import type { Label } from "./stage/labels";
+import type { Drawn, StageRenderer } from "./stage/renderer";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
 import { isSwitched } from "./state/switches";
@@ -116,12 +117,18 @@ function createStageOf(acts: Actions, onDemand: OnDemand, { page, withGl, simple
     stage.element.append(...made.parts);
     return made;
   });
+  const marks = onDemand.one("marks", ({ createMarks }) => {
+    const made = createMarks();
+    stage.element.append(made.element);
+    return made;
+  });
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const later = {
     flat,
     flatRenderer: (use: (make: () => StageRenderer) => void) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)),
     scrolled: () => hint.use((tell) => tell()),
     traced: (isWanted: boolean, come: () => void) => tracedPicture.when(isWanted, come),
+    marked: (drawn: Drawn, labels: Label[], come: () => void) => marks.when(drawn.view.state.step !== null, come)?.show(drawn, labels) ?? labels,
   };
   const stage: Stage = createStage({ ...acts, ...later, move: acts.observer }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   return stage;

@@ -5,6 +5,7 @@ import type { Notice } from "./panels/notice";
 import type { Session } from "./session";
 import { isSwitched } from "./state/switches";
 import type { ViewState } from "./state/types";
+import { wantsBoxes } from "./state/view-state";
 import type { SceneData } from "./trace/types";
 import { awaited, troubleOfTrace } from "./trouble";
 import { say } from "./words";
@@ -56,7 +57,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
     }),
     // The boxes that rays are tested against, where the tiles show how many tests there were.
     supply(session, draw, "boxes", {
-      isWanted: ({ colours }, { meshes }) => colours === "tests" && Object.keys(meshes).length > 0,
+      isWanted: (state, scene) => wantsBoxes(state, scene) && Object.keys(scene.meshes).length > 0,
       load: ({ id }) => loader.boxes(id),
       missing: (again) => notice.say(say("trouble.boxesMissing"), { again }),
     }),

@@ -63,6 +63,17 @@ test("a pixel of the background is all background, and one that no ray is follow
   assert.match(await page.locator(".share-rest").innerText(), /100\s*% black/);
 });
 
+for (const [language, size, words] of [["", { width: 1280, height: 800 }, "One ray, through its middle."], ["de/", { width: 1280, height: 800 }, "Ein Strahl, durch seine Mitte."], ["", { width: 390, height: 844 }, "One ray, through its middle."]])
+  test(`at the swatch it is said that a pixel is one ray: "${words}", at ${size.width} x ${size.height}`, async () => {
+    await page.setViewportSize(size);
+    await open(page, ON_DISK, language + glass.path, "still=1&gl=none&n=5");
+    const said = page.locator(".card-head .pixel-ray");
+    assert.equal(await said.innerText(), words);
+    const [swatch, sentence] = [await page.locator(".card-head .chip, .card-head > :first-child").first().boundingBox(), await said.boundingBox()];
+    assert.ok(sentence.y - swatch.y - swatch.height < 40 && swatch.y < sentence.y + sentence.height, "beside or right below it");
+    await page.setViewportSize({ width: 1280, height: 800 });
+  });
+
 test("pointing at a share or focusing it lights its ray on the stage; Enter goes to its event, arrows go on", async () => {
   await open(page, ON_DISK, glass.path, "still=1&gl=none&n=15&p=9,10");
   const [one, two] = await page.locator(".share").evaluateAll((all) => all.map((each) => Number(each.dataset.ray)));

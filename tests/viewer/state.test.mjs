@@ -6,7 +6,7 @@ import { load } from "./typescript.mjs";
 const { startState, select, move, stepLevel, setLevel, pressRender, advance, tilesShown, applyView, goToStep, isAsking, turnStep, writeAddress, followAddress, readAddress } =
   await load("state/view-state.ts", "state/address.ts");
 const { picturePlane, onPlane, observerOf, orbit, pan, zoom, createProjection, contrastWith, LINES, STAGE, rgb, lightColours, treeOf, linesOf } = await load(
-  "state/frustum.ts", "state/observer.ts", "state/projection.ts", "state/lines.ts", "palette.ts",
+  "state/frustum.ts", "state/observer.ts", "state/projection.ts", "state/lines.ts", "palette.ts", "light-page.ts",
 );
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

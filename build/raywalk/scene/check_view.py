@@ -3,22 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from raywalk.scene.model import Render
+from raywalk.scene.model import Render, SceneObject
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema import SwitchesTable, ViewTable
+from raywalk.scene.shapes import Plane
 from raywalk.scene.wording import did_you_mean, joined, plain, quoted
+
+#: The ray-tracing camera's name in `labels`, in every language.
+CAMERA = "camera"
+
+
+@dataclass(frozen=True)
+class Named:
+    """What a view may name."""
+
+    lights: Sequence[str]  # of an area light as its file gives it
+    objects: Sequence[SceneObject] | None  # None: some are flawed, and left out
 
 
 def check_view(
-    view: ViewTable, render: Render, lights: Sequence[str] | None, at: Location, problems: Problems
+    view: ViewTable, render: Render, named: Named | None, at: Location, problems: Problems
 ) -> None:
-    """A view shows a frustum that exists, a ray that is in it, and switches that there are.
-
-    lights: names, of an area light as its file gives it; None if they are not known.
-    """
+    """A view shows a frustum that exists, a ray that is in it, and switches and things that there
+    are. named: None if they are not known."""
     if view.switches is not None:
+        lights = named.lights if named else None
         _check_switches(view.switches, render, lights, (*at, "switches"), problems)
+    if named is not None and named.objects is not None:
+        _check_marks(view, named.lights, named.objects, at, problems)
     resolutions = render.resolutions
     if view.resolution is not None and view.resolution not in resolutions:
         problems.add(
@@ -60,3 +74,26 @@ def _check_switches(
             )  # fmt: skip
     if switches.shadows and not render.shadows:
         problems.add((*at, "shadows"), "this scene is traced without shadows")
+
+
+def _check_marks(
+    view: ViewTable, lights: Sequence[str], objects: Sequence[SceneObject], at: Location,
+    problems: Problems,
+) -> None:  # fmt: skip
+    endless = [obj.name for obj in objects if isinstance(obj.shape, Plane)]
+    ringed = [obj.name for obj in objects if obj.name not in endless] + [*lights]
+    for i, name in enumerate(view.highlight or ()):
+        if name in endless:
+            problems.add((*at, "highlight", i), f"{quoted(name)} has no end to draw a ring round")
+        else:
+            _check_known(name, ringed, (*at, "highlight", i), problems)
+    for name in view.labels or {}:
+        _check_known(name, [CAMERA, *ringed], (*at, "labels", name), problems)
+
+
+def _check_known(name: str, known: Sequence[str], at: Location, problems: Problems) -> None:
+    if name not in known:
+        problems.add(
+            at, f"there is no {quoted(name)}", allowed=f"known: {joined(map(quoted, known))}",
+            hint=did_you_mean(name, known),
+        )  # fmt: skip

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 import numpy as np
 
 from raywalk.scene.address import address_of
-from raywalk.scene.check_view import check_view
+from raywalk.scene.check_view import Named, check_view
 from raywalk.scene.checks import (
     check_camera,
     check_closed,
@@ -53,8 +53,10 @@ def compile_scene(
     if camera is not None:
         parts.check_eye(camera)
     lights = _lights(draft, problems)
-    # With a light left out for its errors, its name would seem to be wrong.
-    lesson = _lesson(draft, render, None if whole is None else _light_names(draft), problems)
+    # With a light or an object left out for its errors, its name would seem to be wrong.
+    objects = None if problems.errors else parts.objects
+    named = None if whole is None else Named(list(_light_names(draft).values()), objects)
+    lesson = _lesson(draft, render, named, problems)
     if problems.errors or whole is None or camera is None or render is None:
         return None
     return Scene(
@@ -102,13 +104,12 @@ def _light_names(draft: Draft) -> dict[int, str]:
 
 
 def _lesson(
-    draft: Draft, render: Render | None, lights: dict[int, str] | None, problems: Problems
+    draft: Draft, render: Render | None, named: Named | None, problems: Problems
 ) -> list[LessonStep]:
-    names = None if lights is None else list(lights.values())
     for i, step in draft.lesson.items():
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
-                check_view(view, render, names, ("lesson", i, key), problems)
+                check_view(view, render, named, ("lesson", i, key), problems)
         check_pictures(step.text, ("lesson", i, "text"), problems)
         check_pictures(step.answer or "", ("lesson", i, "answer"), problems)
     return [_step(step) for step in draft.lesson.values()]

@@ -160,6 +160,16 @@ TileColours = Literal["picture", "rays", "depth", "tests", "distance", "shadow",
 Colours = Annotated[TileColours, one_of(*get_args(TileColours))]
 
 
+Side = Annotated[
+    Literal["left", "right", "above", "below"], one_of("left", "right", "above", "below")
+]
+Sides = Annotated[
+    dict[str, Side],
+    Allowed("a table of names on the stage", hint='write labels = { "light 1" = "left" }'),
+]
+Names = Annotated[tuple[Text, ...], Allowed("a list of names of objects and lights")]
+
+
 class SwitchesTable(Table):
     """What-if switches: how the tiles and rays would be with other settings."""
 
@@ -181,6 +191,9 @@ class ViewTable(Table):
     observer: Maybe[Observer] = maybe("where the observer stands")
     switches: Maybe[SwitchesTable] = maybe("what-if switches")
     colours: Maybe[Colours] = maybe("what the tiles show: the picture, or what it cost")
+    highlight: Maybe[Names] = maybe("objects and lights that are ringed and named on the stage")
+    labels: Maybe[Sides] = maybe("on which side of its thing a name on the stage stands")
+    boxes: Maybe[Flag] = maybe("whether the boxes that the selected ray tested are drawn")
 
 
 class StepTable(Table):

@@ -113,12 +113,19 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
 
 
 def _in_view(view: dict[str, Any], named: Callable[[str], str]) -> dict[str, Any]:
-    """The view with its switches' lights by their new names."""
-    lights = (view.get("switches") or {}).get("lights")
-    if not lights:
-        return view
-    translated = {named(name): factor for name, factor in lights.items()}
-    return view | {"switches": view["switches"] | {"lights": translated}}
+    """The view with lights and objects by their new names."""
+
+    def by_name(of: dict[str, Any]) -> dict[str, Any]:
+        return {named(name): each for name, each in of.items()}
+
+    translated: dict[str, Any] = {}
+    if lights := (view.get("switches") or {}).get("lights"):
+        translated["switches"] = view["switches"] | {"lights": by_name(lights)}
+    if "highlight" in view:
+        translated["highlight"] = [named(name) for name in view["highlight"]]
+    if "labels" in view:
+        translated["labels"] = by_name(view["labels"])
+    return view | translated
 
 
 def _read(file: Path, problems: Problems) -> TranslationFile | None:

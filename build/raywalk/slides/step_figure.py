@@ -14,7 +14,7 @@ from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygo
 from raywalk.slides.labels import Label, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.pictures import tiles_picture, washed
-from raywalk.slides.stops import ChosenLine, Ends, Stop, ThinLine
+from raywalk.slides.stops import ChosenLine, Ends, Ring, Stop, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
 
 CHOSEN_WIDTH = 2.2
@@ -26,6 +26,7 @@ DOT = 3.2
 MOST_SQUARES = 15  # tiles across that are drawn one by one; finer grids are a picture
 LEAST_SQUARE = 5.0  # points: below, grid lines would cover the tiles
 MOST_NORMALS = 3
+RING_WIDTH = 2.6
 MOST_NUMBERS = 9
 
 
@@ -65,6 +66,7 @@ def step_figure(drawing: Drawing) -> Group:
         *_tiles(drawing),
         *_frustum(drawing, places),
         *_lamps(drawing, places),
+        *_rings(drawing),
         *_thin(drawing, places),
         *rays,
         *_dots(drawing, places),
@@ -186,6 +188,34 @@ def _lamps(drawing: Drawing, places: Places) -> list[Item]:
     return lamps
 
 
+def _rings(drawing: Drawing) -> list[Item]:
+    """Round what the step points at, on a ground that sets it off."""
+    rings: list[Item] = []
+    for ring in drawing.stop.figure.rings:
+        if shown := _in_frame(drawing, ring):
+            rings += [
+                Polygon(shown, None, edge, width, name=ring.name)
+                for edge, width in (("ground", RING_WIDTH + 2), ("accent", RING_WIDTH))
+            ]
+    return rings
+
+
+def _in_frame(drawing: Drawing, ring: Ring) -> tuple[Point, ...]:
+    box = drawing.box
+    return tuple(clipped_area([(box.left + x, box.top + y) for x, y in ring.outline], box))
+
+
+def _ring_names(drawing: Drawing) -> list[Label]:
+    """At the top of each ring; a lamp has its name already."""
+    named = [ring for ring in drawing.stop.figure.rings if not ring.is_lamp]
+    shown = [(ring.name, _in_frame(drawing, ring)) for ring in named]
+    return [
+        Label(name, (sum(x for x, _ in at) / len(at), min(y for _, y in at)), bold=True)
+        for name, at in shown
+        if at
+    ]
+
+
 def _thin(drawing: Drawing, places: Places) -> list[Item]:
     """Thinner still where they are many: a hundred lines must not become one area."""
     thin = drawing.stop.thin
@@ -261,9 +291,10 @@ def _normals(drawing: Drawing, places: Places) -> list[Item]:
 def _labels(drawing: Drawing) -> list[Label]:
     """The most important first: the first hit's place, ray numbers, camera, lights, normals."""
     stop = drawing.stop
+    labels = _ring_names(drawing)
     if stop.is_camera and stop.filled:
-        return _light_names(drawing)  # the tiles hide what the others would name
-    labels = []
+        # The tiles hide what the others would name.
+        return labels + _light_names(drawing)
     if 1 < len(stop.rows) <= MOST_NUMBERS:
         for line in sorted(stop.chosen, key=lambda line: line.ray):
             if line.light < 0 and (at := _middle(drawing, line)):

@@ -76,6 +76,15 @@ class Lamp(FromNode):
     off: bool
 
 
+@dataclass(frozen=True)
+class Ring(FromNode):
+    """Round what the stop points at: a closed line, not cut at the frame."""
+
+    name: str
+    is_lamp: bool
+    outline: tuple[Point, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Figure(FromNode):
     """The picture plane, the ray-tracing camera and the lights from where the observer stands."""
@@ -85,6 +94,7 @@ class Figure(FromNode):
     eye: Point | None
     edges: tuple[Ends | None, ...]  # from the eye to the picture plane's corners
     lamps: tuple[Lamp, ...]
+    rings: tuple[Ring, ...]
 
     def on_plane(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """(..., 3) x, y and depth of the grid's corners."""

@@ -1,10 +1,12 @@
-/** A lecture: what is not needed goes while the pointer rests, and B turns the screen black until anything is pressed. */
+/** A lecture: a light page, on which what is not needed goes while the pointer rests; B turns the screen black until anything is pressed. */
 import { say } from "../words";
 import { button } from "../element";
+import { lightColours } from "../light-page";
 
 const RESTS = 2500; // ms without the pointer moving
 
-export function createLecture(body: HTMLElement) {
+/** recolour: draws what was drawn in other colours. */
+export function createLecture(body: HTMLElement, recolour: () => void) {
   let timer = 0;
   let isOn = false;
   const black = button("", say("lecture.black"), () => light(), { className: "blackout" });
@@ -27,6 +29,8 @@ export function createLecture(body: HTMLElement) {
     show(on: boolean) {
       if (on === isOn) return;
       isOn = on;
+      lightColours(on);
+      recolour();
       moved();
       if (!on) light();
     },

@@ -2,7 +2,7 @@
 import type { Actions } from "../actions";
 import type { RayEvent, Why } from "../state/event-types";
 import { memo } from "../state/memo";
-import { isAsking, type ViewState } from "../state/view-state";
+import { isAsking, stopOf, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { button, disable, element, marked, named, setWord } from "../element";
@@ -60,7 +60,7 @@ export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
       written([scene.id, step, revealed, event, why, (event || isWhy) && !words()], () => {
         // The pipeline has sanitised a step's HTML.
         if (event) text.replaceChildren(...caption(event, words));
-        else if (running) text.innerHTML = ((revealed && scene.lesson[step].answer) || scene.lesson[step]).html;
+        else if (running) text.innerHTML = stopOf(scene, state)!.html;
         else text.replaceChildren(isWhy ? element("p", "why", ...marked(words()?.whyDark(why) ?? [])) : element("p", "teaches", scene.teaches));
         text.classList.toggle("long", text.textContent.length > LONG);
         text.scrollTop = 0;

@@ -1,8 +1,9 @@
 /** The ray-tracing camera and the lines through its picture's corners. */
-import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshMatcapMaterial, Vector3 } from "three";
+import { BoxGeometry, CylinderGeometry, Group, Matrix4, Mesh, MeshMatcapMaterial, Vector3 } from "three";
 import { STAGE } from "../palette";
 import { planeCorners, type PicturePlane } from "../state/frustum";
 import { length } from "../state/vectors";
+import { createSegments } from "./segments";
 
 const SIZE = 0.065; // of the picture plane's width
 const LARGEST = 0.05; // of the scene's radius
@@ -19,11 +20,8 @@ export function createCameraSign(plane: PicturePlane, radius: number) {
   body.applyMatrix4(new Matrix4().lookAt(new Vector3(), new Vector3(...plane.forward), new Vector3(...plane.up)));
   body.position.set(...plane.eye);
 
-  const ends = planeCorners(plane).flatMap((corner) => [...plane.eye, ...corner]);
-  const rays = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(ends), 3));
-  const stroke = new LineBasicMaterial({ color: STAGE.frustum, transparent: true, opacity: 0.8 });
-  const edges = new LineSegments(rays, stroke);
-  edges.renderOrder = 3;
-  object.add(body, edges);
+  const edges = createSegments(STAGE.frustum, 0.8, false);
+  edges.show(planeCorners(plane).map((corner) => [plane.eye, corner]));
+  object.add(body, edges.object);
   return { object };
 }

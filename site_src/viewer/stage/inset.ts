@@ -3,7 +3,8 @@
 import { linesOf } from "../state/lines";
 import { pixelIndex } from "../state/view-state";
 import { clearOf } from "./clear";
-import { isStruck, type Box } from "./labels";
+import { isStruck } from "./labels";
+import type { Box } from "../state/outlines";
 import type { Drawn } from "./renderer";
 
 const SMALL = 84; // CSS pixels; as the style sheet has it

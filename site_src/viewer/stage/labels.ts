@@ -1,6 +1,7 @@
 /** Words beside things on the stage. They keep clear of one another, of rays and of what those meet; a word that stands far from
  *  its thing has a line to it, and one that finds no place is not shown: the least important give way. */
 import { element } from "../element";
+import type { Box } from "../state/outlines";
 
 export interface Label {
   key: string;
@@ -9,13 +10,7 @@ export interface Label {
   y: number;
   kind: "sign" | "hit" | "stop"; // hit: coordinates, in figures of equal width; stop: what is in a light's way
   below?: boolean; // rather than beside: the thing is wide
-}
-
-export interface Box {
-  left: number;
-  top: number;
-  right: number;
-  bottom: number;
+  side?: readonly number[]; // across and down, tried before all others
 }
 
 export interface Round {
@@ -64,9 +59,9 @@ export function isStruck({ left, top, right, bottom }: Box, ends: readonly numbe
 const SPOTS = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
 
 /** The nearest place that is inside and clear. large: times as large as on a desk. */
-function place({ text, kind, x, y, below }: Label, width: number, height: number, { boxes, rounds, strokes, faint }: Clear, taken: readonly Box[], large: number): Box | null {
+function place({ text, kind, x, y, below, side }: Label, width: number, height: number, { boxes, rounds, strokes, faint }: Clear, taken: readonly Box[], large: number): Box | null {
   const [w, h] = [text.length * CHAR[kind] * large + 8, HEIGHT * large];
-  const spots = below ? [...SPOTS.slice(2, 4), ...SPOTS] : SPOTS;
+  const spots = [...(side ? [side] : []), ...(below ? SPOTS.slice(2, 4) : []), ...SPOTS];
   const all = AWAY.map((away) =>
     spots.map(([across, down]) => {
       const gap = below && !across ? 1.6 * away : away;

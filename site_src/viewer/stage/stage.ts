@@ -10,7 +10,8 @@ import { say } from "../words";
 import { createDrawing, type DrawingActs } from "./drawing";
 import { listenToGestures } from "./gestures";
 import { clearOf } from "./clear";
-import { createLabels, type Box } from "./labels";
+import { createLabels, type Label } from "./labels";
+import type { Box } from "../state/outlines";
 import type { Drawn, StageView } from "./renderer";
 import { namesOf } from "./stage-names";
 import type { TracedPicture } from "./traced-picture";
@@ -21,6 +22,8 @@ export interface StageActs extends Pick<DrawingActs, "flat" | "flatRenderer">, P
   /** What lies over the drawing in the traced look; null until its part has come, and then `come` is called. */
   scrolled: () => void;
   traced: (isWanted: boolean, come: () => void) => TracedPicture | null;
+  /** With what a lesson's step points at, and its names. */
+  marked: (drawn: Drawn, labels: Label[], come: () => void) => Label[];
 }
 
 const ORBIT_DEGREES = 0.35; // a pixel of dragging
@@ -53,7 +56,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => readon
     drawing.renderer().draw(drawn);
     const seen = state.look === "traced" && state.observer === "camera";
     acts.traced(seen, redraw)?.show(seen ? scene : null, plane, projection, recombined, state.wipe);
-    labels.show(namesOf(drawn), size.width, size.height, clearOf(drawn, takenOn(root, over())), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
+    labels.show(acts.marked(drawn, namesOf(drawn), redraw), size.width, size.height, clearOf(drawn, takenOn(root, over())), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
     frames++;
   }
   const redraw = () => drawn && draw(drawn.view);

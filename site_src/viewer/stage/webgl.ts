@@ -4,12 +4,12 @@ import { lampColour, LINES, STAGE } from "../palette";
 import type { Line } from "../state/lines";
 import { memo } from "../state/memo";
 import { dot, length, sub } from "../state/vectors";
-import { createBoxSet } from "./box-set";
 import { createCameraSign } from "./camera-sign";
 import { createDots, type Dot } from "./dots";
 import { createLineSet } from "./line-set";
 import { release } from "./release";
 import type { Drawn, StageRenderer, StageView } from "./renderer";
+import { createSegments } from "./segments";
 import { createSolids } from "./solids";
 import { createTiles } from "./tiles";
 
@@ -40,8 +40,9 @@ function createSet(view: StageView) {
   const lamps = createDots(34, 0.55);
   const [chosen, thin] = [createLineSet(true), createLineSet(false)];
   const [hits, thinHits, stops] = [9, 6, 19].map((size) => createDots(size));
-  const boxes = createBoxSet();
-  world.add(...[solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, boxes].map((part) => part.object));
+  // Nothing hides boxes: most lie inside the mesh.
+  const [missed, entered] = [createSegments(STAGE.boxMissed, 0.6, true), createSegments(STAGE.boxEntered, 0.85, true)];
+  world.add(...[solids, tiles, sign, lamps, chosen, thin, hits, thinHits, stops, missed, entered].map((part) => part.object));
   const [forChosen, forThin, forBoxes, forSwitches, forSurroundings] = [1, 2, 3, 4, 5].map(() => memo<void>());
   return {
     of: view.scene,
@@ -59,7 +60,10 @@ function createSet(view: StageView) {
         thin.show(now.thin, null);
         thinHits.show(now.thin.length > DOTS_UP_TO ? [] : endsOf(now.thin, false));
       });
-      forBoxes([now.boxLines], () => boxes.show(now.boxLines));
+      forBoxes([now.boxLines], () => {
+        missed.show(now.boxLines.missed);
+        entered.show(now.boxLines.entered);
+      });
       forSurroundings([now.surroundings], () => solids.surround(now.surroundings));
       forSwitches([now.switched], () => {
         solids.follow(now.switched, now.state.switches);

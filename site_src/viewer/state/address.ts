@@ -1,7 +1,7 @@
 /** The view in the address: #n=15&p=7,9&rays=pixel,row&tiles=filled&cam=...  What is as at the scene's start is
  *  left out; in a lesson, what is as its step shows it: #step=3 is the whole of an untouched step. */
 import type { SceneData, View } from "../trace/types";
-import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, type RayChoice } from "./view-state";
+import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, stopOf, type RayChoice } from "./view-state";
 import { TABS, type Kept, type ViewState } from "./types";
 import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
 import { LOOKS } from "./look";
@@ -152,7 +152,7 @@ export function followAddress(fields: ReadonlyMap<string, string>, scene: SceneD
   const number = read("step", (text) => within("step", text, 1, scene.lesson.length)) ?? null;
   const step = number === null ? null : number - 1;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;
-  const view = viewOf(reader, scene, step === null ? {} : ((revealed && scene.lesson[step].answer) || scene.lesson[step]).view);
+  const view = viewOf(reader, scene, stopOf(scene, { step, revealed })?.view ?? {});
   const wipe = read("wipe", (text) => (view.look === "traced" && numberIn(text) <= 1 ? numberIn(text) : null)) ?? 0;
   const event = read("e", (text) => within("e", text, 1, MOST_EVENTS)); // how many there are is known with the trace
   const speed = read("speed", (text) => nearest("speed", text, SPEEDS)) ?? kept.speed;

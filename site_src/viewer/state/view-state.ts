@@ -1,5 +1,5 @@
 /** The ways in which what is on the page changes: each makes the next state out of this one. */
-import type { SceneData, Trace, View } from "../trace/types";
+import type { LessonStop, SceneData, Trace, View } from "../trace/types";
 import { NO_EVENT } from "./play";
 import type { TileView } from "./tile-views";
 import { AS_TRACED, switchesFrom, type Switches } from "./switches";
@@ -119,12 +119,17 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
   };
 }
 
+/** Of the lesson: a step, or its answer where that is revealed. */
+export const stopOf = ({ lesson }: SceneData, { step, revealed }: Pick<ViewState, "step" | "revealed">): LessonStop | undefined => (step === null ? undefined : (revealed && lesson[step]?.answer) || lesson[step]);
+
+/** Are the boxes that the selected ray tested to be drawn? */
+export const wantsBoxes = (state: ViewState, scene: SceneData): boolean => state.colours === "tests" || !!stopOf(scene, state)?.view.boxes;
+
 /** revealed: with the step's answer, if it has one. */
 export function goToStep(scene: SceneData, state: ViewState, step: number | null, revealed = false): ViewState {
-  const asked = step === null ? undefined : scene.lesson[step];
-  if (!asked) return { ...state, step: null, revealed: false };
-  const stop = (revealed && asked.answer) || asked;
-  return applyView(scene, { ...state, step, revealed: stop !== asked }, stop.view);
+  const stop = stopOf(scene, { step, revealed });
+  if (!stop) return { ...state, step: null, revealed: false };
+  return applyView(scene, { ...state, step, revealed: stop !== scene.lesson[step!] }, stop.view);
 }
 
 /** The lesson's next or previous stop, steps and answers alike; the same state at either end. */

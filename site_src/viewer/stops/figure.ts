@@ -4,10 +4,11 @@ import type { PicturePlane } from "../state/frustum";
 import { planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
 import { seenPart, type Projection } from "../state/projection";
+import { ringsOf, type Ring } from "../state/rings";
 import { factorsOf, type Switches } from "../state/switches";
 import { add, along, scale, sub, triple, type Vec3 } from "../state/vectors";
 import type { LineKind } from "../trace/kinds";
-import type { SceneData, Trace } from "../trace/types";
+import type { SceneData, Trace, View } from "../trace/types";
 
 const NEAR = 1 / 300; // of the scene's radius: what is nearer to the observer is cut
 const NORMAL_LONG = 0.13; // of the scene's radius
@@ -46,6 +47,16 @@ export interface Figure {
   eye: Point | null; // of the ray-tracing camera; null behind the observer, as all points
   edges: readonly (Ends | null)[]; // from there to the picture plane's corners
   lamps: readonly { name: string; at: Point | null; off: boolean }[];
+  rings: readonly { name: string; isLamp: boolean; outline: readonly Point[] }[]; // round what the stop points at
+}
+
+const ROUND = 48; // corners of a circle
+
+/** A ring as a closed line. */
+function outlineOf({ left, right, top, bottom, isRound }: Ring): Point[] {
+  if (!isRound) return [[left, top], [right, top], [right, bottom], [left, bottom]];
+  const [x, y, across, down] = [(left + right) / 2, (top + bottom) / 2, (right - left) / 2, (bottom - top) / 2];
+  return Array.from({ length: ROUND }, (_, k): Point => [x + across * Math.cos((2 * Math.PI * k) / ROUND), y + down * Math.sin((2 * Math.PI * k) / ROUND)]);
 }
 
 export class Sheet {
@@ -86,7 +97,7 @@ export class Sheet {
     return { ...this.drawn(line, hidden), ray: number, light, leaves, to, whole: this.ends(from, to), end: this.at(to), tip: this.at(tip) };
   }
 
-  figure(plane: PicturePlane, n: number, switches: Switches): Figure {
+  figure(plane: PicturePlane, n: number, switches: Switches, pointing: View): Figure {
     const axes = [scale(plane.across, 1 / n), scale(plane.down, 1 / n), sub(plane.origin, this.eye)].map(this.view.homogeneous);
     const factors = factorsOf(switches, this.scene);
     return {
@@ -95,6 +106,7 @@ export class Sheet {
       eye: this.at(plane.eye),
       edges: planeCorners(plane).map((corner) => this.ends(plane.eye, corner)),
       lamps: this.scene.lights.map(({ name, position }, light) => ({ name, at: this.at(position), off: factors[light] === 0 })),
+      rings: ringsOf(pointing, this.scene, this.view, this.near).map((ring) => ({ name: ring.name, isLamp: ring.isLamp, outline: outlineOf(ring) })),
     };
   }
 }

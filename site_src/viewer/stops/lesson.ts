@@ -6,7 +6,7 @@ import { rayRows, type RayRow } from "../state/ray-rows";
 import { brightness, isSwitched, lampsOf, type Switches } from "../state/switches";
 import type { Observer, ViewState } from "../state/types";
 import { scale, triple, type Vec3 } from "../state/vectors";
-import { pixelIndex } from "../state/view-state";
+import { pixelIndex, stopOf } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { hexOf } from "../words";
 import type { Asked } from "./asked";
@@ -91,7 +91,7 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
     isCamera: state.observer === "camera",
     switches: { ...switches, lamps: lamps.filter(([, factor]) => factor !== 1) },
     isSwitched: isSwitched(switches),
-    figure: sheet.figure(setting.plane, n, switches),
+    figure: sheet.figure(setting.plane, n, switches, stopOf(scene, state)!.view),
     chosen: seen.chosen.map((line, k) => sheet.chosen(line, sights.hidden[k], seen.trace, numbers.get(line.ray)!)),
     thin: seen.thin.map((line, k) => sheet.drawn(line, sights.hidden[seen.chosen.length + k])),
     tiles: state.tiles === "filled" ? base64(costsOf(seen.trace, seen.scene, colours).colours) : null,
