@@ -10,7 +10,7 @@ import pytest
 from mpmath import mpf
 
 from raywalk.bench.truth import turned, vector
-from raywalk.scene.exact import DIGITS, cosine, rest_of, rounded, sine
+from raywalk.scene.exact import DIGITS, cosine, sine, with_rest
 from raywalk.scene.model import SceneObject
 from raywalk.scene.placement import placement
 from raywalk.scene.shapes import Ellipsoid
@@ -36,7 +36,7 @@ def test_a_number_and_its_rest_are_the_number() -> None:
     """1/3 in float64, and what it lacks: together 30 digits."""
     with localcontext(prec=DIGITS):
         third = np.array([Decimal(1) / 3], object)
-        both = Decimal(float(rounded(third)[0])) + Decimal(float(rest_of(third)[0]))
+        both = sum(Decimal(float(part[0])) for part in with_rest(third))
         assert abs(both - third[0]) < Decimal(10) ** -30
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from raywalk.geometry.faces import BOX, SHAPE, TRIANGLE, shape_record
 from raywalk.geometry.shared_rims import shared_rims
-from raywalk.scene.exact import DIGITS, exact, rest_of, rounded
+from raywalk.scene.exact import DIGITS, exact, rounded, with_rest
 from raywalk.scene.model import Scene
 from raywalk.scene.placement import exact_placement, is_unmoved
 from raywalk.scene.shapes import Box, Canonical, Mesh, Shape, Triangle, Triple
@@ -51,8 +51,8 @@ def compile_primitives(scene: Scene) -> Primitives:
     placed = [exact_placement(scene.objects[k]) for k in kept]
     inverse = _stack([_inverse(linear) for linear, _ in placed], (3, 3))
     middle = _stack([centre for _, centre in placed], (3,))
-    to_world, to_local = rounded(_stack([linear for linear, _ in placed], (3, 3))), rounded(inverse)
-    centre = rounded(middle)
+    to_world = rounded(_stack([linear for linear, _ in placed], (3, 3)))
+    (to_local, to_local_rest), (centre, centre_rest) = with_rest(inverse), with_rest(middle)
     sizes = np.linalg.svd(to_world, compute_uv=False)  # half axes of the unit sphere's image
     shapes = [scene.objects[k].shape for k in kept]
     is_edged = np.array([isinstance(shape, EDGED) for shape in shapes], bool)
@@ -65,20 +65,20 @@ def compile_primitives(scene: Scene) -> Primitives:
         else:
             moved.append(row)
     corners = _stack([_corners(shapes[row], *placed[row]) for row in moved], (8, 3))
-    corner[moved], corner_rest[moved] = rounded(corners), rest_of(corners)
+    corner[moved], corner_rest[moved] = with_rest(corners)
     rimmed, rims = shared_rims(shapes, placed, inverse, to_world, centre)
     is_edged[rimmed] = True
-    corner[rimmed], corner_rest[rimmed] = rounded(rims), rest_of(rims)
+    corner[rimmed], corner_rest[rimmed] = with_rest(rims)
     row_of = np.full(len(scene.objects), -1, np.int32)
     row_of[kept] = np.arange(len(kept))
     return Primitives(
         shape=np.array([shape_record(shape.canonical) for shape in shapes], SHAPE),
         object=np.array(kept, np.int32),
         centre=centre,
-        centre_rest=rest_of(middle),
+        centre_rest=centre_rest,
         to_world=to_world,
         to_local=to_local,
-        to_local_rest=rest_of(inverse),
+        to_local_rest=to_local_rest,
         is_skewed=_growth(to_world, to_local) > SKEWED,
         is_thin=_are_thin([shape.canonical for shape in shapes], to_world, sizes),
         stretch=np.abs(to_local).sum(axis=2).max(axis=1, initial=0.0),

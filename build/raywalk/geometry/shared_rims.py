@@ -62,7 +62,9 @@ def _rims_of(row: int, shape: Shape) -> Iterator[Rim]:
     elif isinstance(shape, Cylinder | Cone):
         yield Rim(row, 1, Decimal(1))
         small, big = sorted((shape.radius, getattr(shape, "end_radius", shape.radius)))
-        if small > 0.0:
+        if small == big:
+            yield Rim(row, -1, Decimal(1))
+        elif small > 0.0:
             with localcontext(prec=DIGITS):  # the canonical one's quotient is rounded
                 yield Rim(row, -1, Decimal(small) / Decimal(big))
 

@@ -50,12 +50,12 @@ def rounded(exact: np.ndarray) -> np.ndarray:
     return np.asarray(exact, dtype=np.float64) + 0.0
 
 
-def rest_of(exact: np.ndarray) -> np.ndarray:
-    """What `rounded` leaves over, in float64."""
-    kept, flat = rounded(exact).ravel(), exact.ravel()
-    out, some = np.zeros(len(kept)), np.flatnonzero(kept)
-    out[some] = [float(flat[k] - Decimal(kept[k])) for k in some.tolist()]
-    return out.reshape(exact.shape) + 0.0
+def with_rest(exact: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What `rounded` makes of them, and what it leaves over, in float64."""
+    kept = rounded(exact)
+    pairs = zip(exact.ravel().tolist(), kept.ravel().tolist(), strict=True)
+    rest = [float(one - Decimal(near)) if near else 0.0 for one, near in pairs]
+    return kept, np.array(rest).reshape(exact.shape) + 0.0
 
 
 def exact(values: Any) -> np.ndarray:
@@ -67,33 +67,59 @@ def exact(values: Any) -> np.ndarray:
 EYE = exact(np.eye(3))
 
 
+# Of three numbers the loops are written out: numpy's own take several times as long.
+
+
 def unit(vector: np.ndarray) -> np.ndarray:
     """(3,) Decimals made 1 long."""
-    return np.asarray(vector / (vector @ vector).sqrt())
+    return np.array(_unit(vector.tolist()), object)
 
 
 def across(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(3,) the vector product of two of Decimals; numpy's own takes several times as long."""
+    """(3,) the vector product of two of Decimals."""
     (ax, ay, az), (bx, by, bz) = a.tolist(), b.tolist()
     return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], object)
 
 
+def axis_across(n: np.ndarray) -> np.ndarray:
+    """The first unit axis across a unit vector: of the two world axes left when the one of its
+    largest component is dropped the first, made perpendicular to it; x of a vector that is
+    upright."""
+    along = n.tolist()
+    first, _ = _axes_left(along)
+    if along[first] == 0:  # most are upright
+        return EYE[first]
+    return np.array(_unit(_perpendicular(EYE[first].tolist(), along)), object)
+
+
 def axes_across(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The two unit axes across a unit vector: the world axes left when its largest component is
-    dropped, made perpendicular to it; x and z of a vector that is upright."""
-    first, second = (axis for axis in range(3) if axis != int(np.argmax(np.abs(n))))
-    if n[first] == n[second] == 0:  # most are upright
-        return EYE[first], EYE[second]
-    u = unit(_perpendicular(EYE[first], n))
-    return u, unit(_perpendicular(_perpendicular(EYE[second], n), u))
+    """The two unit axes across a unit vector, the second one made of the second axis left."""
+    u, along = axis_across(n), n.tolist()
+    second = EYE[_axes_left(along)[1]].tolist()
+    return u, np.array(_unit(_perpendicular(_perpendicular(second, along), u.tolist())), object)
 
 
-def _perpendicular(vector: np.ndarray, to: np.ndarray) -> np.ndarray:
-    return np.asarray(vector - (vector @ to) * to)
+def _axes_left(along: list[Decimal]) -> list[int]:
+    largest = max(range(3), key=lambda axis: abs(along[axis]))
+    return [axis for axis in range(3) if axis != largest]
+
+
+def _unit(vector: list[Decimal]) -> list[Decimal]:
+    x, y, z = vector
+    size = (x * x + y * y + z * z).sqrt()
+    return [x / size, y / size, z / size]
+
+
+def _perpendicular(vector: list[Decimal], to: list[Decimal]) -> list[Decimal]:
+    (x, y, z), (a, b, c) = vector, to
+    share = x * a + y * b + z * c
+    return [x - share * a, y - share * b, z - share * c]
 
 
 def rotation(axis: np.ndarray, degrees: float) -> np.ndarray:
     """(3, 3) right-handed turn about a unit axis through the origin (Rodrigues)."""
+    if degrees == 0:
+        return EYE
     x, y, z = axis
     none = Decimal(0)
     cross = np.array([[none, -z, y], [z, none, -x], [-y, x, none]])

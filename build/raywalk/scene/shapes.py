@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raywalk.models.piece import Piece
-from raywalk.scene.exact import EYE, across, axes_across, exact, rotation, unit
+from raywalk.scene.exact import EYE, across, axis_across, exact, rotation, unit
 from raywalk.scene.wording import plain
 
 Triple = tuple[float, float, float]
@@ -144,6 +144,8 @@ class Ellipsoid(Shape):
     canonical = SPHERE
 
     def placement(self) -> Placement:
+        if not any(self.rotation):
+            return EYE * exact(self.radii), exact(self.center)
         about_x, about_y, about_z = (rotation(EYE[k], self.rotation[k]) for k in range(3))
         return about_z @ about_y @ about_x * exact(self.radii), exact(self.center)
 
@@ -162,7 +164,7 @@ class Plane(Shape):
 
     def placement(self) -> Placement:
         n = unit(exact(self.normal))
-        u, _ = axes_across(n)
+        u = axis_across(n)
         return np.column_stack([u, n, across(u, n)]), exact(self.point)
 
     def flaws(self) -> Iterator[Flaw]:
@@ -254,7 +256,7 @@ class Disc(Shape):
 
     def placement(self) -> Placement:
         n = unit(exact(self.normal))
-        u, _ = axes_across(n)
+        u = axis_across(n)
         frame = np.column_stack([u, across(n, u), n])
         return Decimal(self.radius) * frame, exact(self.center)
 
@@ -322,7 +324,7 @@ def _between(start: Triple, end: Triple, radius: float) -> Placement:
     foot = exact(start)
     half = (exact(end) - foot) / 2
     axis = unit(half)
-    u, _ = axes_across(axis)
+    u = axis_across(axis)
     wide = Decimal(radius)
     return np.column_stack([wide * u, wide * across(axis, u), half]), foot + half
 
