@@ -7,13 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from raywalk.pipeline.figures import filled_here
 from raywalk.scene.models import read_catalogue
 from raywalk.scene.read import read_scenes
 from raywalk.trace.tree import Kind
 from raywalk.trace.wavefront import LEAST_SHARE, Tracer
+from raywalk.work.store import Store
 
 ROOT = Path(__file__).parents[2]
 BLOCKED, REACHED, BEHIND = 0, 1, 2
+NARROW = "\u202f"  # before a percent sign, and between groups of digits
 
 # (key, resolution, pixel): the objects along the ray that carries most of the colour, the
 # one thing to see; and what its last hit knows of each light.
@@ -85,10 +88,16 @@ def tree(tracers, key, n, pixel):
     return Ray(tracer, tracer.waves(np.array([row * n + column]), n, n))
 
 
-def words(tracers, key):
-    """All texts of a lesson, with single spaces."""
-    stops = [stop for step in tracers[key].scene.lesson for stop in step.stops()]
-    return " ".join(" ".join(text for text, _ in stops).split())
+@pytest.fixture(scope="module")
+def said(tracers, tmp_path_factory):
+    """All texts of the lessons as one reads them, by key, with single spaces."""
+    store = Store(tmp_path_factory.mktemp("work"))
+    scenes = {key: filled_here(store, tracer.scene) for key, tracer in tracers.items()}
+    texts = {
+        key: [text for step in scene.lesson for text, _ in step.stops()]
+        for key, scene in scenes.items()
+    }
+    return {key: " ".join(" ".join(of).replace(NARROW, " ").split()) for key, of in texts.items()}
 
 
 @pytest.mark.parametrize("key, n, pixel", SAID)
@@ -111,48 +120,46 @@ def test_no_step_is_left_unchecked(key, tracers):
     assert 7 <= len(views) <= 12
 
 
-def test_the_numbers_of_the_ray_through_the_glass_sphere(tracers):
-    """Fresnel's share, Snell's angles and the 88 %, as the lesson of scene 8 words them."""
+def test_the_numbers_of_the_ray_through_the_glass_sphere(tracers, said):
+    """Fresnel's share, Snell's angles and the 88.5 %, as the lesson of scene 8 words them."""
     camera, inside, out = tree(tracers, "8", 15, (8, 11)).heaviest()
-    said = words(tracers, "8")
+    said = said["8"]
     mirrored, entered = camera.children
     assert (mirrored.kind, mirrored.name) == (Kind.REFLECTED, "floor")
     assert f"**{100 * mirrored.weight:.1f} % is mirrored**" in said
     assert f"**{100 * entered.weight:.1f} % goes in**" in said
-    assert f"{camera.angle:.1f} degrees outside, {inside.angle:.1f} inside" in said
+    assert f"{camera.angle:.2f} degrees outside, {inside.angle:.2f} inside" in said
     index = np.sin(np.radians(camera.angle)) / np.sin(np.radians(inside.angle))
     assert f"is {index:.3f}, always" in said
-    assert f"**{100 * out.share:.0f} % of this pixel is the orange ball**" in said
+    assert f"**{100 * out.share:.1f} % of this pixel is the orange ball**" in said
     straight = ((1.5168 - 1) / (1.5168 + 1)) ** 2  # Fresnel at normal incidence
-    assert f"loses {100 * straight:.1f} %" in said
+    assert f"head-on, {100 * straight:.1f} % is mirrored" in said
 
 
-def test_the_slab_gives_the_ray_its_direction_back(tracers):
+def test_the_slab_gives_the_ray_its_direction_back(tracers, said):
     """Parallel faces: the angles are the lesson's, and the way out is parallel to the way in."""
     tracer = tracers["8"]
     waves = tracer.waves(np.array([7 * 15 + 12]), 15, 15)
     camera, inside, _ = Ray(tracer, waves).heaviest()
-    said = words(tracers, "8")
-    assert f"{camera.angle:.1f} degrees outside, {inside.angle:.1f} inside" in said
+    assert f"{camera.angle:.1f} degrees outside, {inside.angle:.1f} inside" in said["8"]
     out = waves[2].rays.direction[waves[2].kind == Kind.REFRACTED][0]
     # Two refractions, about 10 roundings each in float64.
     np.testing.assert_allclose(out, waves[0].rays.direction[0], rtol=0, atol=1e-14)
 
 
-def test_total_reflection_is_where_the_lesson_says(tracers):
+def test_total_reflection_is_where_the_lesson_says(tracers, said):
     """The bottom of the slab, beyond the critical angle; nothing leaves there."""
     _, inside, reflected, _ = tree(tracers, "8", 15, (12, 12)).heaviest()
     assert reflected.kind == Kind.TOTAL and reflected.weight == 1.0
     assert inside.children == [reflected]
-    said = words(tracers, "8")
-    assert f"at {inside.angle:.1f} degrees" in said
-    assert f"**{np.degrees(np.arcsin(1 / 1.5168)):.1f} degrees**" in said
+    assert f"at {inside.angle:.1f} degrees" in said["8"]
+    assert f"**{np.degrees(np.arcsin(1 / 1.5168)):.1f} degrees**" in said["8"]
 
 
-def test_a_grazing_ray_is_mirrored_as_much_as_the_answer_says(tracers):
+def test_a_grazing_ray_is_mirrored_as_much_as_the_answer_says(tracers, said):
     camera = tree(tracers, "8", 15, (8, 12))
     assert round(camera.angle) == 83
-    assert f"**{100 * camera.children[0].weight:.0f} %**, more than half" in words(tracers, "8")
+    assert f"**{100 * camera.children[0].weight:.0f} %**, more than half" in said["8"]
 
 
 def test_a_shadow_ray_runs_through_the_glass_sphere(tracers):
@@ -188,9 +195,9 @@ def test_rays_go_through_every_glass_object_and_some_are_totally_reflected(key, 
     assert any((wave.kind == Kind.TOTAL).any() for wave in waves)
 
 
-def test_shares_named_in_scenes_9_and_0(tracers):
+def test_shares_named_in_scenes_9_and_0(tracers, said):
     """Percentages of the texts, from the trees of their pixels."""
-    nine, zero = words(tracers, "9"), words(tracers, "0")
+    nine, zero = said["9"], said["0"]
     lacquer = tree(tracers, "9", 15, (4, 10))
     assert f"{100 * lacquer.local_share:.0f} % of this colour is red paint" in nine
     assert [ray.name for ray in lacquer.children] == ["floor"]
@@ -213,12 +220,11 @@ def test_shares_named_in_scenes_9_and_0(tracers):
     assert (mirrored.name, mirrored.children[0].name) == ("mirror sphere", "left wall")
 
 
-def test_triangles_are_counted_as_the_lesson_counts_them(tracers):
+def test_triangles_are_counted_as_the_file_has_them(said):
     """One round of subdivision makes four triangles of one."""
     models, _ = read_catalogue(ROOT / "models/models.toml")
-    said = words(tracers, "9")
-    for name in ("dragon", "bunny"):
-        assert f"{4 * models.tables[name].triangles:,}" in said
+    count = f"{models.tables['dragon'].triangles:,}".replace(",", " ")
+    assert f"scanned as {count} triangles, each split into four" in said["9"]
 
 
 @pytest.mark.parametrize("key, most", [("8", 0.0), ("9", 0.002), ("0", 0.0)])

@@ -140,12 +140,13 @@ def _prepared(
     chosen: Namespace, scenes: list[Scene], layout: Layout
 ) -> Generator[str | Message, None, list[Sources]]:
     """What the scenes' slides are made from, by way of the store; tells what has to be traced."""
+    from raywalk.pipeline.figures import filled_here
     from raywalk.pipeline.slides import plans_of, sources_of
     from raywalk.stops.process import Stops
     from raywalk.work.store import Store
 
     store, sources = Store(chosen.work), []
-    for scene in scenes:
+    for scene in (filled_here(store, each) for each in scenes):
         sources.append((yield from traced(store, scene)))
     with Stops() as stops:
         plans = yield from plans_of(store, stops, sources, layout)

@@ -29,12 +29,14 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     if not (chosen.out / "scenes" / scene.id / "index.html").is_file():
         return False
     # Only here: a change of words imports none of it.
+    from raywalk.pipeline.figures import filled_here
     from raywalk.pipeline.publishing import publish_scene
     from raywalk.pipeline.trace_task import grids_into
     from raywalk.site.scene_data import write_page_data
 
     grids = grids_into(store, made_from, scene, cores)
+    shown = filled_here(store, scene, is_quick=True)
     place = folder / "scenes" / scene.id
     publish_scene(place, [grids])
-    write_page_data(scene, grids.folder, place)
+    write_page_data(shown, grids.folder, place)
     return True

@@ -29,14 +29,19 @@ PAGE_PICTURES = Maker("raywalk.site.page_pictures", "write_page_pictures")
 
 def trace_parts(scene: Scene) -> Parts:
     """The scene without its words, its meshes' bytes, and what traces it."""
-    silent = replace(scene, title="", teaches="", key="", lesson=(), path=Path())
     return {
         "what": "trace",
         "of": scene.id,
-        "scene": plain(silent),
+        "scene": silent(scene),
         "models": models_of(scene),
         **TRACE.parts(shut_for(scene)),
     }
+
+
+def silent(scene: Scene) -> Any:
+    """All of a scene that is traced: it without its words."""
+    words: dict[str, Any] = {"title": "", "teaches": "", "key": "", "lesson": (), "goals": ()}
+    return plain(replace(scene, path=Path(), **words))
 
 
 def grids_parts(of_trace: Parts) -> Parts:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.pipeline.figures import filled_lessons
 from raywalk.pipeline.parts import trace_parts, viewer_parts
 from raywalk.pipeline.publishing import Made, publish
 from raywalk.pipeline.scenes import Making, make_scenes
@@ -59,6 +60,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
         yield from tracing.begin(chosen.scheduler)
         making = Making(store, tracing, None if chosen.slides_later else asking(store, stops))
         with Workers() as workers:
+            # First: what is wrong with a slot is said before minutes of tracing.
+            spoken = yield from filled_lessons(store, spoken, workers)
             of_scenes, decks = yield from make_scenes(making, spoken, workers)
         viewer = bundled.result()
     traces = {scene.id: of_scenes[scene.id].traced for scene in scenes}

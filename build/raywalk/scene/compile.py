@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 import numpy as np
 
 from raywalk.scene.address import address_of
+from raywalk.scene.check_slots import check_slots
 from raywalk.scene.check_view import Named, check_view
 from raywalk.scene.checks import (
     check_camera,
@@ -57,6 +58,9 @@ def compile_scene(
     objects = None if problems.errors else parts.objects
     named = None if whole is None else Named(list(_light_names(draft).values()), objects)
     lesson = _lesson(draft, render, named, problems)
+    goals = () if whole is None else tuple(goal.strip() for goal in whole.goals or ())
+    for i, goal in enumerate(goals):
+        check_slots(goal, {}, render, ("goals", i), problems)
     if problems.errors or whole is None or camera is None or render is None:
         return None
     return Scene(
@@ -72,6 +76,7 @@ def compile_scene(
         objects=tuple(parts.objects),
         lights=tuple(lights),
         lesson=tuple(lesson),
+        goals=goals,
     )
 
 
@@ -110,14 +115,17 @@ def _lesson(
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
                 check_view(view, render, named, ("lesson", i, key), problems)
-        check_pictures(step.text, ("lesson", i, "text"), problems)
-        check_pictures(step.answer or "", ("lesson", i, "answer"), problems)
+        for key, (text, shown) in _step(step).said().items():
+            check_pictures(text, ("lesson", i, key), problems)
+            check_slots(text, shown, render, ("lesson", i, key), problems)
     return [_step(step) for step in draft.lesson.values()]
 
 
 def _step(step: StepTable) -> LessonStep:
     revealed = _plain(step.answer_view) if step.answer_view else {}
-    return LessonStep(step.text.strip(), _plain(step.view), (step.answer or "").strip(), revealed)
+    words = (each.strip() if each else "" for each in (step.text, step.answer, step.headline))
+    text, answer, headline = words
+    return LessonStep(text, _plain(step.view), answer, revealed, headline)
 
 
 def _plain(view: ViewTable) -> dict[str, object]:

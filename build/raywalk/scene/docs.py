@@ -14,6 +14,7 @@ from pydantic.fields import FieldInfo
 
 from raywalk.scene.fields import Allowed
 from raywalk.scene.materials import BUILT_IN
+from raywalk.scene.quantities import QUANTITIES, Quantity
 from raywalk.scene.schema import (
     CameraTable,
     LightTable,
@@ -33,7 +34,7 @@ from raywalk.scene.schema_objects import (
 )
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.table import Table
-from raywalk.scene.wording import plain
+from raywalk.scene.wording import counted, plain
 
 EXAMPLE = """\
 ```toml
@@ -110,6 +111,49 @@ def _drop_null_defaults(part: Any) -> None:
             _drop_null_defaults(item)
 
 
+SLOTS = """\
+## Figures in a lesson: slots
+
+A figure in a `headline`, `text`, `answer` or goal is a slot, which the build fills in from full
+float64 numbers, as `raywalk pixel` prints them, in the way its language writes numbers. So it is
+right after the scene has changed, and the same on pages, slides and sheets.
+
+| slot | becomes |
+|---|---|
+| `{t}` | how far the camera ray of the step's own pixel runs to its hit: 4.46 |
+| `{angle.light 1 : 0}` | with the light's name (or `light1` for the first), without decimals: 32 |
+| `{angle.refracted.refracted}` | of the ray that the refracted ray of the camera ray leads to |
+| `{t at 4,3}`, `{t at 4,3 of 15}` | of another pixel, column and row; of another grid |
+| `{weight.reflected : 0%}` | in percent: `: 2` says how many decimals, `: %` in percent |
+| `{sine / sine.refracted : 3}` | a ratio; `*` is a product; of these, and of plain numbers |
+
+The order is quantity, rays, what else it is of: `{n.l.reflected.light 2}`. Rays are
+`reflected`, `refracted` and `total` (totally reflected), each sent on by the one before. Names are
+those of this file, in translations too. Switches of the view change nothing: figures are of the
+scene as it is traced. Formulas and code hold no slots, and `\\{` is a brace that opens none.
+
+| quantity | of | then | written | meaning |
+|---|---|---|---|---|"""
+
+
+def _slots() -> str:
+    rows = [
+        f"| {each.name} | {'a ray' if each.of == 'ray' else f'the {each.of}'} | {_then(each)} | "
+        f"{_written(each)} | {each.meaning} |"
+        for each in QUANTITIES.values()
+    ]
+    return "\n".join([SLOTS, *rows])
+
+
+def _then(quantity: Quantity) -> str:
+    what = " ".join(quantity.choices) or quantity.takes
+    return f"{what}, or nothing" if what and quantity.may_be_alone else what
+
+
+def _written(quantity: Quantity) -> str:
+    return f"{counted(quantity.digits, 'decimal')}{', in percent' if quantity.is_percent else ''}"
+
+
 RULES = """\
 ## Also checked
 
@@ -119,13 +163,14 @@ RULES = """\
 - What lets light through has an inside: a closed shape, or a plane as the border of a half-space.
 - Materials do not inherit from themselves. Model files exist.
 - A view's resolution is one of the scene's, and its pixel is inside. Its switches name lights of
-  the scene, and no more bounces than it traces."""
+  the scene, and no more bounces than it traces.
+- Slots ask for what there is: a quantity, a ray of the pixel, a light, a material, a mesh."""
 
 
 def readme() -> str:
     """scenes/README.md: every table, every key, what is allowed, the default, the meaning."""
     parts = [INTRODUCTION, *(_section(title, table) for title, table in SECTIONS), _materials()]
-    parts.append(RULES)
+    parts += [_slots(), RULES]
     return "\n\n".join(parts) + "\n"
 
 

@@ -182,6 +182,21 @@ def _check_formulas(text: str) -> str:
 
 
 LessonText = Annotated[Text, AfterValidator(_check_formulas)]
+MOST_WORDS = 8  # of a slide's title: more are not read at a glance
+
+
+def _check_length(text: str) -> str:
+    # A slot becomes one figure, however much is typed for it.
+    count = len(re.sub(r"\{[^{}]*\}", "0", text).split())
+    if "\n" in text.strip():
+        raise refusal(f"{show(text)} has several lines", allowed="allowed: one")
+    if count > MOST_WORDS:
+        allowed = f"allowed: at most {MOST_WORDS}, which are read at a glance"
+        raise refusal(f"{show(text)} has {count} words", allowed=allowed)
+    return text
+
+
+Headline = Annotated[LessonText, AfterValidator(_check_length)]
 
 # Lists arrive from TOML; tuples leave, because a scene does not change.
 Point = Annotated[tuple[Number, Number, Number], Allowed("three numbers, [x, y, z]")]

@@ -7,7 +7,7 @@ names are resolved, defaults filled in, files found.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -122,11 +122,22 @@ class LessonStep:
     view: dict[str, Any]  # see the schema's View; keys that differ from the start view
     answer: str = ""  # Markdown, revealed when asked for
     answer_view: dict[str, Any] = field(default_factory=dict)  # keys that differ from `view`
+    headline: str = ""  # Markdown, a few words: a slide's title
 
     def stops(self) -> list[tuple[str, dict[str, Any]]]:
         """Text and view, and then those of the answer: as one goes through a lesson."""
         asked = [(self.text, self.view)]
         return [*asked, (self.answer, self.view | self.answer_view)] if self.answer else asked
+
+    def said(self) -> dict[str, tuple[str, dict[str, Any]]]:
+        """All its words by their keys in the file, and the view that each is said with."""
+        revealed = self.view | self.answer_view
+        texts = {"headline": self.view, "text": self.view, "answer": revealed}
+        return {key: (getattr(self, key), view) for key, view in texts.items()}
+
+    def saying(self, words: dict[str, str]) -> LessonStep:
+        """The step with other words, by these keys."""
+        return replace(self, **words)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,6 +154,7 @@ class Scene:
     objects: tuple[SceneObject, ...]
     lights: tuple[Light, ...]
     lesson: tuple[LessonStep, ...]
+    goals: tuple[str, ...] = ()  # of the lesson: Markdown, a line each
 
     @property
     def has_glass(self) -> bool:

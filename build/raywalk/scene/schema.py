@@ -13,6 +13,7 @@ from raywalk.scene.fields import (
     Falloff,
     FieldOfView,
     Flag,
+    Headline,
     LessonText,
     Maybe,
     Name,
@@ -200,10 +201,13 @@ class StepTable(Table):
     """A step of the lesson. With an answer it is a question: predict, then reveal."""
 
     text: LessonText = means(
-        "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png); "
-        "slides and worksheets have of an .svg its words"
+        "what is said or asked, in Markdown, with $formulas$, {slots} for figures and "
+        "![words](a picture.png); slides and worksheets have of an .svg its words"
     )
     view: ViewTable = Field(default_factory=ViewTable, description="what is shown")
+    headline: Maybe[Headline] = maybe(
+        "a slide's title, of at most 8 words (default: the text's first sentence, if it is short)"
+    )
     answer: Maybe[LessonText] = maybe("what is said once everyone has predicted, in Markdown")
     answer_view: Maybe[ViewTable] = maybe(
         "what is shown with the answer; what is left out is as in view"
@@ -227,6 +231,11 @@ Materials = Annotated[
 Objects = Annotated[tuple[AnyObject, ...], _tables("objects")]
 Lights = Annotated[tuple[LightTable, ...], _tables("lights")]
 Lesson = Annotated[tuple[StepTable, ...], _tables("lesson")]
+GOALS = (2, 4)  # fewer are no list, more nobody remembers
+Goals = Annotated[
+    tuple[LessonText, ...], Field(min_length=GOALS[0], max_length=GOALS[1]),
+    Allowed("a list of 2 to 4 texts"),
+]  # fmt: skip
 Key = Annotated[Literal["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"], one_of(*"0123456789")]
 
 
@@ -239,6 +248,9 @@ class SceneFile(Table):
     key: Maybe[Key] = maybe("the key that selects the scene in the viewer")
     title: Text = means("a few words")
     teaches: Text = means("one sentence: what a student takes home")
+    goals: Maybe[Goals] = maybe(
+        "2 to 4 sentences for the lesson's first slide: what a student can do after it"
+    )
     background: Brightness = means("what a ray brings back that leaves the scene", (0.0, 0.0, 0.0))
     camera: CameraTable = means("where the picture is taken from")
     render: RenderTable = Field(default_factory=RenderTable, description="how far and how finely")

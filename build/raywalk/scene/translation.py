@@ -10,10 +10,12 @@ from typing import Any
 from pydantic import Field, ValidationError
 
 from raywalk.errors import SourceErrors
-from raywalk.scene.fields import LessonText, Maybe, Name, Text, maybe, means
+from raywalk.scene.check_slots import check_slots
+from raywalk.scene.fields import Headline, LessonText, Maybe, Name, Text, maybe, means
 from raywalk.scene.lesson_pictures import check_pictures
 from raywalk.scene.model import LessonStep, Scene
 from raywalk.scene.problems import Problems
+from raywalk.scene.schema import Goals
 from raywalk.scene.table import Table
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
@@ -25,6 +27,7 @@ class TranslatedStep(Table):
     text: LessonText = means(
         "what is said or asked, in Markdown, with $formulas$ and ![words](a picture.png)"
     )
+    headline: Maybe[Headline] = maybe("a slide's title, if the step has one there")
     answer: Maybe[LessonText] = maybe("of a question, in Markdown")
 
 
@@ -33,6 +36,7 @@ class TranslationFile(Table):
 
     title: Text = means("a few words")
     teaches: Text = means("one sentence: what a student takes home")
+    goals: Maybe[Goals] = maybe("of the lesson, as many as there")
     names: dict[str, Name] = Field(
         default_factory=dict, description="of each object, light and material, by its name there"
     )
@@ -96,6 +100,7 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
         scene,
         title=table.title,
         teaches=table.teaches,
+        goals=tuple(goal.strip() for goal in table.goals or ()),
         materials=tuple(replace(each, name=named(each.name)) for each in scene.materials),
         objects=tuple(replace(each, name=named(each.name)) for each in scene.objects),
         lights=tuple(replace(each, name=named(each.name)) for each in scene.lights),
@@ -104,6 +109,7 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
                 step,
                 text=said.text.strip(),
                 answer=(said.answer or "").strip(),
+                headline=(said.headline or "").strip(),
                 view=_in_view(step.view, named),
                 answer_view=_in_view(step.answer_view, named),
             )
@@ -146,13 +152,28 @@ def _check(table: TranslationFile, scene: Scene, problems: Problems) -> None:
         problems.add(("lesson", i), f"missing: {scene.path.name} has {steps} steps, this {said}")
     for i in range(steps, said):
         problems.add(("lesson", i), f"too many: {scene.path.name} has {steps} steps, this {said}")
+    _check_goals(table, scene, problems)
     for i, (step, each) in enumerate(zip(scene.lesson, table.lesson, strict=False)):
         _check_answer(i, step, each, problems)
-        check_pictures(each.text, ("lesson", i, "text"), problems)
-        check_pictures(each.answer or "", ("lesson", i, "answer"), problems)
+        for key, (_, view) in step.said().items():
+            text = getattr(each, key) or ""
+            check_pictures(text, ("lesson", i, key), problems)
+            check_slots(text, view, scene.render, ("lesson", i, key), problems)
+
+
+def _check_goals(table: TranslationFile, scene: Scene, problems: Problems) -> None:
+    goals = table.goals or ()
+    for i, goal in enumerate(goals):
+        check_slots(goal, {}, scene.render, ("goals", i), problems)
+    if len(goals) != len(scene.goals):
+        there = f"{scene.path.name} has {len(scene.goals)}, this {len(goals)}"
+        problems.add(("goals",), f"{'missing' if not goals else 'not as many'}: {there}")
 
 
 def _check_answer(i: int, step: LessonStep, said: TranslatedStep, problems: Problems) -> None:
+    if bool(step.headline) != bool(said.headline):
+        message = f"missing: {quoted(step.headline)}" if step.headline else "this step has none"
+        problems.add(("lesson", i, "headline"), message)
     if step.answer and not said.answer:
         problems.add(("lesson", i, "answer"), "missing: this step is a question")
     if said.answer and not step.answer:

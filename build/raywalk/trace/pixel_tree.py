@@ -23,9 +23,14 @@ def pixel_tree(
     for object, t, point and normal, and the background as colour. Points without a colour of
     their own (local_weight 0: mirrors, clear glass) ask no light: their lights are [].
     """
-    tracer = Tracer(scene, depth)
-    waves = tracer.waves(np.array([row * width + column]), width, height)
-    nodes = [[_node(scene, wave, k) for k in range(len(wave.parent))] for wave in waves]
+    return tree_at(Tracer(scene, depth), row * width + column, width, height)
+
+
+def tree_at(tracer: Tracer, pixel: int, width: int, height: int) -> dict[str, Any]:
+    """The same of a pixel (row * width + column), by a tracer that is there."""
+    scene = tracer.scene
+    waves = tracer.waves(np.array([pixel]), width, height)
+    nodes = [_nodes(tracer, wave) for wave in waves]
     for before, wave, after in zip(nodes, waves[1:], nodes[1:], strict=False):
         for parent, node in zip(wave.parent, after, strict=True):
             before[parent]["children"].append(node)
@@ -37,7 +42,13 @@ def pixel_tree(
     return {"colour": root["colour"], "tree": root}
 
 
-def _node(scene: Scene, wave: Wave, k: int) -> dict[str, Any]:
+def _nodes(tracer: Tracer, wave: Wave) -> list[dict[str, Any]]:
+    ends = np.where(wave.hits.object == NOWHERE, np.inf, wave.hits.t)
+    tests = tracer.compiled.count_tests(wave.rays, ends).tolist()
+    return [_node(tracer.scene, wave, k, tests[k]) for k in range(len(tests))]
+
+
+def _node(scene: Scene, wave: Wave, k: int, tests: int) -> dict[str, Any]:
     hits, lighting = wave.hits, wave.lighting
     gone = hits.object[k] == NOWHERE
     return {
@@ -50,6 +61,7 @@ def _node(scene: Scene, wave: Wave, k: int) -> dict[str, Any]:
         "point": None if gone else hits.point[k].tolist(),
         "normal": None if gone else hits.normal[k].tolist(),
         "inside": bool(hits.inside[k]),
+        "tests": tests,
         "base_colour": _base(scene, wave, k),
         "weight": float(wave.weight[k]),
         "local_weight": float(lighting.local_weight[k]),

@@ -1,0 +1,149 @@
+"""Figures of lessons: what slots ask for, traced where it is not kept.
+
+A scene's figures have a key of their own: other words trace nothing, other pixels a moment's worth.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Generator, Iterable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from raywalk.pipeline.filling import Figures, Lessons, filled
+from raywalk.pipeline.parts import models_of, shut_for, silent
+from raywalk.scene.measures import Facts
+from raywalk.scene.model import Scene
+from raywalk.scene.slots import Pixel, Slot, own_pixel, slots_in
+from raywalk.scene.translation import Spoken
+from raywalk.words.catalogue import DEFAULT
+from raywalk.work.chains import Chain, run_chains
+from raywalk.work.digests import key_of
+from raywalk.work.maker import Maker, Parts
+from raywalk.work.making import made, reasons
+from raywalk.work.pool import Job, Threads, Workers
+from raywalk.work.progress import Message, Report
+from raywalk.work.store import Entry, Store
+from raywalk.work.times import Spent, Stages, note
+
+FIGURES = Maker("raywalk.trace.lesson_figures", "write_figures")
+BOUNCES = Maker("raywalk.trace.lesson_figures", "write_bounces")
+FILE = "figures.json"
+
+
+def filled_lessons(
+    store: Store, spoken: Lessons, workers: Workers
+) -> Generator[str | Message, None, Lessons]:
+    """The scenes with the figures in their words, by language. Raises SourceErrors with all slots
+    that ask for what there is not."""
+    scenes = [each.scene for each in spoken[DEFAULT]]
+    chains = [_figures_chain(store, in_languages(spoken, k)) for k in range(len(scenes))]
+    found = yield from run_chains(chains, workers)
+    return filled(spoken, found)
+
+
+def in_languages(spoken: Lessons, k: int) -> list[Scene]:
+    """One scene in each language."""
+    return [all_scenes[k].scene for all_scenes in spoken.values()]
+
+
+def wanted_pixels(scenes: Iterable[Scene]) -> tuple[list[Pixel], bool] | None:
+    """What the slots of a scene's languages need to be traced: pixels, those of all steps, so that
+    a slot more in a text needs none; and whether the whole picture. None where there is no slot."""
+    found = list(_asked_pixels(scenes))
+    if not found:
+        return None
+    pixels = {pixel for pixel, _ in found if pixel}
+    pixels |= {
+        pixel
+        for scene in scenes
+        for step in scene.lesson
+        for _, view in step.stops()
+        if (pixel := own_pixel(view))
+    }
+    return sorted(pixels), any(name == "bouncing" for _, name in found)
+
+
+def _asked_pixels(scenes: Iterable[Scene]) -> Iterator[tuple[Pixel | None, str]]:
+    """The pixel and the name of each quantity in a slot."""
+    for scene in scenes:
+        told = [said for step in scene.lesson for said in step.said().values()]
+        for text, view in [*told, *((goal, {}) for goal in scene.goals)]:
+            for _, slot in slots_in(text):
+                for operand in slot.operands if isinstance(slot, Slot) else []:
+                    if operand.quantity:
+                        yield operand.pixel(own_pixel(view)), operand.quantity.name
+
+
+def figures_parts(scene: Scene, pixels: list[Pixel]) -> Parts:
+    """What a scene's figures are made from: all of it that is traced, and which pixels."""
+    return {
+        "what": "figures", "of": scene.id, "scene": silent(scene), "models": models_of(scene),
+        "pixels": [list(pixel) for pixel in pixels], **FIGURES.parts(shut_for(scene)),
+    }  # fmt: skip
+
+
+def bounces_parts(scene: Scene) -> Parts:
+    """Likewise of what is counted over the whole picture."""
+    return {
+        "what": "bounces", "of": scene.id, "scene": silent(scene), "models": models_of(scene),
+        **BOUNCES.parts(shut_for(scene)),
+    }  # fmt: skip
+
+
+def _figures_chain(store: Store, scenes: list[Scene]) -> Chain[Figures]:
+    """A scene's figures, made where they are not there; scenes: it in all languages."""
+    wanted, scene = wanted_pixels(scenes), scenes[0]
+    if wanted is None:
+        return Figures({}, Facts({}, None))
+    pixels, is_whole = wanted
+    works = [(figures_parts(scene, pixels), partial(FIGURES, scene, pixels))]
+    works += [(bounces_parts(scene), partial(BOUNCES, scene))] if is_whole else []
+    for parts, _ in works:
+        yield from reasons(store, parts)
+    missing = [work for work in works if not store.find(key_of(work[0]))]
+    if missing:
+        note((yield Job(scene.id, partial(_make, store), missing)))
+    return read_figures(*(store.get(key_of(parts)) for parts, _ in works))
+
+
+def filled_here(store: Store, scene: Scene, is_quick: bool = False) -> Scene:
+    """One scene in its own language with the figures in its words, made in this process.
+
+    is_quick: what needs the whole picture is written only if it is known already. Raises
+    SourceErrors.
+    """
+    wanted = wanted_pixels([scene])
+    if wanted is None:
+        return scene
+    pixels, is_whole = wanted
+    entry = made(store, figures_parts(scene, pixels), partial(FIGURES, scene, pixels))
+    whole = store.find(key_of(bounces_parts(scene))) if is_whole else None
+    if is_whole and not is_quick:
+        whole = made(store, bounces_parts(scene), partial(BOUNCES, scene))
+    spoken = filled({DEFAULT: [Spoken(scene, True)]}, [read_figures(entry, whole)])
+    return spoken[DEFAULT][0].scene
+
+
+def _make(
+    store: Store, missing: list[tuple[Parts, Any]], threads: Threads, report: Report
+) -> Spent:
+    # Only where something is traced: a change of words imports no compiler.
+    from raywalk.optics.compiling import seconds_spent
+
+    stages = Stages("compiling kernels", seconds_spent)
+    for parts, make in missing:
+        made(store, parts, make)
+    return stages.spent("lessons' figures")
+
+
+def read_figures(entry: Entry, whole: Entry | None = None) -> Figures:
+    """As they are kept."""
+    found = _read(entry.folder)
+    trees = {(n, column, row): ray for (n, column, row), ray in found["pixels"]}
+    return Figures(trees, Facts(found["meshes"], _read(whole.folder) if whole else None))
+
+
+def _read(folder: Path) -> Any:
+    return json.loads((folder / FILE).read_text(encoding="utf-8"))
