@@ -26,7 +26,7 @@ const stopsWith = (key) =>
 const rings = () =>
   page.evaluate(() => {
     const from = document.querySelector(".stage-view").getBoundingClientRect();
-    return [...document.querySelectorAll(".marks > div")].map((ring) => {
+    return [...document.querySelectorAll(".rings > div")].map((ring) => {
       const { left, top, right, bottom } = ring.getBoundingClientRect();
       return { left: left - from.left, top: top - from.top, right: right - from.left, bottom: bottom - from.top };
     });
@@ -47,7 +47,7 @@ for (const [width, height] of SIZES)
     assert.ok(stops.length >= 5, "the course points at things");
     for (const { id, path, view, at } of stops) {
       await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
-      await page.locator(".marks > div").first().waitFor({ state: "attached" });
+      await page.locator(".rings > div").first().waitFor({ state: "attached" });
       await settled(page);
       const scene = readScene(id);
       const { eye, target, width: wide, height: high } = await stats(page);
@@ -69,11 +69,11 @@ test("its name stands at the ring, in the page's language; both go with the less
   await page.setViewportSize({ width: 1280, height: 800 });
   const [{ path, at, view }] = stopsWith("highlight");
   await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
-  await page.locator(".marks > div").first().waitFor();
+  await page.locator(".rings > div").first().waitFor();
   await settled(page);
   assert.ok((await words()).includes(view.highlight[0]));
   await open(page, ON_DISK, `de/${path}`, `still=1&gl=none&${at}`);
-  await page.locator(".marks > div").first().waitFor();
+  await page.locator(".rings > div").first().waitFor();
   await settled(page);
   assert.ok(!(await words()).includes(view.highlight[0]), "in German");
   assert.equal((await rings()).length, 1);
@@ -89,7 +89,7 @@ test("a name stands on the side that the step gives it", async () => {
   for (const { id, path, view, at } of stops) {
     await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
     await settled(page);
-    await until(page, () => document.querySelector(".marks"));
+    await until(page, () => document.querySelector(".rings"));
     await settled(page);
     const { eye, target, width, height } = await stats(page);
     const { project } = createProjection({ eye, target, up: [0, 1, 0], fov: FOV }, width, height);
@@ -134,7 +134,7 @@ test("while the observer is turned the ring goes with its object", async () => {
   await page.setViewportSize({ width: 1280, height: 800 });
   const { path, at } = stopsWith("highlight")[0];
   await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
-  await page.locator(".marks > div").first().waitFor();
+  await page.locator(".rings > div").first().waitFor();
   const before = await rings();
   await page.locator(".stage-view").focus();
   const stage = await page.locator(".stage-view").boundingBox();

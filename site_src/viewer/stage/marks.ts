@@ -13,7 +13,7 @@ const SIDES = { left: [-1, 0], right: [1, 0], above: [0, -1], below: [0, 1] } as
 const nameOf = ({ key }: Label) => key.replace(/^(light|ring) /, "").replace(/ \d+\/\d+$/, "");
 
 export function createMarks() {
-  const root = element("div", "marks");
+  const root = element("div", "rings");
   root.setAttribute("aria-hidden", "true"); // the step says in words what they are round
   return {
     element: root,
