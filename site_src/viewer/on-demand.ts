@@ -16,6 +16,7 @@ const PARTS = {
   code: () => import("./panels/code"),
   saving: () => import("./saving"),
   drawer: () => import("./panels/drawer"),
+  choices: () => import("./panels/choices"),
   guide: () => import("./panels/guide"),
   lecture: () => import("./panels/lecture"),
   spoken: () => import("./panels/spoken"),

@@ -45,6 +45,7 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     player: createPlayer(acts),
     whatIf,
     drawer,
+    choices: onDemand.one("choices", ({ createChoices }) => createChoices(acts, home, session.changed)),
     guide: onDemand.one("guide", ({ createGuide }) => createGuide(drawer.open)),
     tileColours: onDemand.one("tile-legend", ({ createTileLegend }) => createTileLegend(home.querySelector(".below-row")!)),
     page: createPage(page, onDemand),
@@ -94,6 +95,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.picture.show(state, scene, trace, recombined);
   panels.card.show(state, scene, trace, missing, lit, event);
   panels.controls.show(state, scene);
+  panels.choices.when(!!scene.lesson[state.step!]?.choices, session.changed)?.show(state, scene, traced.trace); // before the lesson: the focus goes on to what it leaves
   panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null, words);
   panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
   panels.guide.when(state.step !== null, session.changed)?.show(state);

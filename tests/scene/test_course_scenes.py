@@ -150,7 +150,7 @@ def test_the_bunny_stands_where_the_course_put_it(rounds):
 
 
 def test_every_scene_has_a_lesson_that_asks_and_answers(scene):
-    """Six to twelve steps; the last one, and at most one more, asks and holds an answer."""
+    """Six to twelve steps; two or three of them, the last one among them, ask and hold an answer."""
     steps = scene.lesson
     # A slot becomes a few digits, however much is typed for it.
     texts = [re.sub(r"\{[^{}]*\}", "0.885", text) for step in steps for text, _ in step.stops()]

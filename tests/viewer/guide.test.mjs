@@ -39,7 +39,7 @@ test("the first step that shows counts opens the drawer, with a word at the menu
 test("an answer that sets switches has its word at What if", async () => {
   await at(switching, DESK);
   assert.equal(await isOpen(), false, "the question would be answered");
-  await page.getByRole("button", { name: "Reveal the answer" }).click();
+  await page.locator(".reveal").click();
   await page.locator(".open-what-if + .introduces").waitFor();
 });
 

@@ -62,9 +62,18 @@ test(`${id} by keyboard alone: from the address to the last answer, ${lesson.len
   await fits(0, false);
   assert.match((await focused()).name, /Next step/, "the focus goes on to the lesson");
   assert.ok((await focused()).outlined, "and is seen there");
-  for (const [step, { answer }] of lesson.entries()) {
+  for (const [step, { answer, choices }] of lesson.entries()) {
     await fits(step, false);
-    if (answer) {
+    if (choices) {
+      // The focus has gone on to the choices: arrows choose, and Enter on what is chosen reveals.
+      assert.match((await focused()).name, /^A/);
+      for (let k = 0; k <= step % choices.length; k++) await page.keyboard.press("ArrowDown");
+      assert.ok((await focused()).outlined, "it is seen which one has the focus");
+      await fits(step, false);
+      await page.keyboard.press("Enter");
+      await fits(step, true);
+      assert.match((await focused()).name, step < lesson.length - 1 ? /Next step/ : /On to the next scene's lesson/, "the focus goes on");
+    } else if (answer) {
       // The button stands before Next: one goes back to it, and from it on to Next by itself.
       for (let k = 0; k < 5 && !(await focused()).name.includes("Reveal"); k++) await page.keyboard.press("Shift+Tab");
       assert.match((await focused()).name, /Reveal the answer/);

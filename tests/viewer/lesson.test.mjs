@@ -19,8 +19,8 @@ const button = (name) => page.getByRole("button", { name });
 const words = (html) => html.replace(/<[^>]+>/g, "").replace(/&[^;]+;/g, "").replace(/\s+/g, " ").trim();
 /** Steps and answers in the order in which they are walked. */
 const stopsOf = (lesson) =>
-  lesson.flatMap(({ html, view, answer }, step) => [
-    { step, revealed: false, asks: !!answer, html, view },
+  lesson.flatMap(({ html, view, answer, choices }, step) => [
+    { step, revealed: false, asks: !!answer, choices, html, view },
     ...(answer ? [{ step, revealed: true, asks: false, ...answer }] : []),
   ]);
 
@@ -50,14 +50,14 @@ for (const { id, path } of scenes)
       const there = await state(page);
       fits(there, stop, scene);
       assert.ok(words(await page.locator(".lesson-text").innerText()).startsWith(words(stop.html).slice(0, 40)));
-      assert.equal(await button("Reveal the answer").isVisible(), stop.asks);
+      assert.equal(await page.locator(".reveal").isVisible(), stop.asks);
       await page.waitForFunction((part) => location.hash.endsWith(part), `step=${stop.step + 1}${stop.revealed ? "&answer=1" : ""}&still=1&gl=none`);
       const hash = new URL(page.url()).hash.slice(1);
       assert.deepEqual([...new URLSearchParams(hash).keys()].sort(), ["gl", "still", "step", ...(stop.revealed ? ["answer"] : [])].sort(), "a stop as it is needs no more");
       links.push([hash, there]);
       if (k === stops.length - 1) break;
       if (k % 2) await press(page, "PageDown");
-      else await button("Next step").click();
+      else await (stop.choices ? button("Reveal without choosing") : button("Next step")).click();
     }
     for (const [hash, there] of links.reverse().slice(1)) { // slice: the page is at the last one
       await follow(page, hash);
@@ -71,7 +71,10 @@ for (const { id } of scenes.filter(({ key }) => "1234580".includes(key || "-")))
     const { lesson, ...scene } = readScene(id);
     const asked = lesson.filter(({ view, answer }) => answer && isSwitched(switchesFrom(answer.view.switches, scene)) && !isSwitched(switchesFrom(view.switches, scene)));
     assert.ok(asked.length > 0);
-    for (const { view, answer } of asked) assert.deepEqual([answer.view.tiles ?? "empty", answer.view.pixel, answer.view.resolution], ["filled", view.pixel, view.resolution], "the answer shows on the tiles");
+    for (const { view, answer, choices = [] } of asked) {
+      const pixel = choices.find(({ right }) => right)?.pixel ?? view.pixel; // one that was to be chosen is shown then
+      assert.deepEqual([answer.view.tiles ?? "empty", answer.view.pixel, answer.view.resolution], ["filled", pixel, view.resolution], "the answer shows on the tiles");
+    }
   });
 
 test("Page up goes back, first from an answer to its question; the first step stays", async () => {
@@ -112,7 +115,7 @@ test("Reveal works by keyboard, and the focus goes on to Next", async () => {
   const { scene } = await readTrace(scenes[0].id, 15);
   const asking = scene.lesson.findIndex((step) => step.answer);
   await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=${asking + 1}`);
-  await button("Reveal the answer").focus();
+  await page.locator(".reveal").focus();
   await press(page, "Enter");
   assert.equal((await state(page)).revealed, true);
   assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Next step");

@@ -71,9 +71,10 @@ test(`${id} by touch alone: ${lesson.length} steps, each question revealed, the 
   await page.evaluate(() => window.raywalk.ready);
   await settled(page);
   await tapOn(button("Start the lesson"));
-  for (const [step, { answer }] of lesson.entries()) {
+  for (const [step, { answer, choices }] of lesson.entries()) {
     await fits(step, false);
     if (answer) {
+      if (choices) await tapOn(page.getByRole("radio").nth(step % choices.length));
       await tapOn(button("Reveal the answer"));
       await fits(step, true);
     }

@@ -10,7 +10,7 @@ from raywalk.scene.measures import Asked, Facts, Ray, SlotFault
 from raywalk.scene.model import Scene
 from raywalk.scene.slots import Operand, Pixel, Slot, filled_in, own_pixel
 from raywalk.scene.translation import Spoken, translation_file
-from raywalk.scene.wording import joined
+from raywalk.scene.wording import joined, key_path
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
 from raywalk.words.numbers import MINUS, Numbers
@@ -64,7 +64,7 @@ def _filled(
 
     lesson = tuple(
         step.saying({
-            key: fill(f"lesson[{i}].{key}", text, own_pixel(view))
+            key: fill(key_path(("lesson", i, *key)), text, own_pixel(view))
             for key, (text, view) in step.said().items()
         })
         for i, step in enumerate(scene.lesson)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 import numpy as np
 
 from raywalk.scene.address import address_of
+from raywalk.scene.check_choices import check_choices, choice_of
 from raywalk.scene.check_slots import check_slots
 from raywalk.scene.check_view import Named, check_view
 from raywalk.scene.checks import (
@@ -55,9 +56,10 @@ def compile_scene(
         parts.check_eye(camera)
     lights = _lights(draft, problems)
     # With a light or an object left out for its errors, its name would seem to be wrong.
-    objects = None if problems.errors else parts.objects
+    objects = parts.known()
     named = None if whole is None else Named(list(_light_names(draft).values()), objects)
-    lesson = _lesson(draft, render, named, problems)
+    names = None if objects is None else [obj.name for obj in objects]
+    lesson = _lesson(draft, render, named, names, problems)
     goals = () if whole is None else tuple(goal.strip() for goal in whole.goals or ())
     for i, goal in enumerate(goals):
         check_slots(goal, {}, render, ("goals", i), problems)
@@ -109,23 +111,27 @@ def _light_names(draft: Draft) -> dict[int, str]:
 
 
 def _lesson(
-    draft: Draft, render: Render | None, named: Named | None, problems: Problems
-) -> list[LessonStep]:
+    draft: Draft, render: Render | None, named: Named | None, objects: list[str] | None,
+    problems: Problems,
+) -> list[LessonStep]:  # fmt: skip
+    """objects: their names; None where some are not known for their errors."""
     for i, step in draft.lesson.items():
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
                 check_view(view, render, named, ("lesson", i, key), problems)
-        for key, (text, shown) in _step(step).said().items():
-            check_pictures(text, ("lesson", i, key), problems)
-            check_slots(text, shown, render, ("lesson", i, key), problems)
-    return [_step(step) for step in draft.lesson.values()]
+        check_choices(step, objects, ("lesson", i), problems)
+        for place, (text, shown) in _step(step, objects or []).said().items():
+            check_pictures(text, ("lesson", i, *place), problems)
+            check_slots(text, shown, render, ("lesson", i, *place), problems)
+    return [_step(step, objects or []) for step in draft.lesson.values()]
 
 
-def _step(step: StepTable) -> LessonStep:
+def _step(step: StepTable, objects: list[str]) -> LessonStep:
     revealed = _plain(step.answer_view) if step.answer_view else {}
     words = (each.strip() if each else "" for each in (step.text, step.answer, step.headline))
     text, answer, headline = words
-    return LessonStep(text, _plain(step.view), answer, revealed, headline)
+    choices = tuple(choice_of(each, objects) for each in step.choices)
+    return LessonStep(text, _plain(step.view), answer, revealed, headline, choices)
 
 
 def _plain(view: ViewTable) -> dict[str, object]:
@@ -153,6 +159,11 @@ class _Parts:
         self.taken = set(names.values())
         for i, table in tables.items():
             self._add_object(i, table, names[i], known)
+
+    def known(self) -> list[SceneObject] | None:
+        """All of them; None if some were left out for their errors."""
+        errors = self.problems.errors
+        return None if any(error.key.startswith("objects") for error in errors) else self.objects
 
     def check_eye(self, camera: Camera) -> None:
         for obj in self.objects:

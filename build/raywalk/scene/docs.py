@@ -25,6 +25,7 @@ from raywalk.scene.schema import (
     SwitchesTable,
     ViewTable,
 )
+from raywalk.scene.schema_choices import ChoiceTable
 from raywalk.scene.schema_objects import (
     SHAPES,
     CheckerTable,
@@ -88,6 +89,7 @@ SECTIONS: list[tuple[str, type[Table]]] = [
     ("checker = { ... }", CheckerTable),
     ("[[lights]]", LightTable),
     ("[[lesson]]", StepTable),
+    ("[[lesson.choices]], after the step's other keys", ChoiceTable),
     ("view = { ... }", ViewTable),
     ("observer = { ... }", ObserverTable),
     ("switches = { ... }", SwitchesTable),
@@ -162,6 +164,8 @@ RULES = """\
 - The camera looks somewhere else than along `up`, and is not inside anything opaque.
 - What lets light through has an inside: a closed shape, or a plane as the border of a half-space.
 - Materials do not inherit from themselves. Model files exist.
+- Of a question's choices exactly one is right and none is there twice; their pixels are inside the
+  view's grid, their objects are the scene's. A translation has as many, in the same order.
 - A view's resolution is one of the scene's, and its pixel is inside. Its switches name lights of
   the scene, and no more bounces than it traces.
 - Slots ask for what there is: a quantity, a ray of the pixel, a light, a material, a mesh."""

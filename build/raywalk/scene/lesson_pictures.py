@@ -32,7 +32,7 @@ def pictures_in(texts: Iterable[str]) -> list[str]:
 
 def pictures_of(scene: Scene) -> list[Path]:
     """The files that a scene's lesson shows."""
-    texts = [text for step in scene.lesson for text in (step.text, step.answer)]
+    texts = [text for step in scene.lesson for text, _ in step.said().values()]
     return [scene.path.parent / name for name in pictures_in(texts)]
 
 

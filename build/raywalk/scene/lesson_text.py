@@ -46,6 +46,13 @@ def lesson_html(text: str, scene: str = "") -> str:
     return markdown.convert(text)
 
 
+def inline_html(text: str, scene: str = "") -> str:
+    """The same of a text in a line, as a choice's: without its paragraph, if it is one."""
+    html = lesson_html(text, scene)
+    alone = re.fullmatch(r"<p>((?:(?!</?p>).)*)</p>", html, re.DOTALL)
+    return alone[1] if alone else html
+
+
 def is_safe(address: str) -> bool:
     """Whether a link may lead there. Entities in it are read as a browser reads them."""
     return SAFE_LINK.fullmatch(unescape(address)) is not None

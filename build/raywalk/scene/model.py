@@ -116,6 +116,21 @@ class Render:
     glass_shadows: str = "opaque"  # "opaque", or "pass": unbent, times transmit per surface
 
 
+Place = tuple[str | int, ...]  # of a text in its step: ("choices", 0, "because")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Of a question. Exactly one of text, pixel and object says what is chosen."""
+
+    because: str  # Markdown: why it is right or wrong
+    right: bool = False
+    text: str = ""  # Markdown
+    pixel: tuple[int, int] | None = None  # column, row of the step's grid
+    object: int | None = None  # index into Scene.objects
+    colour: Triple | None = None  # beside the text
+
+
 @dataclass(frozen=True)
 class LessonStep:
     text: str  # Markdown; a question if there is an answer
@@ -123,21 +138,37 @@ class LessonStep:
     answer: str = ""  # Markdown, revealed when asked for
     answer_view: dict[str, Any] = field(default_factory=dict)  # keys that differ from `view`
     headline: str = ""  # Markdown, a few words: a slide's title
+    choices: tuple[Choice, ...] = ()  # of a question; exactly one is right
 
     def stops(self) -> list[tuple[str, dict[str, Any]]]:
         """Text and view, and then those of the answer: as one goes through a lesson."""
         asked = [(self.text, self.view)]
         return [*asked, (self.answer, self.view | self.answer_view)] if self.answer else asked
 
-    def said(self) -> dict[str, tuple[str, dict[str, Any]]]:
-        """All its words by their keys in the file, and the view that each is said with."""
+    def said(self) -> dict[Place, tuple[str, dict[str, Any]]]:
+        """All its words by their places in the file, and the view that each is said with."""
         revealed = self.view | self.answer_view
         texts = {"headline": self.view, "text": self.view, "answer": revealed}
-        return {key: (getattr(self, key), view) for key, view in texts.items()}
+        said: dict[Place, tuple[str, dict[str, Any]]] = {}
+        for key, view in texts.items():
+            said[key,] = (getattr(self, key), view)
+        for k, choice in enumerate(self.choices):
+            said["choices", k, "text"] = (choice.text, self.view)
+            said["choices", k, "because"] = (choice.because, revealed)
+        return said
 
-    def saying(self, words: dict[str, str]) -> LessonStep:
-        """The step with other words, by these keys."""
-        return replace(self, **words)  # type: ignore[arg-type]
+    def saying(self, words: dict[Place, str]) -> LessonStep:
+        """The step with other words, by these places."""
+        own = {str(key[0]): text for key, text in words.items() if len(key) == 1}
+        choices = tuple(
+            replace(
+                choice,
+                text=words["choices", k, "text"],
+                because=words["choices", k, "because"],
+            )
+            for k, choice in enumerate(self.choices)
+        )
+        return replace(self, **own, choices=choices)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,6 +24,7 @@ from raywalk.scene.fields import (
     one_of,
     refusal,
 )
+from raywalk.scene.schema_choices import Choices, Index, Pixel, flaws_of
 from raywalk.scene.schema_objects import AnyObject, MaterialTable
 from raywalk.scene.table import SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import plain
@@ -34,7 +35,6 @@ MOST_SAMPLES = 64  # lights an area light may become: every hit asks for each of
 
 Size = Annotated[int, Field(strict=True, ge=1, le=8192), Allowed("a whole number from 1 to 8192")]
 Count = Annotated[int, Field(strict=True, ge=1), Allowed("a whole number of at least 1")]
-Index = Annotated[int, Field(strict=True, ge=0), Allowed("a whole number of at least 0")]
 
 
 Depth = Annotated[int, Field(strict=True, ge=0, le=1000), Allowed("a whole number from 0 to 1000")]
@@ -122,7 +122,6 @@ def _observer_form(value: Any) -> str | None:
     return by_form(value) if isinstance(value, str | dict | Table) else None
 
 
-Pixel = Annotated[tuple[Index, Index], Allowed("a pixel, [column, row] from the top left")]
 RayChoice = Annotated[
     Literal["pixel", "row", "column", "all"], one_of("pixel", "row", "column", "all")
 ]
@@ -212,11 +211,14 @@ class StepTable(Table):
     answer_view: Maybe[ViewTable] = maybe(
         "what is shown with the answer; what is left out is as in view"
     )
+    choices: Choices = means("of a question: what one chooses from before the answer", ())
 
     @model_validator(mode="after")
     def _answers(self) -> Self:
         if self.answer_view is not None and self.answer is None:
             raise refusal("there is no answer to show it with", at="answer_view")
+        if flaws := flaws_of(self.choices, self.answer):
+            raise flaws
         return self
 
 

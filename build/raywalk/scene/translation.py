@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -13,9 +13,10 @@ from raywalk.errors import SourceErrors
 from raywalk.scene.check_slots import check_slots
 from raywalk.scene.fields import Headline, LessonText, Maybe, Name, Text, maybe, means
 from raywalk.scene.lesson_pictures import check_pictures
-from raywalk.scene.model import LessonStep, Scene
+from raywalk.scene.model import Choice, LessonStep, Scene
 from raywalk.scene.problems import Problems
 from raywalk.scene.schema import Goals
+from raywalk.scene.schema_choices import TranslatedChoice, TranslatedChoices
 from raywalk.scene.table import Table
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
@@ -29,6 +30,7 @@ class TranslatedStep(Table):
     )
     headline: Maybe[Headline] = maybe("a slide's title, if the step has one there")
     answer: Maybe[LessonText] = maybe("of a question, in Markdown")
+    choices: TranslatedChoices = means("of a question that has some, in their order", ())
 
 
 class TranslationFile(Table):
@@ -112,10 +114,15 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
                 headline=(said.headline or "").strip(),
                 view=_in_view(step.view, named),
                 answer_view=_in_view(step.answer_view, named),
+                choices=tuple(map(_in_choice, step.choices, said.choices)),
             )
             for step, said in lesson
         ),
     )
+
+
+def _in_choice(choice: Choice, said: TranslatedChoice) -> Choice:
+    return replace(choice, text=(said.text or "").strip(), because=said.because.strip())
 
 
 def _in_view(view: dict[str, Any], named: Callable[[str], str]) -> dict[str, Any]:
@@ -155,10 +162,20 @@ def _check(table: TranslationFile, scene: Scene, problems: Problems) -> None:
     _check_goals(table, scene, problems)
     for i, (step, each) in enumerate(zip(scene.lesson, table.lesson, strict=False)):
         _check_answer(i, step, each, problems)
-        for key, (_, view) in step.said().items():
-            text = getattr(each, key) or ""
-            check_pictures(text, ("lesson", i, key), problems)
-            check_slots(text, view, scene.render, ("lesson", i, key), problems)
+        _check_choices(i, step, each, problems)
+        for key, text in _said(each):
+            check_pictures(text, ("lesson", i, *key), problems)
+            view = step.said().get(key, ("", step.view))[1]
+            check_slots(text, view, scene.render, ("lesson", i, *key), problems)
+
+
+def _said(step: TranslatedStep) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """Its words by their places."""
+    for key in ("headline", "text", "answer"):
+        yield (key,), getattr(step, key) or ""
+    for k, choice in enumerate(step.choices):
+        yield ("choices", k, "text"), choice.text or ""
+        yield ("choices", k, "because"), choice.because
 
 
 def _check_goals(table: TranslationFile, scene: Scene, problems: Problems) -> None:
@@ -179,6 +196,21 @@ def _check_answer(i: int, step: LessonStep, said: TranslatedStep, problems: Prob
     if said.answer and not step.answer:
         message = "this step is no question, so it has no answer"
         problems.add(("lesson", i, "answer"), message, hint="is a step missing or in the way?")
+
+
+def _check_choices(i: int, step: LessonStep, said: TranslatedStep, problems: Problems) -> None:
+    there, here = len(step.choices), len(said.choices)
+    if there != here:
+        problems.add(("lesson", i, "choices"), f"there are {here}, in scene.toml {there}")
+    texts = [each.text for each in said.choices if each.text]
+    for text in {text for text in texts if texts.count(text) > 1}:
+        problems.add(("lesson", i, "choices"), f"{quoted(text)} is there twice")
+    for k, (choice, each) in enumerate(zip(step.choices, said.choices, strict=False)):
+        at = ("lesson", i, "choices", k, "text")
+        if choice.text and each.text is None:
+            problems.add(at, f"missing: there it is {quoted(choice.text)}")
+        if each.text is not None and not choice.text:
+            problems.add(at, "this choice is a pixel or an object, which has no text")
 
 
 def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> None:

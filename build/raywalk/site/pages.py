@@ -18,10 +18,11 @@ from jinja2 import (
     select_autoescape,
 )
 from jinja2.bccache import Bucket
+from markupsafe import Markup, escape
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.scene.lesson_text import lesson_html
-from raywalk.scene.model import Scene
+from raywalk.scene.lesson_text import inline_html, lesson_html
+from raywalk.scene.model import Choice, Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
 from raywalk.site.figures import Figures
 from raywalk.site.preview import NAME as PREVIEW
@@ -77,7 +78,7 @@ def write_pages(
     for scene in scenes:
         deck = decks.get(scene.id)
         shown = _scene(scene, figures[scene.id], out) | {
-            "lesson": _lesson(scene, deck["figures"] if deck else []),
+            "lesson": _lesson(scene, deck["figures"] if deck else [], words),
             "savings": (savings or {}).get(scene.id),
             "downloads": deck,
         }
@@ -217,7 +218,7 @@ def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _lesson(scene: Scene, figures: Sequence[str]) -> list[dict[str, str]]:
+def _lesson(scene: Scene, figures: Sequence[str], words: Words) -> list[dict[str, Any]]:
     """The steps with their answers. figures: paths of a figure for each step and each answer, in
     their order, which paper shows beside the words; fewer where slides were not made."""
     left = iter(figures)
@@ -225,5 +226,21 @@ def _lesson(scene: Scene, figures: Sequence[str]) -> list[dict[str, str]]:
     for step in scene.lesson:
         html, answer = (lesson_html(words, scene.id) for words in (step.text, step.answer))
         seen = {"figure": next(left, ""), "answer_figure": next(left, "") if answer else ""}
-        steps.append({"html": html, "answer": answer, **seen})
+        choices = [_choice(scene, choice, words) for choice in step.choices]
+        steps.append({"html": html, "answer": answer, "choices": choices, **seen})
     return steps
+
+
+def _choice(scene: Scene, choice: Choice, words: Words) -> dict[str, Any]:
+    """Its label and its reason as HTML, and its swatch's colour."""
+    if choice.pixel is not None:
+        label = escape(words.say("card.pixel", column=choice.pixel[0], row=choice.pixel[1]))
+    elif choice.object is not None:
+        label = escape(scene.objects[choice.object].name)
+    else:
+        label = Markup(inline_html(choice.text, scene.id))
+    colour = "rgb({} {} {})".format(*(round(255 * c) for c in choice.colour or (0, 0, 0)))
+    return {
+        "label": label, "because": Markup(inline_html(choice.because, scene.id)),
+        "right": choice.right, "swatch": colour if choice.colour else "",
+    }  # fmt: skip

@@ -10,13 +10,14 @@ from typing import cast
 
 import numpy as np
 
-from raywalk.scene.lesson_text import lesson_html
-from raywalk.scene.model import LessonStep, Light, Scene, SceneObject
+from raywalk.scene.lesson_text import inline_html, lesson_html
+from raywalk.scene.model import Choice, LessonStep, Light, Scene, SceneObject
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
+    ChoiceData,
     LessonStepData,
     LessonStop,
     LightData,
@@ -89,6 +90,22 @@ def _step(step: LessonStep, id: str) -> LessonStepData:
     data: LessonStepData = {"html": said["html"], "view": said["view"]}
     if answers:
         data["answer"] = answers[0]
+    if step.choices:
+        data["choices"] = [_choice(choice, id) for choice in step.choices]
+    return data
+
+
+def _choice(choice: Choice, id: str) -> ChoiceData:
+    html, because = (inline_html(text, id) for text in (choice.text, choice.because))
+    data = ChoiceData(html=html, because=because)
+    if choice.right:
+        data["right"] = True
+    if choice.pixel is not None:
+        data["pixel"] = list(choice.pixel)
+    if choice.object is not None:
+        data["object"] = choice.object
+    if choice.colour is not None:
+        data["colour"] = list(choice.colour)
     return data
 
 

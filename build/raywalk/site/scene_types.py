@@ -101,10 +101,23 @@ class LessonStop(TypedDict):
     view: View
 
 
+class ChoiceData(TypedDict):
+    """Of a question: words, or a pixel or an object, and why it is right or wrong. html and
+    because: rendered and sanitised, of a line."""
+
+    html: str  # "" of a pixel or an object
+    because: str
+    right: NotRequired[bool]  # true, of exactly one
+    pixel: NotRequired[Pixel]
+    object: NotRequired[int]  # index into SceneData.objects
+    colour: NotRequired[Vec3]
+
+
 class LessonStepData(LessonStop):
     """With an answer, the step is a question."""
 
     answer: NotRequired[LessonStop]
+    choices: NotRequired[list[ChoiceData]]
 
 
 class StartData(TypedDict):

@@ -17,6 +17,14 @@ from raywalk.slides.blocks import (
     one_line,
     title,
 )
+from raywalk.slides.choices import (
+    SIZE,
+    choice_items,
+    choice_marks,
+    choice_slides,
+    choice_words,
+    in_notes,
+)
 from raywalk.slides.figure import Group, Item, Line, Polygon, Slide, Table, flat, hex_of
 from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_pictures import picture_slides
@@ -68,12 +76,18 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     head, body = title_and_body(paragraphs)
     head = head or scene.title
     figure = step_figure(lesson.drawing(stop))
-    marks = legend(figure, layout)
+    choices = choice_words(scene, scene.lesson[stop.step]) if stop.kind != "step" else []
+    marks = [*legend(figure, layout), *choice_marks(choices, stop, layout.figure)]
     figure = replace(figure, items=(*figure.items, *marks))
     words = flow(body, BODY_SIZE, layout.words.width)
     first, rest = words.split(layout.words.height)
     is_last = not _same_pixel_follows(lesson, index)
-    numbers = [] if stop.kind == "question" else _numbers(lesson, stop, first, is_last)
+    if stop.kind == "question":
+        room = _beside_figure(layout, first)
+        numbers, high = choice_items(choices, room, SIZE, False)
+        numbers = numbers if high <= room.height else []
+    else:
+        numbers = _numbers(lesson, stop, first, is_last)
     here = step_place(lesson, stop, 1, len(stop.rows))
     under = footer(where(lesson, stop), here, layout)
     items = [title(head, layout.title), *flow_texts(first, layout.words), figure, *numbers]
@@ -82,6 +96,8 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
     below = _below_title(layout)
     words_below = below._replace(left=layout.words.left, width=layout.words.width)
     slides += continued(rest, words_below, head, layout, stop.kind, under)
+    if choices and not (stop.kind == "question" and numbers):
+        slides += choice_slides(choices, head, below, layout, under, stop.kind == "answer")
     folder = scene.path.parent
     slides += picture_slides(shown, folder, head, below, layout, under, stop.kind)
     is_cut = any(isinstance(item, Table) and not is_whole(item, stop) for item in numbers)
@@ -154,13 +170,7 @@ def _numbers(lesson: Lesson, stop: Stop, words: Flow, is_last: bool) -> list[Ite
 
     is_last: no later step has the table; a whole one then comes before the picture.
     """
-    layout = lesson.layout
-    box = layout.aside or Box(
-        layout.words.left,
-        layout.words.top + words.height() + GAP,
-        layout.words.width,
-        layout.words.height - words.height() - GAP,
-    )
+    box = _beside_figure(lesson.layout, words)
     items: list[Item] = []
     room = box.height
     table = ray_table(stop, box, _most_rows(room))
@@ -181,6 +191,13 @@ def _numbers(lesson: Lesson, stop: Stop, words: Flow, is_last: bool) -> list[Ite
         top = box.top + (used + GAP if used else 0)
         items.append(replace(table, box=Box(box.left, top, *table.box[2:])))
     return items
+
+
+def _beside_figure(layout: Layout, words: Flow) -> Box:
+    """What the words leave beside the figure."""
+    above = words.height() + GAP
+    left, top, wide, high = layout.words
+    return layout.aside or Box(left, top + above, wide, high - above)
 
 
 def _most_rows(room: float) -> int:
@@ -265,4 +282,6 @@ def step_notes(scene: Scene, stop: Stop) -> Iterator[str]:
     yield plain_text(stop.text(scene))
     if stop.kind == "question":
         yield say("slides.questionNote")
+    if stop.kind != "step":
+        yield from in_notes(scene, scene.lesson[stop.step], stop.kind == "answer")
     yield from (event.in_words for event in stop.events)

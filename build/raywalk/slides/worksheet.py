@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from raywalk.scene.model import Scene, SceneObject
 from raywalk.scene.shapes import Triple
 from raywalk.slides.blocks import flow, flow_texts, one_line, text
-from raywalk.slides.figure import Deck, Item, Line, Run, Slide, Text
+from raywalk.slides.choices import ChoiceWords, choice_items, choice_words
+from raywalk.slides.figure import Deck, Item, Line, Polygon, Run, Slide, Text
 from raywalk.slides.handout import A4
 from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
@@ -41,10 +43,18 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
     return Deck(scene.id, title, *A4, tuple(_numbered(_pages(title, blocks))), words().code)
 
 
+@dataclass(frozen=True)
+class Asked(Question):
+    """A question of the lesson, with the choices that it may have."""
+
+    choices: list[ChoiceWords]
+
+
 def questions(lesson: Lesson) -> list[Question]:
     """From the trace of the lesson's first grid, and the lesson's own."""
+    said = partial(plain_text, on_page=True)
     return lesson.questions + [
-        Question(plain_text(step.text, on_page=True), plain_text(step.answer, on_page=True))
+        Asked(said(step.text), said(step.answer), choice_words(lesson.scene, step))
         for step in lesson.scene.lesson
         if step.answer
     ]
@@ -84,6 +94,13 @@ def _written(value: str | float | Triple) -> str:
 
 def _block(count: int, question: Question, with_answers: bool) -> tuple[list[Item], float]:
     items, high = _flowed([Paragraph((Run(question.asks),), f"{count}.")])
+    choices = question.choices if isinstance(question, Asked) else []
+    if choices:
+        box = Box(20.0, high + 5, A4[0] - 2 * MARGIN - 20, A4[1])
+        boxes, more = choice_items(choices, box, SIZE, with_answers)
+        items, high = items + boxes, high + 5 + more
+    if choices and not with_answers:
+        return items, high
     if with_answers:
         answer, more = _flowed([Paragraph((Run(question.answer, bold=True),))], indent=20.0)
         return items + [_moved(item, high + 4) for item in answer], high + 4 + more
@@ -151,6 +168,8 @@ def _heading(title: str) -> list[Item]:
 
 def _moved(item: Item, down: float, right: float = 0.0) -> Item:
     """The item further down and to the right."""
+    if isinstance(item, Polygon):
+        return replace(item, points=tuple((x + right, y + down) for x, y in item.points))
     if isinstance(item, Line):
         (x1, y1), (x2, y2) = item.start, item.end
         return replace(item, start=(x1 + right, y1 + down), end=(x2 + right, y2 + down))

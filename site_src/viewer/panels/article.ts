@@ -1,9 +1,9 @@
 /** What the pipeline writes into a scene's page, for a scene that the page was not written for: the plain article,
  *  which is what gets printed, and the links to what can be taken away. */
 import { KIND, RAY_KINDS, type RayKind } from "../trace/kinds";
-import type { SceneData, Trace } from "../trace/types";
-import { grouped, list, percent, say } from "../words";
-import { element } from "../element";
+import type { ChoiceData, SceneData, Trace } from "../trace/types";
+import { grouped, hexOf, list, percent, say } from "../words";
+import { element, swatch } from "../element";
 
 function figuresOf(scene: SceneData, trace: Trace | null): [string, string][] {
   const figures: [string, string][] = [
@@ -41,6 +41,23 @@ function writeSlides(root: string, id: string, folder: string, sizes: readonly s
   if (more) more.hash = id;
 }
 
+/** A question's choices, or with the answer the reason of each. html: sanitised by the pipeline. */
+function choicesOf({ objects }: SceneData, choices: readonly ChoiceData[], told: boolean): HTMLElement {
+  const items = choices.map(({ html, because, right, pixel, object, colour }) => {
+    const label = element("b");
+    label.innerHTML = html;
+    if (pixel) label.textContent = say("card.pixel", { column: pixel[0], row: pixel[1] });
+    if (object !== undefined) label.textContent = objects[object].name;
+    const item = element("li", told && right ? "is-right" : "", ...(colour ? [swatch(hexOf(colour))] : []), label);
+    if (told) {
+      item.append(" ", element("i", "", say(right ? "choices.right" : "choices.wrong")), " ");
+      item.insertAdjacentHTML("beforeend", because);
+    }
+    return item;
+  });
+  return element("ol", told ? "plain-reasons" : "plain-choices", ...items);
+}
+
 /** The lesson as a list; on paper each step and each answer has its figure, which are numbered in this order.
  *  figures: what their addresses begin with; "" where there are none. */
 function lessonOf(scene: SceneData, figures: string): HTMLElement {
@@ -54,9 +71,11 @@ function lessonOf(scene: SceneData, figures: string): HTMLElement {
     into.insertBefore(image, into.querySelector(":scope > :not(summary)"));
     return into;
   };
-  for (const { html, answer } of scene.lesson) {
+  for (const { html, answer, choices } of scene.lesson) {
     const item = written(element("li"), html);
+    if (choices) item.append(choicesOf(scene, choices, false));
     if (answer) item.append(written(element("details", "", element("summary", "", say("lesson.answer"))), answer.html));
+    if (choices) item.lastElementChild!.append(choicesOf(scene, choices, true));
     lesson.append(item);
   }
   return lesson;
