@@ -116,9 +116,9 @@ def _drop_null_defaults(part: Any) -> None:
 SLOTS = """\
 ## Figures in a lesson: slots
 
-A figure in a `headline`, `text`, `answer`, choice or goal is a slot, which the build fills in from full
-float64 numbers, as `raywalk pixel` prints them, in the way its language writes numbers. So it is
-right after the scene has changed, and the same on pages, slides and sheets.
+A figure in a `headline`, `text`, `answer`, choice or goal is a slot, which the build fills in
+from full float64 numbers, as `raywalk pixel` prints them, in the way its language writes numbers.
+So it is right after the scene has changed, and the same on pages, slides and sheets.
 
 | slot | becomes |
 |---|---|
