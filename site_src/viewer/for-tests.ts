@@ -13,17 +13,10 @@ export interface Asked {
 }
 
 /** What is drawn, or nothing. */
-const countsOf = (view: Shown | null) => ({
-  tilesShown: view?.tiles ?? 0,
-  chosen: view?.chosen.length ?? 0,
-  lines: view?.chosen ?? [],
-  thin: view?.thin.length ?? 0,
-  left: view?.left ?? 0,
-  kinds: [...(view?.kinds ?? [])],
-  growing: view?.growing ?? null,
-  grown: view?.grown ?? 1,
-  events: view?.timeline?.events ?? [],
-  boxes: view?.boxes?.boxes.length ?? 0,
+const countsOf = ({ tiles: tilesShown = 0, chosen: lines = [], thin = [], left = 0, kinds = new Set(), growing = null, grown = 1, timeline, boxes }: Partial<Shown>) => ({
+  tilesShown, chosen: lines.length, lines, thin: thin.length, left, kinds: [...kinds], growing, grown,
+  events: timeline?.events ?? [],
+  boxes: boxes?.boxes.length ?? 0,
 });
 
 export function exposeSession(session: Session, asked: Asked) {
@@ -42,7 +35,7 @@ export function exposeSession(session: Session, asked: Asked) {
       const bright = session.lit ?? session.currentEvent();
       return {
         ...asked.stats(),
-        ...countsOf(session.shown()),
+        ...countsOf(session.shown() ?? {}),
         lit: bright && { ray: bright.ray, light: bright.light },
         tiles: [...(session.trace()?.tiles ?? [])],
       };

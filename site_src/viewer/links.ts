@@ -14,7 +14,7 @@ export function listenToLinks(links: Iterable<HTMLAnchorElement>, acts: { open: 
 /** A button pressed by mouse gives the keys back; one pressed by keyboard keeps the focus. */
 export function giveKeysBack(body: HTMLElement) {
   body.addEventListener("click", (event) => {
-    const pressed = event.target instanceof Element ? event.target.closest<HTMLElement>("#viewer button") : null;
+    const pressed = event.target instanceof Element ? event.target.closest<HTMLElement>("#viewer button, .lecture") : null;
     if (pressed && event.detail > 0) pressed.blur();
   });
 }

@@ -63,6 +63,24 @@ for (const [width, height] of [[390, 844], [360, 640]])
     assert.ok(Math.abs(top) < 2 && bottom < height, `scrolled to the page's end, the stage is at ${top} to ${bottom}`);
   });
 
+for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]])
+  for (const home of ["", "de/"])
+    test(`at ${width} x ${height} no part of the card lies on another, whichever tab is open (${home || "en"})`, async () => {
+      await size(page, width, height);
+      for (const { path } of [rich, scenesOfSite()[0]])
+        for (const tab of ["none", "rays", "sum", "tree", "code"]) {
+          await open(page, ON_DISK, home + path, `${QUICK}&tab=${tab}`);
+          if (tab !== "none") await page.locator(`#panel-card-${tab} > *`).waitFor();
+          const lies = await page.evaluate(() => {
+            const parts = [...document.querySelectorAll(".side :is(.card-head > *, .shares-bar, .shares, .tabs, .tab-panel, .legend, .savings)")].filter((e) => e.checkVisibility() && e.offsetHeight);
+            const boxes = parts.map((e) => [e, e.getBoundingClientRect()]);
+            const over = (a, b) => Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1;
+            return boxes.flatMap(([a, one], k) => boxes.slice(k + 1).filter(([b, other]) => !a.contains(b) && !b.contains(a) && over(one, other)).map(([b]) => `${a.className} lies on ${b.className}`));
+          });
+          assert.deepEqual([...new Set(lies)], [], `${path} ${tab}`);
+        }
+    });
+
 test("the pixel's name and colour have room for three digits each: nothing beside them moves", async () => {
   await size(page, 1280, 800);
   await open(page, ON_DISK, rich.path, `${QUICK}&n=105&p=4,4`);

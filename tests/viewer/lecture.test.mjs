@@ -88,6 +88,16 @@ test("controls go while the pointer rests and come when it moves; what has the k
   await page.waitForFunction((parts) => parts.every((part) => getComputedStyle(document.querySelector(part)).opacity === "1"), HIDDEN);
 });
 
+test("begun by a click on its button it has no tools over the picture once the pointer rests; how far the lesson has come is still seen", async () => {
+  await open(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
+  await page.locator("button.lecture").click();
+  assert.equal((await state(page)).projector, true);
+  await pass(page, RESTS + 100);
+  await page.waitForFunction(() => getComputedStyle(document.querySelector(".top-tools")).opacity === "0");
+  assert.ok(await page.locator(".lesson-place").isVisible());
+  assert.equal(await page.locator(".lesson-steps .next").isVisible(), false);
+});
+
 test("B blackens all of it until a key or a click, which does nothing else; outside of a lecture B is no key", async () => {
   await open(page, ON_DISK, rich.path, QUICK);
   const black = page.locator(".blackout");

@@ -7,7 +7,7 @@ const ON_TOP = 3; // after bodies and tiles
 /** onTop: nothing hides them. */
 export function createSegments(color: string, opacity: number, onTop: boolean) {
   const geometry = new BufferGeometry();
-  const object = new LineSegments(geometry, new LineBasicMaterial({ color, opacity, transparent: true, depthTest: !onTop, depthWrite: !onTop }));
+  const object = new LineSegments(geometry, new LineBasicMaterial({ color, opacity, transparent: true, depthTest: !onTop }));
   object.renderOrder = ON_TOP;
   object.frustumCulled = false;
   return {

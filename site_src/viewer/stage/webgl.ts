@@ -71,8 +71,9 @@ function createSet(view: StageView) {
       });
     },
     resize(width: number, height: number, ratio: number) {
-      for (const lines of [chosen, thin]) lines.resize(width, height);
-      for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio);
+      const large = document.body.classList.contains("projector") ? 1.6 : 1; // seen from the last row
+      for (const lines of [chosen, thin]) lines.resize(width / large, height / large);
+      for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio * large);
     },
   };
 }
