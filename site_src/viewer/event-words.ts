@@ -2,7 +2,7 @@
 import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
 import { isAll } from "./state/vectors";
 import type { Vec3 } from "./trace/types";
-import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
+import { bytes, fixed, list, number, percent, phrases, plain, say, the, tone, vector, type Phrase } from "./words";
 
 export interface Caption {
   says: readonly Phrase[];
@@ -39,8 +39,8 @@ const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNu
 
 /** In one sentence why a pixel is dark, partly so, or lit. */
 export function whyDark({ tone, end, ray, share, name, reasons }: Why): Phrase[] {
-  const at = { ray, share: percent(share), name };
-  const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: list(lights), name, by })) : [phrases(`why.${end}`, at)];
+  const at = { ray, share: percent(share), name: the(name) };
+  const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: list(lights.map(the)), name: the(name), by: the(by) })) : [phrases(`why.${end}`, at)];
   const parts = end === "stops" || (end === "local" && ray > 1) ? [phrases("why.via", at), ...said] : said;
   return [...phrases(`why.${tone}`), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
 }
@@ -53,20 +53,20 @@ export function captionOf(event: RayEvent): Caption {
     case "meets": {
       const { name, hits } = event;
       const point = vector(event.point);
-      if (hits.length < 2) return { says: phrases("event.meets.says", { name }), numbers: say("event.meets.numbers", { t: number(event.t), point }) };
+      if (hits.length < 2) return { says: phrases("event.meets.says", { name: the(name) }), numbers: say("event.meets.numbers", { t: number(event.t), point }) };
       const met = list(hits.map((hit) => say("event.meetsFirst.hit", { name: hit.name, t: number(hit.t) })));
-      return { says: phrases("event.meetsFirst.says", { name }), numbers: say("event.meetsFirst.numbers", { hits: met, point }) };
+      return { says: phrases("event.meetsFirst.says", { name: the(name) }), numbers: say("event.meetsFirst.numbers", { hits: met, point }) };
     }
     case "background":
       return { says: phrases("event.background.says"), numbers: tone(event.colour) };
     case "reached":
-      return { says: phrases("event.reached.says", { light: event.name }), numbers: say("event.reached.numbers", { long: number(event.long) }) };
+      return { says: phrases("event.reached.says", { light: the(event.name) }), numbers: say("event.reached.numbers", { long: number(event.long) }) };
     case "blocked":
-      return { says: phrases("event.blocked.says", { light: event.name, name: event.by }), numbers: say("event.blocked.numbers", { at: number(event.at) }) };
+      return { says: phrases("event.blocked.says", { light: the(event.name), name: the(event.by) }), numbers: say("event.blocked.numbers", { at: number(event.at) }) };
     case "away":
     case "unasked":
     case "off":
-      return { says: phrases(`event.${what}.says`, { light: event.name }), numbers: "" };
+      return { says: phrases(`event.${what}.says`, { light: the(event.name) }), numbers: "" };
     case "local": {
       const sum = [say("event.local.ambient", { colour: tone(event.ambient) }), ...event.lights.map((light) => lightNumbers(light, event))].join(" + ");
       const keeps = event.share < 1 ? say("event.local.keeps", { share: percent(event.share) }) : "";
@@ -74,24 +74,24 @@ export function captionOf(event: RayEvent): Caption {
     }
     case "reflected": {
       const how = event.clear ? "clear" : event.keeps > 0 ? "coloured" : "mirror";
-      return { says: phrases(`event.reflected.${how}`, { name: event.name }), numbers: beside(share(event.share), angleOf(event.angle)) };
+      return { says: phrases(`event.reflected.${how}`, { name: the(event.name) }), numbers: beside(share(event.share), angleOf(event.angle)) };
     }
     case "refracted": {
       const how = `${event.enters ? "in" : "out"}${event.from === event.to ? "Straight" : ""}` as const;
       return {
-        says: phrases(`event.refracted.${how}`, { name: event.name }),
+        says: phrases(`event.refracted.${how}`, { name: the(event.name) }),
         numbers: beside(index(event.from, event.to), bends(event.angle, event.bent), share(event.share)),
       };
     }
     case "total":
-      return { says: phrases("event.total.says", { name: event.name }), numbers: beside(index(event.from, event.to), angleOf(event.angle), share(event.share)) };
+      return { says: phrases("event.total.says", { name: the(event.name) }), numbers: beside(index(event.from, event.to), angleOf(event.angle), share(event.share)) };
     case "stops":
       return {
-        says: phrases(`event.stops.${event.atLimit ? "atLimit" : "tooLittle"}`, { name: event.name }),
+        says: phrases(`event.stops.${event.atLimit ? "atLimit" : "tooLittle"}`, { name: the(event.name) }),
         numbers: event.atLimit ? say("event.stops.limit", { count: event.limit }) : "",
       };
     case "gather":
-      return { says: phrases("event.gather.says", { name: event.name }), numbers: sumNumbers(event.terms, event.colour) };
+      return { says: phrases("event.gather.says", { name: the(event.name) }), numbers: sumNumbers(event.terms, event.colour) };
     case "pixel":
       return {
         says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...(event.why && event.why.tone !== "lit" ? [" ", ...whyDark(event.why)] : [])],

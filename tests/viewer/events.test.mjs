@@ -178,9 +178,9 @@ test("stepping goes one by one, back out at the beginning, and stays at the end"
 });
 
 test("a pixel that is dark or in shadow says why, through glass and mirrors too, and a lit one what lights it", () => {
-  const said = { "02-shadows": [[[10, 8], "Dark because: blue sphere blocks light 1."], [[8, 14], "Dark because: red sphere faces away from light 1, so nothing needs to stand between."], [[4, 3], "Lit: light comes from light 1."]],
+  const said = { "02-shadows": [[[10, 8], "Dark because: the blue sphere blocks light 1."], [[8, 14], "Dark because: the red sphere faces away from light 1, so nothing needs to stand between."], [[4, 3], "Lit: light comes from light 1."]],
     "04-one-bounce": [[[10, 7], "Dark because: ray 2 (100\u202f% of the pixel) meets mirror A; there no bounce is left to send a ray on."]],
-    "08-glass": [[[9, 10], "Dark because: ray 8 (88\u202f% of the pixel) meets left wall; orange sphere blocks ceiling light; little comes from front light."], [[12, 8], "Lit: ray 10 (91.7\u202f% of the pixel) meets right wall; light comes from front light, ceiling light."]] };
+    "08-glass": [[[9, 10], "Dark because: ray 8 (88\u202f% of the pixel) meets the left wall; the orange sphere blocks the ceiling light; little comes from the front light."], [[12, 8], "Lit: ray 10 (91.7\u202f% of the pixel) meets the right wall; light comes from the front light, the ceiling light."]] };
   for (const [id, pixels] of Object.entries(said).filter(([id]) => scenesOfSite().some((scene) => scene.id === id))) {
     const { scene, trace } = readTrace(id, 15);
     for (const [[column, row], says] of pixels) {

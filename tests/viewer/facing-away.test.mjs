@@ -81,7 +81,12 @@ test("01#p=2,4: sentence, list, tree, player and sum say that it faces away, and
 test("the command line's JSON says so too", { skip: existsSync(".venv/bin/python") ? false : "no Python here" }, () => {
   const text = execFileSync(".venv/bin/python", ["-m", "raywalk", "pixel", first.id, "--size", "5", "--at", PIXEL.join(), "--json"], { encoding: "utf8" });
   const { tree } = JSON.parse(text);
-  assert.deepEqual(tree.lights.map(({ faces_away }) => faces_away), [true]);
+  assert.deepEqual(tree.lights.map(({ faces_away, visible, blocker }) => [faces_away, visible, blocker]), [[true, false, tree.object]]);
+  const say = (...more) => execFileSync(".venv/bin/python", ["-m", "raywalk", ...more], { encoding: "utf8" });
+  assert.match(say("pixel", first.id, "--size", "5", "--at", PIXEL.join()), /light 1 is faced away from/);
+  const filed = ["inspect", `dist/${first.path.replace("index.html", "5.js")}`, "--pixel", PIXEL.join()];
+  assert.match(say(...filed), /light 1: behind the surface/);
+  assert.deepEqual(JSON.parse(say(...filed, "--json")).tree.lights.map(({ facesAway }) => facesAway), [true]);
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -27,8 +27,7 @@ def scene_figures(scene: Scene, facts: dict[str, Any], words: Words) -> Figures:
         (say("pages.figures.things"), say("pages.figures.thingsAre", **things)),
     ]
     if scene.has_glass:
-        at_glass = {"opaque": "glassOpaque", "pass": "glassPass"}[scene.render.glass_shadows]
-        figures.append((say("pages.figures.glassShadows"), say(f"pages.figures.{at_glass}")))
+        figures.append((say("pages.figures.glassShadows"), say(_at_glass(scene))))
     figures += [
         (say("pages.figures.leftOut", name=name), why) for name, why in left_out(facts["dropped"])
     ]
@@ -54,3 +53,12 @@ def model_credits(scene: Scene, words: Words) -> list[str]:
         )
         for table in named_models(scene)
     ]
+
+
+def _at_glass(scene: Scene) -> str:
+    """The key of what happens to shadow rays at the scene's glass."""
+    if scene.render.glass_shadows == "opaque":
+        return "pages.figures.glassOpaque"
+    used = (scene.materials[obj.material] for obj in scene.objects)
+    is_clear = all(material.transmit == 1 for material in used if material.transmit > 0)
+    return "pages.figures.glassClear" if is_clear else "pages.figures.glassPass"

@@ -102,12 +102,14 @@ def figure_alt(scene: Scene, stop: Stop) -> str:
     for line in stop.chosen[:MOST_TOLD]:
         kind = kind_word(line.kind)
         if line.light >= 0:
-            parts.append(say("slides.shadowAlt", light=scene.lights[line.light].name, kind=kind))
+            parts.append(
+                say("slides.shadowAlt", light=words().the(scene.lights[line.light].name), kind=kind)
+            )
         elif line.leaves:
             parts.append(say("slides.leavesAlt", kind=kind))
         else:
             met, point = stop.rows[line.ray - 1].object, numbers().vector(line.to)
-            parts.append(say("slides.hitsAlt", kind=kind, name=met, point=point))
+            parts.append(say("slides.hitsAlt", kind=kind, name=words().the(met), point=point))
     if len(stop.chosen) > MOST_TOLD:
         parts.append(say("slides.moreAlt", count=len(stop.chosen) - MOST_TOLD))
     if stop.thin:

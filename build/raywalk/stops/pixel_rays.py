@@ -62,12 +62,20 @@ def _light(trace: DecodedTrace, k: int, l: int) -> dict[str, Any]:
     return {
         "name": trace.header["lights"][l]["name"],
         "visibility": Visibility(int(trace.visibility[k, l])).name.lower(),
+        "facesAway": _faces_away(trace, k, l),
         "blocker": blocker,
         "blockerName": trace.header["objects"][blocker] if blocker >= 0 else None,
         "blockedAt": float(trace.blockedAt[k, l]),
         "diffuse": float(trace.diffuse[k, l]),
         "specular": float(trace.specular[k, l]),
     }
+
+
+def _faces_away(trace: DecodedTrace, k: int, l: int) -> bool:
+    """Where no shadows are asked for, the stored factors tell: a surface that faces a light gets
+    some of it."""
+    seen, factors = int(trace.visibility[k, l]), (trace.diffuse[k, l], trace.specular[k, l])
+    return seen == Visibility.BEHIND or (seen == Visibility.UNTESTED and not any(factors))
 
 
 def describe(trace: DecodedTrace, pixel: tuple[int, int]) -> str:
@@ -119,7 +127,7 @@ def _light_line(light: dict[str, Any]) -> str:
         "reached": "visible",
         "behind": "behind the surface",
         "untested": "lit without a shadow ray",
-    }[light["visibility"]]
+    }["behind" if light["facesAway"] else light["visibility"]]
     return (
         f"  {light['name']}: {state}, "
         f"diffuse {light['diffuse']:.3f}, specular {light['specular']:.3f}"

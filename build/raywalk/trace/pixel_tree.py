@@ -12,6 +12,8 @@ from raywalk.trace.tree import LIT, Kind, Visibility
 from raywalk.trace.wave import Wave
 from raywalk.trace.wavefront import Tracer
 
+NOTHING = 1e-6  # of a light's factor: less is 0 in trace files
+
 
 def pixel_tree(
     scene: Scene, width: int, height: int, column: int, row: int, depth: int | None = None
@@ -85,15 +87,18 @@ def _lights(scene: Scene, wave: Wave, k: int) -> list[dict[str, Any]]:
     lighting, listed = wave.lighting, []
     for column, light in enumerate(scene.lights):
         seen = Visibility(lighting.visibility[k, column])
-        turned = bool((light.position - wave.hits.point[k]) @ wave.hits.geometric[k] <= 0.0)
-        blocker = int(lighting.blocker[k, column])
-        if seen == Visibility.BEHIND:
-            blocker = int(wave.hits.object[k])  # it turns its back on the light
+        # Without shadows nobody asked, and the surface faces away all the same; but a wide
+        # highlight may reach beyond n.l = 0, and then the light counts.
+        turned = bool((light.position - wave.hits.point[k]) @ wave.hits.normal[k] <= 0.0)
+        turned = turned and bool(lighting.specular[k, column] < NOTHING)
+        is_away = seen == Visibility.BEHIND or (seen == Visibility.UNTESTED and turned)
+        # It stands in its own light.
+        blocker = int(wave.hits.object[k] if is_away else lighting.blocker[k, column])
         listed.append({
             "name": light.name,
-            "visible": seen in LIT,
+            "visible": seen in LIT and not is_away,
             "blocker": None if blocker == NOWHERE else scene.objects[blocker].name,
-            "faces_away": seen == Visibility.BEHIND or (seen == Visibility.UNTESTED and turned),
+            "faces_away": is_away,
             "diffuse": float(lighting.diffuse[k, column]),
             "specular": float(lighting.specular[k, column]),
         })  # fmt: skip

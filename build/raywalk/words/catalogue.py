@@ -37,6 +37,12 @@ class Words:
         the form. Raises KeyError for an unknown key, and for slots that are not the sentence's."""
         return fill(self.text(key, slots), slots)
 
+    def the(self, name: str) -> str:
+        """A name as it stands in a sentence: "green sphere" is the green sphere, but "mirror A" and
+        "light 1" are called so; `articled` in the catalogue tells which."""
+        is_articled = re.search(self.text("language.articled", {}), name)
+        return self.say("language.article", name=name) if is_articled else name
+
     def text(self, key: str, slots: Mapping[str, object], links: bool = False) -> str:
         """The sentence with its slots still open, after a check that exactly they are given;
         links: marks name slots too, which hold addresses."""

@@ -6,7 +6,7 @@ import { isAll } from "../state/vectors";
 import { tileColour } from "../state/view-state";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
-import { fixed, number, phrases, say } from "../words";
+import { fixed, number, phrases, say, the } from "../words";
 import type { RaysView } from "./card-types";
 import { clickable, element, marked } from "../element";
 import { markRow } from "./lit-row";
@@ -17,7 +17,7 @@ const coloursOf = (all: readonly Vec3[]): Colours => (all.every(isGrey) ? (v) =>
 
 function lightTerm({ name, seen, by, diffuse, specular, colour }: LightRow, of: MaterialData, show: Colours) {
   const nothing = (why: string) => piece(operator("+"), under(math("mn", "0"), why));
-  if (seen === "blocked") return nothing(say("sum.blocked", { light: name, by }));
+  if (seen === "blocked") return nothing(say("sum.blocked", { light: name, by: the(by) }));
   if (seen === "off" || seen === "away") return nothing(say(seen === "off" ? "sum.isOff" : "sum.away", { light: name }));
   const paints = ([[diffuse, of.diffuse], [specular, of.specular]] as const).filter(([factor, paint]) => factor !== 0 && !isAll(paint, 0));
   const parts = paints.flatMap(([factor, paint], k) => [...(k ? [operator("+")] : []), figure(factor), times(), show(paint)]);
@@ -82,7 +82,7 @@ export function createSums(acts: Pick<Actions, "goToEvent">): RaysView {
     const isPixel = row.of === 0;
     const isOwn = row.lights.length > 0;
     const material = materialAt(trace, scene, row.ray)!;
-    const title = (name: "sum.pixel" | "sum.ray" | "sum.open" | "sum.surface") => element("p", "sum-title", ...marked(phrases(name, { ray: row.number, object: row.object })));
+    const title = (name: "sum.pixel" | "sum.ray" | "sum.open" | "sum.surface") => element("p", "sum-title", ...marked(phrases(name, { ray: row.number, object: the(row.object) })));
     const isWhole = !sent.length && isOwn && row.keeps === 1; // the ray brings the surface's own colour and no more
     if (isPixel) {
       const exact = row.colour.every((v, c) => Math.round(255 * Math.min(1, Math.max(0, v))) === tile[c]);

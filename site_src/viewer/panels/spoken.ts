@@ -4,7 +4,7 @@ import { treeOf } from "../state/lines";
 import { memo } from "../state/memo";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
-import { say } from "../words";
+import { say, the } from "../words";
 import { element } from "../element";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken
@@ -12,7 +12,7 @@ const RESTS = 500; // ms: while arrows are held down nothing is spoken
 function lightsOf(trace: Trace, scene: SceneData, ray: number): string {
   if (trace.localWeight[ray] === 0) return ""; // a mirror asks no light
   return lightShares(trace, scene, ray)
-    .map(({ name: light, seen }, k) => say(`spoken.${seen}`, { light, name: scene.objects[trace.blocker[ray * trace.lights + k]]?.name ?? "" }))
+    .map(({ name: light, seen }, k) => say(`spoken.${seen}`, { light: the(light), name: the(scene.objects[trace.blocker[ray * trace.lights + k]]?.name ?? "") }))
     .join(" ");
 }
 
@@ -22,7 +22,7 @@ export function selectionInWords(state: ViewState, scene: SceneData, trace: Trac
   const slots = { column: state.pixel[0], row: state.pixel[1], bytes: tileColour(trace, pixel).join(", ") };
   const object = scene.objects[trace.object[camera]];
   if (!object) return say("spoken.miss", slots);
-  return say("spoken.hit", { ...slots, count: others.length + 1, object: object.name, lights: lightsOf(trace, scene, camera) }).replace("  ", " "); // a mirror asks none
+  return say("spoken.hit", { ...slots, count: others.length + 1, object: the(object.name), lights: lightsOf(trace, scene, camera) }).replace("  ", " "); // a mirror asks none
 }
 
 export function createSpoken(home: HTMLElement) {

@@ -4,7 +4,7 @@ import { triple } from "../state/vectors";
 import { pixelIndex } from "../state/view-state";
 import { KIND, RAY_KINDS } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
-import { number, say, vector } from "../words";
+import { number, say, the, vector } from "../words";
 import { walksPixel, type Stop, type Traces } from "./seen";
 
 export interface Question {
@@ -67,7 +67,7 @@ function picksOf(trace: Trace, walked: readonly number[]): Pick[] {
 export function questionOf(pick: Pick, trace: Trace, scene: SceneData): Question {
   const { pixel } = pick;
   const at = { x: pixel % trace.n, y: Math.floor(pixel / trace.n), n: trace.n };
-  const name = scene.objects[trace.object[pixel]]?.name;
+  const name = the(scene.objects[trace.object[pixel]]?.name ?? "");
   const meets = (ray: number) =>
     trace.object[ray] < 0 ? say("slides.answerLeaves") : say("slides.answerNearest", { name: scene.objects[trace.object[ray]].name, t: number(trace.t[ray]), point: vector(triple(trace.point, ray)) });
   switch (pick.of) {
@@ -80,8 +80,8 @@ export function questionOf(pick: Pick, trace: Trace, scene: SceneData): Question
     case "shadow": {
       const of = pixel * trace.lights + pick.light;
       const isBlocked = trace.visibility[of] === VISIBILITY.blocked;
-      const answer = isBlocked ? say("slides.answerBlocked", { name: scene.objects[trace.blocker[of]].name }) : say("slides.answerArrives");
-      return { asks: say("slides.askShadow", { ...at, name, light: scene.lights[pick.light].name }), answer };
+      const answer = isBlocked ? say("slides.answerBlocked", { name: the(scene.objects[trace.blocker[of]].name) }) : say("slides.answerArrives");
+      return { asks: say("slides.askShadow", { ...at, name, light: the(scene.lights[pick.light].name) }), answer };
     }
     case "sent": {
       const key = RAY_KINDS[trace.kind[pick.ray]] === "reflected" ? "slides.askReflected" : "slides.askRefracted";
