@@ -8,7 +8,18 @@ import numpy as np
 import pytest
 from tests.geometry.by_hand import SHAPES, random_affine, scene_of, unit
 
-from raywalk.geometry.blocks import BLOCK, BLOCK_SIZE, fill_block, list_marked, mark_candidates
+from raywalk.geometry.blocks import (
+    BLOCK,
+    BLOCK_SIZE,
+    CONES,
+    GROUP,
+    GROUPS,
+    fill_block,
+    find_cones,
+    list_marked,
+    mark_groups,
+    mark_rays,
+)
 from raywalk.geometry.compiled import CompiledScene, Rays, rays_from
 from raywalk.geometry.faces import is_solid, on_surface
 from raywalk.geometry.nearest import nearest_primitive
@@ -104,7 +115,7 @@ def test_where_blocks_end_changes_nothing(rng: np.random.Generator, count: int) 
 
 
 def test_a_mark_is_left_out_just_where_a_ray_passes_by(rng: np.random.Generator) -> None:
-    """mark_candidates and passes_by are one rule; listed are the marked, in order, none beyond the
+    """mark_rays and passes_by are one rule; listed are the marked, in order, none beyond the
     block's rays."""
     table = CompiledScene(scene_of(list(SHAPES.values()))).primitives
     size = BLOCK - 3
@@ -136,8 +147,68 @@ def test_a_mark_is_left_out_just_where_a_ray_passes_by(rng: np.random.Generator)
 def marked(block, primitives, k, marks, size):  # type: ignore[no-untyped-def]
     """The columns that may meet row k."""
     listed, c = np.empty(BLOCK + 1, np.int64), primitives.centre
-    mark_candidates(block, c[k, 0], c[k, 1], c[k, 2], primitives.reach_sq[k], marks)
+    mark_rays(block, BLOCK, c[k, 0], c[k, 1], c[k, 2], primitives.reach_sq[k], marks)
     return listed[: list_marked(marks, size, listed, 0)]
+
+
+@kernel
+def groups_near(origin, direction, centre, reach):  # type: ignore[no-untyped-def]
+    """Of each sphere, whether the cone of the first group of rays may meet it."""
+    block, cones, near = np.empty(BLOCK_SIZE), np.empty(CONES), np.empty(GROUPS, np.uint8)
+    count, out = origin.shape[0], np.empty(centre.shape[0], np.bool_)
+    nowhere, far = np.full(count, NOWHERE), np.full(count, np.inf)
+    fill_block(block, origin, direction, nowhere, np.zeros(count, np.bool_), far, 0, count)
+    find_cones(block, cones)
+    for k in range(centre.shape[0]):
+        mark_groups(cones, centre[k, 0], centre[k, 1], centre[k, 2], reach[k], near)
+        out[k] = near[0] != 0
+    return out
+
+
+@pytest.mark.parametrize("spread", [0.0, 1e-9, 1e-3, 0.1, 0.7, 1.5])
+@pytest.mark.parametrize("apart", [0.0, 1e-3, 1.0])
+def test_a_cone_leaves_out_no_sphere_that_one_of_its_rays_may_meet(
+    rng: np.random.Generator, spread: float, apart: float
+) -> None:
+    """Spheres all round, most of which a ray touches but for a little; narrow cones are of use."""
+    fan = np.linspace(-1.0, 1.0, GROUP)[:, None]
+    axis, side, step = unit(rng.normal(size=(3, 3)))
+    direction = unit(axis + spread * fan * side)
+    origin = rng.normal(size=3) + apart * (fan * step + 0.1 * rng.normal(size=(GROUP, 3)))
+    centre, reach = 4.0 * rng.normal(size=(4000, 3)), rng.uniform(0.0, 1.0, 4000)
+    along = np.einsum("kd,rd->kr", centre, direction) - (origin * direction).sum(axis=1)
+    foot = origin + np.maximum(along, 0.0)[:, :, None] * direction
+    away = np.linalg.norm(centre[:, None] - foot, axis=2).min(axis=1)
+    touches = rng.random(4000) < 0.7
+    reach[touches] = away[touches] * (1.0 + rng.choice([1e-6, 1e-3, -1e-3], touches.sum()))
+    near = groups_near(origin, direction, centre, reach)
+    assert near[reach >= away].all()
+    if spread < 0.2 and apart < 0.5:
+        assert near[~touches].mean() < 0.5, "a narrow cone is of use"
+
+
+def test_the_order_in_which_rays_come_changes_nothing(rng: np.random.Generator) -> None:
+    """Neighbours, which narrow cones hold, and the same rays shuffled, which none does."""
+    compiled = CompiledScene(scene_of(list(SHAPES.values())))
+    row, column = np.divmod(np.arange(4096), 64)
+    aim = np.stack([(column - 31.5) / 16.0, (row - 31.5) / 16.0, np.full(4096, -6.0)], axis=1)
+    origin = np.tile([0.0, 0.0, 6.0], (4096, 1))
+    rays = rays_from(origin, unit(aim))
+    for first in (rays, mirrored(compiled, rays)):
+        shuffled = rng.permutation(len(first.origin))
+        together, apart = compiled.hits(first), compiled.hits(first.take(shuffled))
+        assert 0.05 < (together.object != NOWHERE).mean() < 0.95
+        for name, column in zip(together._fields, together, strict=True):
+            assert np.array_equal(column[shuffled], getattr(apart, name), equal_nan=True), name
+
+
+def mirrored(compiled: CompiledScene, rays: Rays) -> Rays:
+    """Those that the hits of rays would send on if all were mirrors."""
+    hits = compiled.hits(rays)
+    met = np.flatnonzero(hits.object != NOWHERE)
+    hits, came = hits.take(met), rays.direction[met]
+    sent = came - 2.0 * (came * hits.normal).sum(axis=1)[:, None] * hits.normal
+    return Rays(hits.point, unit(sent), hits.object, hits.inside, hits.triangle)
 
 
 @kernel

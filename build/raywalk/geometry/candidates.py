@@ -17,7 +17,7 @@ from raywalk.geometry.rims import is_rim_unsure, rim_pair
 from raywalk.geometry.roots import AT_ONCE, FAR_SQ, NOWHERE, exact_pair, roots
 from raywalk.geometry.seams import is_unsure
 from raywalk.geometry.sides import POINT_ERROR
-from raywalk.optics.compiled import kernel
+from raywalk.optics.compiled import inlined, lean
 
 MOST = 2 * BLOCK  # pairs at once: a whole block may be added to a list that is almost full
 PITCH = MOST + 8  # as in blocks.py
@@ -28,7 +28,7 @@ LX, LY, LZ, RX, RY, RZ, SHIFT, BOUND, OWN, INNER, ROOT, SIZE, DRIFT = range(0, 1
 TABLE = 13 * PITCH
 
 
-@kernel
+@lean
 def lay_out(table, primitives, block, columns, rows, count):
     """Fills the table up to ROOT for pairs (count,) of columns and rows of primitives."""
     centre, rest, m = primitives.centre, primitives.centre_rest, primitives.to_local
@@ -64,7 +64,7 @@ def lay_out(table, primitives, block, columns, rows, count):
             table[DRIFT + p] = stretch[k] * max(abs(dx), max(abs(dy), abs(dz)))
 
 
-@kernel
+@lean
 def find_roots(table, primitives, block, columns, rows, count):
     """Fills the table's ROOT for pairs (count,) with these rows of primitives, in the order of
     rows: the first parameter t > 0 at which each pair meets, else inf."""
@@ -83,39 +83,46 @@ def find_roots(table, primitives, block, columns, rows, count):
         start = end
 
 
-@kernel
+@lean
 def sphere_roots(table, count):
-    """As `sphere_interval` and `chord_exit` have it."""
+    """`sphere_root` of pairs (count,)."""
     for p in range(count):
-        x, y, z = table[LX + p], table[LY + p], table[LZ + p]
-        dx, dy, dz = table[RX + p], table[RY + p], table[RZ + p]
-        shift, bound, own = table[SHIFT + p], table[BOUND + p], table[OWN + p] > 0.0
-        dd = dx * dx + dy * dy + dz * dz
-        towards = x * dx + y * dy + z * dz
-        middle = -towards / dd
-        mx, my, mz = x + middle * dx, y + middle * dy, z + middle * dz
-        half_sq = 1.0 - (mx * mx + my * my + mz * mz)
-        height = x * x + y * y + z * z - 1.0
-        half, product = math.sqrt(abs(half_sq) / dd), height / dd
-        late, early = middle + half, middle - half
-        from_late, from_early = product / late, product / early
-        before = from_late if from_late < late else late
-        behind = from_early if from_early > early else early
-        near = before if middle > 0.0 else early
-        far = late if middle > 0.0 else (behind if early < 0.0 else early)
-        meets = (half_sq >= 0.0) & (near <= far)
-        ahead = near if near > -shift else (far if far > -shift else math.inf)
-        free = shift + (ahead if meets else math.inf)
-        # A ray that leaves the surface, or starts on it.
-        chord = -2.0 * towards / dd
-        chord = chord if chord > AT_ONCE else AT_ONCE
-        goes_in = (own & (table[INNER + p] > 0.0)) | ((not own) & (towards < 0.0))
-        on_it = (bound > 0.0) & (abs(height) <= 2.0 * bound)
-        bound_root = chord if goes_in else math.inf
-        table[ROOT + p] = bound_root if own | on_it else free
+        table[ROOT + p] = sphere_root(
+            table[LX + p], table[LY + p], table[LZ + p], table[RX + p], table[RY + p],
+            table[RZ + p], table[SHIFT + p], table[BOUND + p], table[OWN + p] > 0.0,
+            table[INNER + p] > 0.0,
+        )  # fmt: skip
 
 
-@kernel
+@inlined
+def sphere_root(x, y, z, dx, dy, dz, shift, bound, own, inner):
+    """As `sphere_interval` and `chord_exit` have it."""
+    dd = dx * dx + dy * dy + dz * dz
+    towards = x * dx + y * dy + z * dz
+    middle = -towards / dd
+    mx, my, mz = x + middle * dx, y + middle * dy, z + middle * dz
+    half_sq = 1.0 - (mx * mx + my * my + mz * mz)
+    height = x * x + y * y + z * z - 1.0
+    half, product = math.sqrt(abs(half_sq) / dd), height / dd
+    late, early = middle + half, middle - half
+    from_late, from_early = product / late, product / early
+    before = from_late if from_late < late else late
+    behind = from_early if from_early > early else early
+    near = before if middle > 0.0 else early
+    far = late if middle > 0.0 else (behind if early < 0.0 else early)
+    meets = (half_sq >= 0.0) & (near <= far)
+    ahead = near if near > -shift else (far if far > -shift else math.inf)
+    free = shift + (ahead if meets else math.inf)
+    # A ray that leaves the surface, or starts on it.
+    chord = -2.0 * towards / dd
+    chord = chord if chord > AT_ONCE else AT_ONCE
+    goes_in = (own & inner) | ((not own) & (towards < 0.0))
+    on_it = (bound > 0.0) & (abs(height) <= 2.0 * bound)
+    bound_root = chord if goes_in else math.inf
+    return bound_root if own | on_it else free
+
+
+@lean
 def box_roots(table, count):
     """As `slab_interval` has it three times; NaN for rays that leave the box or start on it."""
     for p in range(count):
@@ -133,7 +140,7 @@ def box_roots(table, count):
         table[ROOT + p] = math.nan if (table[OWN + p] > 0.0) | on_it else root
 
 
-@kernel
+@lean
 def slab(o, d, near, far):
     """What is in |x| <= 1 of an interval."""
     first, second = (-1.0 - o) / d, (1.0 - o) / d
@@ -144,7 +151,7 @@ def slab(o, d, near, far):
     return (low if low > near else near), (high if high < far else far)
 
 
-@kernel
+@lean
 def other_roots(table, primitives, block, columns, rows, start, end):
     """Of other shapes, and of boxes where a ray starts on them; decided exactly at the edges and
     rims of those that share theirs."""

@@ -7,32 +7,32 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raywalk.geometry.along_ray import sharp_product
-from raywalk.geometry.blocks import BLOCK
-from raywalk.geometry.faces import SPHERE, height, is_solid, on_surface
+from raywalk.geometry.blocks import BLOCK, WORD
+from raywalk.geometry.faces import PLANE, SPHERE, height, is_solid, on_surface
 from raywalk.geometry.landing import (
-    AGAIN,
-    BOUND,
+    BETTER,
+    HX,
+    HZ,
+    LEAVES,
     PITCH,
     SIDE,
     TABLE,
-    G,
-    H,
-    L,
+    YET,
+    D,
     N,
+    O,
     P,
-    R,
-    S,
     T,
-    X,
-    face_rays,
-    into_world,
-    land,
+    land_on_plane,
+    land_on_sphere,
     lay_out_hits,
+    vector,
 )
-from raywalk.geometry.refine import refined
+from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.roots import NOWHERE
-from raywalk.optics.compiled import inlined, kernel
+from raywalk.geometry.rows import centre_of, matrix_of, times
+from raywalk.geometry.sides import POINT_ERROR
+from raywalk.optics.compiled import inlined, kernel, lean
 
 
 class Appearance(NamedTuple):
@@ -84,75 +84,134 @@ def primitive_surface(
     primitives, appearance, origin, direction, leaving, t, met, point, normal, inside, material
 ):
     """Fills point, normal (both (n, 3)), inside and material of the rays that met a primitive,
-    and refines their t.
+    and refines their t. Of the others, point and normal are 0, inside False and material -1.
 
-    The normal faces the incoming ray, but for rounding where that grazes a solid. Of rays that met
-    nothing, point and normal are 0; rows of those that met a mesh stay as they are.
+    The normal faces the incoming ray, but for rounding where that grazes a solid.
     """
-    table, columns, rows = np.empty(TABLE), np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    table = np.zeros(TABLE)
+    columns, rows = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    other_columns, other_rows = columns.copy(), rows.copy()
+    ends = np.zeros(primitives.shape.shape[0], np.int64)
     for first in range(0, origin.shape[0], BLOCK):
-        count = 0
-        for i in range(first, min(first + BLOCK, origin.shape[0])):
-            if met[i] == NOWHERE:
-                for c in range(3):
-                    point[i, c] = normal[i, c] = 0.0
-                inside[i], material[i] = False, -1
-            elif primitives.row_of[met[i]] >= 0:
-                columns[count], rows[count] = i, primitives.row_of[met[i]]
-                count += 1
-        if count:
-            lay_out_hits(
-                table, primitives, rows, columns, count, origin, direction, leaving, t, met
-            )
-            land(table, count)
-            land_others(table, primitives, rows, count)
-            into_world(table, primitives.to_world, primitives.to_local, rows, count)
-            face_rays(table, count)
-            for n in range(count):
-                write_hit(table, n, columns[n], appearance, t, met, point, normal, inside, material)
+        last = min(first + BLOCK, origin.shape[0])
+        point[first:last], normal[first:last] = 0.0, 0.0
+        inside[first:last], material[first:last] = False, -1
+        count = list_hits(primitives.row_of, met, first, last, columns, rows)
+        changes = 0
+        for n in range(1, count):
+            changes += rows[n] != rows[n - 1]
+        if 4 * changes > count:
+            put_alike_together(columns, rows, count, ends, other_columns, other_rows)
+            columns, other_columns, rows, other_rows = other_columns, columns, other_rows, rows
+        lay_out_hits(table, columns, count, origin, direction, leaving, t)
+        start = 0
+        while start < count:
+            end = start + 1
+            while end < count and rows[end] == rows[start]:
+                end += 1
+            land_run(table, primitives, rows[start], start, end)
+            start = end
+        for n in range(count):
+            write_hit(table, n, columns[n], appearance, t, met, point, normal, inside, material)
+
+
+@lean
+def list_hits(row_of, met, first, last, columns, rows):
+    """Which of the rays from first to last met a primitive, and its row; returns how many."""
+    count = 0
+    for i in range(first, last):
+        k = row_of[max(0, met[i])]
+        columns[count], rows[count] = i, k  # without a branch, which none could predict
+        count += (met[i] != NOWHERE) & (k >= 0)
+    return count
+
+
+@lean
+def put_alike_together(columns, rows, count, ends, to_columns, to_rows):
+    """Writes hits (count,) to the last two in the order of their rows, as these are first met.
+
+    ends: (rows,) zeros, before and after.
+    """
+    kinds = end = 0
+    for n in range(count):
+        to_rows[kinds] = rows[n]
+        kinds += ends[rows[n]] == 0
+        ends[rows[n]] += 1
+    for n in range(kinds):
+        end, ends[to_rows[n]] = end + ends[to_rows[n]], end
+    for n in range(count):
+        place = ends[rows[n]]
+        to_columns[place], to_rows[place] = columns[n], rows[n]
+        ends[rows[n]] += 1
+    for n in range(count):
+        ends[rows[n]] = 0
+
+
+@inlined
+def land_run(table, primitives, k, start, end):
+    """Hits start to end, which are of row k."""
+    code, is_apart = primitives.shape[k].code, primitives.is_skewed[k] or primitives.is_thin[k]
+    # In whole eights: what is written after the last one is of no hit, or of one that comes later.
+    run, whole = table[start:], (end - start + WORD - 1) // WORD * WORD
+    if code == PLANE and not is_apart:
+        land_on_plane(run, primitives, k, whole)
+        return
+    if code == SPHERE and not is_apart:
+        land_on_sphere(run, primitives, k, whole)
+    for n in range(start, end):
+        if code != SPHERE or is_apart or table[SIDE + n] == YET:
+            land_alone(table, primitives, k, n)
 
 
 @inlined
 def write_hit(table, n, i, appearance, t, met, point, normal, inside, material):
     """Hit n as ray i's."""
-    t[i] = table[T + n]
+    t[i] = table[BETTER + n]
     inside[i] = table[SIDE + n] > 0.0
     sign = -1.0 if inside[i] else 1.0
     for c in range(3):
         point[i, c] = table[P + c * PITCH + n]
         normal[i, c] = sign * table[N + c * PITCH + n]
-    material[i] = square_material(appearance, met[i], table[H + n], table[H + 2 * PITCH + n])
+    material[i] = square_material(appearance, met[i], table[HX + n], table[HZ + n])
 
 
-@kernel
-def land_others(table, primitives, rows, count):
-    """What `land` left: other shapes, those thin or skewed, and grazing rays, one by one."""
-    to_local, rest, shapes = primitives.to_local, primitives.to_local_rest, primitives.shape
-    is_thin, is_skewed = primitives.is_thin, primitives.is_skewed
-    for n in range(count):
-        if table[SIDE + n] < 2.0:
-            continue
-        k = rows[n]
-        shape, t, again = shapes[k], table[T + n], table[AGAIN + n] > 0.0
-        x, y, z = table[L + n], table[L + PITCH + n], table[L + 2 * PITCH + n]
-        dx, dy, dz = table[R + n], table[R + PITCH + n], table[R + 2 * PITCH + n]
-        if is_skewed[k]:
-            x, y, z = sharp_product(
-                to_local, rest, k, table[X + n], table[X + PITCH + n], table[X + 2 * PITCH + n]
-            )
-        if not again:
-            better = refined(t, shape, x, y, z, dx, dy, dz)
-            step = better - t
-            table[T + n], x, y, z = better, x + step * dx, y + step * dy, z + step * dz
-        solid = is_solid(shape)
-        sx, sy, sz = table[S + n], table[S + PITCH + n], table[S + 2 * PITCH + n]
-        # Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
-        leaves = solid and (again or height(shape, sx, sy, sz) <= 2.0 * table[BOUND + n])
-        hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
-        if is_thin[k]:
-            hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
-            if shape.code == SPHERE:
-                gx, gy, gz = hx, hy, hz
-        table[H + n], table[H + PITCH + n], table[H + 2 * PITCH + n] = hx, hy, hz
-        table[G + n], table[G + PITCH + n], table[G + 2 * PITCH + n] = gx, gy, gz
-        table[SIDE + n] = (1.0 if leaves else -1.0) if solid else 0.0
+@lean
+def land_alone(table, primitives, k, n):
+    """Hit n of row k by one ray's formulas: of other shapes, those thin or skewed, grazing rays."""
+    shape, t, is_skewed = primitives.shape[k], table[T + n], primitives.is_skewed
+    to_local, to_world, rest = primitives.to_local, primitives.to_world, primitives.to_local_rest
+    ox, oy, oz = vector(table, O, n)
+    wx, wy, wz = vector(table, D, n)
+    cx, cy, cz, ex, ey, ez = centre_of(primitives, k)
+    again = table[LEAVES + n] == primitives.object[k]
+    bound = 0.0
+    if table[LEAVES + n] != NOWHERE:
+        reach = abs(ox) + abs(oy) + abs(oz) + (abs(cx) + abs(cy) + abs(cz))
+        bound = POINT_ERROR * primitives.stretch[k] * reach
+    x, y, z, dx, dy, dz = from_close_up(
+        primitives.centre, primitives.centre_rest, to_local, rest, is_skewed, k,
+        ox, oy, oz, wx, wy, wz, t,
+    )  # fmt: skip
+    if not again:
+        better = refined(t, shape, x, y, z, dx, dy, dz)
+        step, t = better - t, better
+        x, y, z = x + step * dx, y + step * dy, z + step * dz
+    sx, sy, sz = times(*matrix_of(to_local, k), ox - cx, oy - cy, oz - cz)
+    # Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
+    solid = is_solid(shape)
+    leaves = solid and (again or height(shape, sx, sy, sz) <= 2.0 * bound)
+    hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
+    if primitives.is_thin[k]:
+        hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
+        if shape.code == SPHERE:
+            gx, gy, gz = hx, hy, hz
+    px, py, pz = times(*matrix_of(to_world, k), hx, hy, hz)
+    a, b, c, d, e, f, g, h, i = matrix_of(to_local, k)
+    nx, ny, nz = times(a, d, g, b, e, h, c, f, i, gx, gy, gz)  # by the transposed inverse
+    length = math.sqrt(nx * nx + ny * ny + nz * nz)
+    nx, ny, nz = nx / length, ny / length, nz / length
+    table[BETTER + n], table[HX + n], table[HZ + n] = t, hx, hz
+    table[P + n], table[P + PITCH + n] = cx + (ex + px), cy + (ey + py)
+    table[P + 2 * PITCH + n] = cz + (ez + pz)
+    table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = nx, ny, nz
+    table[SIDE + n] = (1.0 if leaves else -1.0) if solid else nx * wx + ny * wy + nz * wz
