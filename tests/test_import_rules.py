@@ -59,7 +59,7 @@ VIEWER_MAY_IMPORT = {
     "stops": {"stops", "state", "trace", "event-words"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
-FOR_ANYONE = {"words", "word-keys", "element", "palette", "tile-picture"}
+FOR_ANYONE = {"words", "articles", "word-keys", "element", "palette", "tile-picture"}
 
 
 def python_files(folder: str) -> list[Path]:

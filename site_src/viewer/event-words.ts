@@ -1,8 +1,9 @@
 /** The player's events in words: a sentence each, and under it its numbers. */
+import { the } from "./articles";
 import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
 import { isAll } from "./state/vectors";
 import type { Vec3 } from "./trace/types";
-import { bytes, fixed, list, number, percent, phrases, plain, say, the, tone, vector, type Phrase } from "./words";
+import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 
 export interface Caption {
   says: readonly Phrase[];

@@ -50,9 +50,6 @@ export function phrases<K extends keyof WordKeys>(key: K, ...given: Slots<K>): P
   });
 }
 
-/** A name as it stands in a sentence: "green sphere" is the green sphere, "mirror A" and "light 1" are called so. */
-export const the = (name: string): string => (new RegExp(say("language.articled")).test(name) ? say("language.article", { name }) : name);
-
 export const plain = (of: readonly Phrase[]): string => of.map((phrase) => (typeof phrase === "string" ? phrase : phrase[0])).join("");
 
 /** So many decimals; minus signs as wide as plus, and none before zeros. */

@@ -39,9 +39,10 @@ class Words:
 
     def the(self, name: str) -> str:
         """A name as it stands in a sentence: "green sphere" is the green sphere, but "mirror A" and
-        "light 1" are called so; `articled` in the catalogue tells which."""
+        "light 1" are called so. The catalogue tells which (`articled`), and how (`article`, in
+        which $& is the name)."""
         is_articled = re.search(self.text("language.articled", {}), name)
-        return self.say("language.article", name=name) if is_articled else name
+        return self.text("language.article", {}).replace("$&", name) if is_articled else name
 
     def text(self, key: str, slots: Mapping[str, object], links: bool = False) -> str:
         """The sentence with its slots still open, after a check that exactly they are given;

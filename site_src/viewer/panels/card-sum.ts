@@ -1,4 +1,5 @@
 /** How the pixel's colour adds up: a formula a ray, with the numbers put in. */
+import { the } from "../articles";
 import type { Actions } from "../actions";
 import { materialAt } from "../state/events";
 import type { LightRow, RayRow } from "../state/ray-rows";
@@ -6,7 +7,7 @@ import { isAll } from "../state/vectors";
 import { tileColour } from "../state/view-state";
 import { isGrey, column, figure, indexed, math, operator, piece, times, under } from "./mathml";
 import type { MaterialData, Trace, SceneData, Vec3 } from "../trace/types";
-import { fixed, number, phrases, say, the } from "../words";
+import { fixed, number, phrases, say } from "../words";
 import type { RaysView } from "./card-types";
 import { clickable, element, marked } from "../element";
 import { markRow } from "./lit-row";

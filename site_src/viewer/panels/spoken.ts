@@ -1,10 +1,11 @@
 /** The selected ray in words, for those who listen: spoken once the selection rests, and not while anything plays. */
+import { the } from "../articles";
 import { lightShares } from "../state/events";
 import { treeOf } from "../state/lines";
 import { memo } from "../state/memo";
 import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
-import { say, the } from "../words";
+import { say } from "../words";
 import { element } from "../element";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken

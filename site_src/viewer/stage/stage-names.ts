@@ -1,7 +1,7 @@
 /** The names on the stage: of the hit, of what blocks a light, of camera and lamps. */
 import { triple } from "../state/vectors";
 import type { Vec3 } from "../trace/types";
-import { say, the, vector } from "../words";
+import { say, vector } from "../words";
 import type { Label } from "./labels";
 import type { Drawn, StageView } from "./renderer";
 
@@ -19,7 +19,7 @@ export function namesOf({ view, projection }: Drawn): Label[] {
   const hit = hitOf(view);
   return [
     ...(hit ? label("hit", vector(hit), hit, "hit") : []),
-    ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: the(scene.objects[by].name) }), line.to, "stop")),
+    ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
     ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign", true)),
     ...scene.lights.flatMap(({ name, position }, k) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), position, "sign")),
   ];

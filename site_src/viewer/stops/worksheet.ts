@@ -1,10 +1,11 @@
 /** Questions whose answers the trace knows: which pixels they are about is chosen by what happens there. */
+import { the } from "../articles";
 import { isSwitched } from "../state/switches";
 import { triple } from "../state/vectors";
 import { pixelIndex } from "../state/view-state";
 import { KIND, RAY_KINDS } from "../trace/kinds";
 import { VISIBILITY, type SceneData, type Trace } from "../trace/types";
-import { number, say, the, vector } from "../words";
+import { number, say, vector } from "../words";
 import { walksPixel, type Stop, type Traces } from "./seen";
 
 export interface Question {
