@@ -42,12 +42,9 @@ export function say<K extends keyof WordKeys>(key: K, ...given: Slots<K>): strin
 /** A sentence with **bold** and [ray kinds](camera); what fills a slot is never read as a mark. */
 export function phrases<K extends keyof WordKeys>(key: K, ...given: Slots<K>): Phrase[] {
   const slots: Given = given[0] ?? {};
-  const parts = entry(key, slots).split(/(\*\*.+?\*\*|\[.+?\]\(\w+\))/);
-  return parts.filter(Boolean).map((part) => {
-    const [, bold, coloured, kind] = /^(?:\*\*(.+)\*\*|\[(.+)\]\((\w+)\))$/.exec(part) ?? [];
-    const text = fill(bold ?? coloured ?? part, slots);
-    return bold || coloured ? [text, kind ?? ""] : text;
-  });
+  // Plain, bold, coloured, its kind, and so on: of a mark's two texts one is left out.
+  const parts: (string | undefined)[] = entry(key, slots).split(/\*\*(.+?)\*\*|\[(.+?)\]\((\w+)\)/);
+  return parts.flatMap((part, k): Phrase[] => (part && k % 4 < 3 ? [k % 4 ? [fill(part, slots), parts[k | 3] ?? ""] : fill(part, slots)] : []));
 }
 
 export const plain = (of: readonly Phrase[]): string => of.map((phrase) => (typeof phrase === "string" ? phrase : phrase[0])).join("");

@@ -3,14 +3,14 @@
  * them are the trace's: stored factors times stored colours, measured lengths and angles; nothing is traced.
  */
 import { RAY_KINDS, type SentKind } from "../trace/kinds";
-import { VISIBILITY, type MaterialData, type SceneData, type Trace, type Vec3 } from "../trace/types";
+import type { MaterialData, SceneData, Trace, Vec3 } from "../trace/types";
 import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-types";
 import { childrenIn, originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, times, triple, unit } from "./vectors";
 import { whyOf } from "./why";
 
-const SEEN = { [VISIBILITY.blocked]: "blocked", [VISIBILITY.reached]: "reached", [VISIBILITY.behind]: "away", [VISIBILITY.untested]: "unasked", [VISIBILITY.off]: "off" } as const;
+const SEEN = ["blocked", "reached", "away", "unasked", "off"] as const; // by VISIBILITY
 
 const MEASURABLE = 1 / 30; // of the scene's radius: the file rounds points, shorter runs would be off by over 0.1 degrees
 const TURN = 180 / Math.PI;
@@ -18,7 +18,7 @@ const TURN = 180 / Math.PI;
 export function lightShares(trace: Trace, scene: SceneData, ray: number): LightShare[] {
   return scene.lights.map(({ name, colour }, light) => {
     const at = ray * trace.lights + light;
-    const seen = SEEN[trace.visibility[at] as keyof typeof SEEN];
+    const seen = SEEN[trace.visibility[at]];
     // Nobody asked, but the stored factor tells: with n.l <= 0 a surface faces away, shadows or not.
     return { name, colour, seen: seen === "unasked" && trace.diffuse[at] === 0 && trace.specular[at] === 0 ? "away" : seen, diffuse: trace.diffuse[at], specular: trace.specular[at] };
   });
