@@ -11,6 +11,7 @@ export interface KioskViewer {
   /** Done when what the address asked for is shown, or cannot be. */
   ready: () => Promise<void>;
   ids: readonly string[]; // of all scenes, in order
+  notify: (sentence: string) => void;
 }
 
 export interface KioskHook {

@@ -1,6 +1,6 @@
 /** A kiosk's table of contents: it shows itself until somebody touches it, and starts again when they have gone. */
-import { say } from "../words";
-import { readKiosk } from "../state/kiosk-fields";
+import { list, say } from "../words";
+import { kioskDamages, readKiosk } from "../state/kiosk-fields";
 import { button, element } from "../element";
 import { createAttract } from "./attract";
 import { createIdle } from "./idle";
@@ -14,6 +14,7 @@ import type { KioskViewer } from "./hook";
 
 function start() {
   const hook = window.raywalkKiosk!;
+  const damaged = kioskDamages(new Map(new URLSearchParams(location.hash.slice(1))));
   const settings = readKiosk(new Map(new URLSearchParams(hook.part)));
   const strikes = createStrikes(settings.strikes);
   const places = createPlaces(hook, settings, strikes);
@@ -47,6 +48,7 @@ function start() {
   const watchdog = createWatchdog(hook, strikes, { hasViewer, recover: places.recover, isVisited: () => settings.visitor });
   const arrived = async (viewer: KioskViewer) => {
     await viewer.ready();
+    if (damaged.length) viewer.notify(say("trouble.address", { keys: list(damaged.slice(0, 6).map((key) => key.slice(0, 16))) }));
     if (!settings.visitor) showItself(viewer);
   };
   if (settings.visitor || !hasViewer) idle.start();

@@ -3,13 +3,11 @@
 import type { SceneData, View } from "../trace/types";
 import { applyView, goToStep, RAY_CHOICES, SLICES, SPEEDS, startState, stopOf, type RayChoice } from "./view-state";
 import { TABS, type Kept, type ViewState } from "./types";
-import { KIOSK_KEYS, kioskDamages } from "./kiosk-fields";
+import { ADDRESS_KEYS } from "./address-keys";
 import { LOOKS } from "./look";
 import { AS_TRACED, readSwitches, writeSwitches } from "./switches";
 import { TILE_VIEWS } from "./tile-views";
 import { length, sub, type Vec3 } from "./vectors";
-
-const KNOWN = ["scene", "n", "p", "rays", "tiles", "cam", "look", "wipe", "slice", "if", "colours", "step", "answer", "e", "tab", "embed", "speed", "projector", "still", "gl"];
 
 const FARTHEST = 50; // radii of the scene from its centre, for eye and target
 const NEAREST = 1e-6;
@@ -146,9 +144,8 @@ function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, st
 export function followAddress(fields: ReadonlyMap<string, string>, scene: SceneData, kept: Kept): { state: ViewState; damaged: string[] } {
   const reader = createReader(fields);
   const { read, within, nearest, damaged } = reader;
-  const isKiosk = fields.get("kiosk") === "1";
-  for (const key of fields.keys()) if (!KNOWN.includes(key) && !(isKiosk && KIOSK_KEYS.includes(key))) damaged.add(key);
-  if (isKiosk) for (const key of kioskDamages(fields)) damaged.add(key);
+  // What else a kiosk's address holds its own script reads, and says what it cannot follow.
+  if (fields.get("kiosk") !== "1") for (const key of fields.keys()) if (!ADDRESS_KEYS.includes(key)) damaged.add(key);
   const number = read("step", (text) => within("step", text, 1, scene.lesson.length)) ?? null;
   const step = number === null ? null : number - 1;
   const revealed = read("answer", (text) => (text === "1" && step !== null && scene.lesson[step].answer ? true : null)) ?? false;

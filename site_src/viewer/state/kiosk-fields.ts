@@ -1,5 +1,7 @@
 /** What a kiosk's address holds besides the view: kiosk=1&idle=90&warn=10&attract-pace=7&home=de */
 
+import { ADDRESS_KEYS } from "./address-keys";
+
 export const KIOSK_KEYS: readonly string[] = ["kiosk", "idle", "warn", "attract-pace", "home", "visitor", "strikes"];
 
 /** Least, most, and what it is when the address does not say. Seconds, but strikes. */
@@ -39,9 +41,11 @@ export function readKiosk(fields: ReadonlyMap<string, string>): KioskSettings {
   };
 }
 
-/** Which of a kiosk's settings are not numbers in their range; they are clamped. */
-export const kioskDamages = (fields: ReadonlyMap<string, string>): string[] =>
-  Object.keys(NUMBERS).filter((key) => fields.has(key) && fields.get(key) !== String(readNumber(fields, key as NumberKey)));
+/** What of an address is no key, or a setting that is no number in its range; such are clamped. */
+export const kioskDamages = (fields: ReadonlyMap<string, string>): string[] => [
+  ...[...fields.keys()].filter((key) => !ADDRESS_KEYS.includes(key) && !KIOSK_KEYS.includes(key)),
+  ...Object.keys(NUMBERS).filter((key) => fields.has(key) && fields.get(key) !== String(readNumber(fields, key as NumberKey))),
+];
 
 /** As it stands in every address of the kiosk; what is as usual is left out. */
 export function writeKiosk({ idle, warn, pace, home, visitor, strikes }: KioskSettings): string {
