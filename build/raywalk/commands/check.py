@@ -10,7 +10,7 @@ from typing import Any
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
-from raywalk.scene.translation import missing_translations, read_spoken
+from raywalk.scene.translation import Spoken, missing_translations, read_spoken
 from raywalk.scene.wording import counted
 from raywalk.words import languages, missing_sentences
 from raywalk.words.catalogue import DEFAULT
@@ -27,18 +27,22 @@ def run(chosen: Namespace) -> Iterator[str]:
     """A line a scene that is in order. Raises SourceErrors with all that is not."""
     scenes, problems = _read(chosen)
     warnings: list[str] = []
-    for scene in scenes:
-        try:
-            warnings += [f"{scene.id}: warning: {warning}" for warning in check_geometry(scene)]
-        except SourceErrors as raised:
-            problems += raised.errors
+    spoken = {DEFAULT: [Spoken(scene, True) for scene in scenes]}
+    untold: list[str] = []
     for code in languages():
         try:
-            translations = read_spoken(scenes, code) if code != DEFAULT else []
-            warnings += missing_translations(translations, code)
-            warnings += [f"{code}.json: not translated: {key}" for key in missing_sentences(code)]
+            if code != DEFAULT:
+                spoken[code] = read_spoken(scenes, code)
+            untold += missing_translations(spoken[code], code)
+            untold += [f"{code}.json: not translated: {key}" for key in missing_sentences(code)]
         except SourceErrors as raised:
             problems += raised.errors
+    for k, scene in enumerate(scenes):
+        try:
+            warnings += check_scene(scene, {code: each[k] for code, each in spoken.items()})
+        except SourceErrors as raised:
+            problems += raised.errors
+    warnings += untold
     if problems:
         raise SourceErrors(problems)
     yield from warnings
@@ -48,14 +52,18 @@ def run(chosen: Namespace) -> Iterator[str]:
         yield from (f"  {line}" for line in _mesh_lines(scene))
 
 
-def check_geometry(scene: Scene) -> list[str]:
-    """What only compiled geometry knows. Raises SourceErrors for unreadable meshes, open glass
-    and buried cameras; returns the warnings that a build gives too."""
+def check_scene(scene: Scene, spoken: dict[str, Spoken]) -> list[str]:
+    """What only compiled geometry and rays know. Raises SourceErrors for unreadable meshes, open
+    glass, buried cameras and slots that ask for what there is not; returns the warnings that a
+    build gives too, and those of the lesson's words. spoken: the scene by language."""
     # numba and Embree: only where needed
+    from raywalk.pipeline.lesson_checks import lesson_warnings
     from raywalk.trace.scene_warnings import scene_warnings
     from raywalk.trace.wavefront import Tracer
 
-    return scene_warnings(Tracer(scene))
+    tracer = Tracer(scene)
+    warnings = [f"{scene.id}: warning: {warning}" for warning in scene_warnings(tracer)]
+    return warnings + lesson_warnings(tracer, spoken)
 
 
 def _mesh_lines(scene: Scene) -> list[str]:
