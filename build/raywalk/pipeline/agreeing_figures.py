@@ -16,6 +16,9 @@ ABOUT = re.compile(
     r"[\s*_]*$",
     re.IGNORECASE,
 )
+# Of what is printed of quantities: figures, and their decimals; a computed one may have any.
+Shown = dict[Operand, tuple[float, int]]
+EXACT = 12
 NUMBER = r"([-\u2212]?\d[\d.,\u2009\u202f\u00a0]*\d|\d)(\s?%)?"
 SIGNS = {
     "*": ("×", "·", "*", "times", "mal"), "/": ("/", "÷", "over", "durch"), "+": ("+", "plus"),
@@ -41,7 +44,7 @@ def disagreements(
 def _of_slots(
     text: str, scene: Scene, figures: Figures, own: Pixel | None, numbers: Numbers
 ) -> Iterator[str]:
-    shown: dict[Operand, float] = {}  # what is printed of each quantity that stands alone
+    shown: Shown = {}  # what is printed of each quantity that stands alone
     results: list[tuple[Slot, float, int, bool]] = []
     for match in SLOT.finditer(text):
         if match["slot"] is None:
@@ -51,12 +54,13 @@ def _of_slots(
         digits += 2 if is_percent else 0
         printed = round(value_of(slot, scene, figures, own), digits)
         if not slot.others:
-            shown.setdefault(slot.first, printed)
+            shown.setdefault(slot.first, (printed, digits))
         is_about = ABOUT.search(text[: match.start()]) is not None
         results.append((slot, printed, digits, is_about))
     for slot, printed, digits, is_about in results:
-        again = _recomputed(slot, shown)
-        if not is_about and again is not None and round(again, digits) != printed:
+        again, known = _recomputed(slot, shown)
+        digits = min(digits, known)
+        if not is_about and again is not None and round(again, digits) != round(printed, digits):
             shown_so = written(slot, scene, figures, own, numbers)
             yield (
                 f"{{{slot.typed}}} is {shown_so}, but from the rounded figures beside it it is "
@@ -64,54 +68,54 @@ def _of_slots(
             )
 
 
-def _recomputed(slot: Slot, shown: dict[Operand, float]) -> float | None:
-    """A slot's figure from what is printed beside it; None where that is not enough."""
+def _recomputed(slot: Slot, shown: Shown) -> tuple[float | None, int]:
+    """A slot's figure from what is printed beside it, None where that is not enough; and to how
+    many decimals that tells it."""
     if not slot.others:
         return _follows(slot.first, shown)
     value: float | None = None
     for sign, operand in (("*", slot.first), *slot.others):
-        part = operand.number if operand.quantity is None else shown.get(operand)
-        part = _follows(operand, shown) if part is None else part
+        part = operand.number if operand.quantity is None else shown.get(operand, (None, 0))[0]
+        part = _follows(operand, shown)[0] if part is None else part
         if part is None:
-            return None
+            return None, EXACT
         value = part if value is None else value * part if sign == "*" else value / part
-    return value
+    return value, EXACT
 
 
-def _follows(of: Operand, shown: dict[Operand, float]) -> float | None:
+def _follows(of: Operand, shown: Shown) -> tuple[float | None, int]:
     """What a quantity is by another's printed figure: n.l of its angle, a share of its weights."""
     if of.quantity is None:
-        return None
+        return None, EXACT
+    angle, _ = _shown(of, "angle", shown)
     match of.quantity.name:
-        case "sine":
-            angle = _shown(of, "angle", shown)
-            return None if angle is None else sin(radians(angle))
-        case "n.l":
-            angle = _shown(of, "angle", shown) if of.of else None
-            return None if angle is None else cos(radians(angle))
+        case "sine" if angle is not None:
+            return sin(radians(angle)), EXACT
+        case "n.l" if angle is not None and of.of:
+            return cos(radians(angle)), EXACT
         case "share":
             ways = [of.kinds[: k + 1] for k in range(len(of.kinds))]
-            parts = [_shown(of, "weight", shown, way) for way in ways]
+            parts = [_shown(of, "weight", shown, way)[0] for way in ways]
             known = [part for part in parts if part is not None]
-            return prod(known) if len(known) == len(parts) > 1 else None
+            return (prod(known) if len(known) == len(parts) > 1 else None), EXACT
         case "weight" if of.kinds and of.kinds[-1] in ("reflected", "refracted"):
             other = "refracted" if of.kinds[-1] == "reflected" else "reflected"
-            rest = _shown(of, "weight", shown, (*of.kinds[:-1], other))
-            return None if rest is None else 1 - rest
-    return None
+            rest, digits = _shown(of, "weight", shown, (*of.kinds[:-1], other))
+            return (None if rest is None else 1 - rest), digits
+    return None, EXACT
 
 
 def _shown(
-    of: Operand, name: str, shown: dict[Operand, float], kinds: tuple[str, ...] | None = None
-) -> float | None:
+    of: Operand, name: str, shown: Shown, kinds: tuple[str, ...] | None = None
+) -> tuple[float | None, int]:
     """What is printed of another quantity of the same ray, or of another ray of the pixel."""
     wanted = (name, of.kinds if kinds is None else kinds, of.of, of.column, of.row, of.n)
-    for each, value in shown.items():
+    for each, printed in shown.items():
         if each.quantity is None:
             continue
         if wanted == (each.quantity.name, each.kinds, each.of, each.column, each.row, each.n):
-            return value
-    return None
+            return printed
+    return None, EXACT
 
 
 def _of_sums(text: str, numbers: Numbers) -> Iterator[str]:

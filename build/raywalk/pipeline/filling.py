@@ -90,13 +90,17 @@ def written(slot: Slot, scene: Scene, figures: Figures, own: Pixel | None, numbe
 
 
 def form_of(slot: Slot) -> tuple[int, bool]:
-    """Decimals, and whether it is written in percent: as it says, else as its quantity is."""
-    quantity = slot.first.quantity or next(
-        operand.quantity for operand in slot.operands if operand.quantity
-    )
-    is_own = slot.digits is None and not slot.is_percent
-    is_percent = slot.is_percent or (is_own and quantity.is_percent)
-    return quantity.digits if slot.digits is None else slot.digits, is_percent
+    """Decimals, and whether it is written in percent: as it says, else as its first quantity is;
+    plain numbers as they were typed."""
+    quantity = next((operand.quantity for operand in slot.operands if operand.quantity), None)
+    if quantity is None:
+        typed = [f"{operand.number:g}".partition(".")[2] for operand in slot.operands]
+        digits, is_percent = max(map(len, typed)), False
+    else:
+        digits, is_percent = quantity.digits, quantity.is_percent
+    if slot.digits is None and not slot.is_percent:
+        return digits, is_percent
+    return digits if slot.digits is None else slot.digits, slot.is_percent
 
 
 def value_of(slot: Slot, scene: Scene, figures: Figures, own: Pixel | None) -> float:

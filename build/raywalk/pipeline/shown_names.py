@@ -64,12 +64,14 @@ class _Eyes:
         self.view, self.tracer = view, tracer
         self._met: set[int] | None = None
         self._asks = False
+        self.eye: np.ndarray | None
         observer = view.get("observer", "start")
         if observer == "camera" or view.get("look") == "traced":
             self.eye = np.array(tracer.scene.camera.eye, float)
             self.ahead = camera_frame(tracer.scene.camera)[2]
         elif isinstance(observer, str):
-            self.eye = self.ahead = None  # the start view shows every object and lamp
+            self.eye = None  # the start view shows every object and lamp
+            self.ahead = np.zeros(3)
         else:
             self.eye = np.array(observer["eye"], float)
             ahead = np.array(observer["target"], float) - self.eye

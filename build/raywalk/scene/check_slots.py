@@ -33,8 +33,6 @@ def check_slots(
 
 
 def _check_pixels(slot: Slot, view: Mapping[str, Any], render: Render | None) -> None:
-    if not any(operand.quantity for operand in slot.operands):
-        raise SlotFault("it asks for nothing", hint="write the number itself")
     for operand in slot.operands:
         if operand.quantity and operand.quantity.of != "scene" and render:
             _check_pixel(operand, view, render)

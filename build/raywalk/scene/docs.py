@@ -128,6 +128,7 @@ So it is right after the scene has changed, and the same on pages, slides and sh
 | `{t at 4,3}`, `{t at 4,3 of 15}` | of another pixel, column and row; of another grid |
 | `{weight.reflected : 0%}` | in percent: `: 2` says how many decimals, `: %` in percent |
 | `{sine / sine.refracted : 3}` | a ratio; `*` is a product; of these, and of plain numbers |
+| `{1.5}` | a number of the text's own example, in the language's way: 1,5 |
 
 The order is quantity, rays, what else it is of: `{n.l.reflected.light 2}`. Rays are
 `reflected`, `refracted` and `total` (totally reflected), each sent on by the one before. Names are

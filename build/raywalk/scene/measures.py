@@ -202,13 +202,17 @@ def reflect(asked: Asked) -> float:
     return _material(asked.scene, asked.of).reflect
 
 
-def diffuse_part(asked: Asked) -> float:
-    """Red, green or blue of a material's diffuse colour."""
-    name, _, channel = asked.of.rpartition(".")
-    material = _material(asked.scene, name)
-    if channel not in CHANNELS:
-        raise _no("part of a colour", channel, CHANNELS)
-    return material.diffuse[CHANNELS.index(channel)]
+def paint_of(key: str) -> Callable[[Asked], float]:
+    """Red, green or blue of one of a material's colours."""
+
+    def value(asked: Asked) -> float:
+        name, _, channel = asked.of.rpartition(".")
+        material = _material(asked.scene, name)
+        if channel not in CHANNELS:
+            raise _no("part of a colour", channel, CHANNELS)
+        return float(getattr(material, key)[CHANNELS.index(channel)])
+
+    return value
 
 
 def camera_rays(asked: Asked) -> float:

@@ -17,7 +17,8 @@ from raywalk.scene.quantities import KINDS, QUANTITIES, Quantity
 from raywalk.scene.wording import did_you_mean, joined
 
 CODE = r"(?P<ticks>`+).+?(?P=ticks)"
-INNER = r"\s*(?:[A-Za-z]|[0-9.]+\s+[*/])[^{}]*"  # what looks like no name, {1, 2}, stays as it is
+# A name, or a number that is no list's first: {1, 2} stays as it is.
+INNER = r"\s*(?:[A-Za-z]|\d+(?:\.\d+)?\s*(?=[}:]|[*/]\s))[^{}]*"
 SLOT = re.compile(rf"(?P<skipped>\\.|{CODE}|{FORMULA.pattern})|\{{(?P<slot>{INNER})\}}", re.DOTALL)
 FORMAT = re.compile(r"\s*(?P<digits>\d?)\s*(?P<percent>%?)")
 PLACE = re.compile(r"(?P<column>\d+)\s*,\s*(?P<row>\d+)(\s+of\s+(?P<n>\d+))?")
