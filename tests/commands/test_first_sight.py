@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import base64
+import gzip
+import json
+import re
 import threading
 import urllib.request
 from argparse import Namespace
@@ -152,6 +156,19 @@ def test_it_is_for_one_scene_that_has_a_page(tmp_path):
     saved(tmp_path, "2")
     with_a_page(tmp_path, "02-ball")
     assert not first_sight(places(tmp_path), tmp_path / "two")
+
+
+def test_the_figures_in_its_words_are_there_but_for_those_of_the_whole_picture(tmp_path):
+    """These are filled in by the build that follows."""
+    file = saved(tmp_path)
+    step = '[[lesson]]\ntext = "It is {t} far, {bouncing.0} bounce."\n'
+    view = "view = { resolution = 15, pixel = [7, 7] }\n"
+    file.write_text(file.read_text("utf-8") + step + view, encoding="utf-8")
+    with_a_page(tmp_path, "01-ball")
+    assert first_sight(places(tmp_path), tmp_path / "sight")
+    script = (tmp_path / "sight" / "scenes" / "01-ball" / "scene.js").read_text("latin-1")
+    lesson = json.loads(gzip.decompress(base64.b64decode(script.split('"')[3])))["lesson"]
+    assert re.search(r"It is \d\.\d\d far, … bounce\.", lesson[-1]["html"])
 
 
 def test_pages_get_it_until_the_build_is_done_or_fails(tmp_path):
