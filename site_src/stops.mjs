@@ -8,7 +8,7 @@
  *   {do: "columns", trace, id, n}                                        a trace's header and columns; id and n: of which it must be
  *
  * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
- * language's sentences, spoken the scene's words in it or null. An answer is {answer}, or {fault: sentence}.
+ * language's sentences, spoken the scene's words in it or null. Of a lesson on another scene base names that one's file. An answer is {answer}, or {fault: sentence}.
  */
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
@@ -45,14 +45,14 @@ let read = { folder: "", grids: new Map() }; // of the scene that was asked for 
 function tracesIn(folder, scene) {
   if (read.folder !== folder) read = { folder, grids: new Map() };
   const { grids } = read;
-  return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.id, n })).get(n);
+  return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.of, n })).get(n);
 }
 
 function answer({ do: what, size, pixel, words, spoken, id, n, ...files }) {
   if (what === "columns") return columnsOf(unpacked(files.trace), { scene: id, n });
-  const scene = unpacked(files.scene);
+  const scene = { ...(files.base && unpacked(files.base)), ...unpacked(files.scene) };
   globalThis.raywalkWords = words;
-  if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.id }), pixel);
+  if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.of }), pixel);
   const traces = tracesIn(files.traces, scene);
   if (what === "ask") return ask(scene, traces, size);
   return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights));

@@ -19,7 +19,8 @@ from raywalk.trace_file.container import mark_of, unpack
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
-COURSE = SCENES[:7]
+OWN = [scene for scene in SCENES if not scene.base]  # the others are lessons on these
+COURSE = [scene for scene in SCENES if scene.key in tuple("1234567")]
 
 
 def folder(scene):
@@ -28,7 +29,7 @@ def folder(scene):
     return place
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
+@pytest.mark.parametrize("scene", OWN, ids=lambda scene: scene.id)
 def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene):
     """The invariant the site rests on, over all scenes and levels, to the last bit."""
     size = scene.render.size
@@ -43,10 +44,10 @@ def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene):
 
 
 def test_traces_take_at_most_2_2_bytes_a_ray_over_all_scenes():
-    """At level 105, gzipped; a ray is a camera, reflected, refracted or shadow ray."""
+    """At the finest level, gzipped; a ray is a camera, reflected, refracted or shadow ray."""
     size = rays = 0
-    for scene in SCENES:
-        path = folder(scene) / "105.json.gz"
+    for scene in OWN:
+        path = folder(scene) / f"{max(scene.render.resolutions)}.json.gz"
         trace = read_trace(path)
         shadow = int(np.isin(trace.visibility[trace.object >= 0], SHOT).sum())
         size, rays = size + path.stat().st_size, rays + trace.count + shadow
@@ -68,7 +69,7 @@ def test_the_first_view_of_a_scene_takes_at_most_200_kb_besides_the_picture(scen
     assert size <= 200_000
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
+@pytest.mark.parametrize("scene", OWN, ids=lambda scene: scene.id)
 def test_a_scenes_data_name_every_script_of_their_build(scene):
     """So an open page never draws what a later upload put in their place."""
     beside = {path.stem for path in folder(scene).glob("*.js")} - {"scene"}
@@ -77,6 +78,21 @@ def test_a_scenes_data_name_every_script_of_their_build(scene):
     for name, mark in data["files"].items():
         assert mark_of(folder(scene) / f"{name}.js") == mark
     assert len(set(data["files"].values())) == len(data["files"])
+
+
+LESSONS = [scene for scene in SCENES if scene.base]
+
+
+@pytest.mark.parametrize("scene", LESSONS, ids=lambda scene: scene.id)
+def test_a_lesson_on_a_scene_copies_none_of_its_files(scene):
+    """Its page loads that scene's picture and rays from where they are."""
+    names = {path.name for path in folder(scene).iterdir()}
+    assert {"index.html", "scene.js", "words-de.js"} <= names
+    assert not {name for name in names if name.endswith((".gz", ".png", ".webp"))}
+    data = json.loads(unpack((folder(scene) / "scene.js").read_bytes()))
+    assert data["of"] == scene.base.id and "objects" not in data
+    page = (folder(scene) / "index.html").read_text(encoding="utf-8")
+    assert f"scenes/{scene.base.id}/picture.png" in page
 
 
 def test_our_own_course_keeps_all_budgets():

@@ -57,6 +57,8 @@ VIEWER_MAY_IMPORT = {
     "switch-acts.ts": {"doing", "session", "state", "trace"},
     "doing.ts": {"session", "state", "trace"},
     "stops": {"stops", "state", "trace", "event-words"},
+    # What a step works out is a panel, and lines on the stage.
+    "worked": {"worked", "panels", "stage", "state", "trace"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
 FOR_ANYONE = {"words", "articles", "word-keys", "element", "palette", "tile-picture"}

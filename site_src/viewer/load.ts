@@ -7,7 +7,7 @@ import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { Boxes } from "./state/box-lines";
-import type { SceneData, SectionsData, SurroundingsData, Trace } from "./trace/types";
+import type { SceneData, SectionsData, SurroundingsData, Trace, WorkedData } from "./trace/types";
 import { languageCode } from "./words";
 
 export type Loss = "missing" | "damaged" | "other version" | "old browser";
@@ -116,14 +116,23 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
   const sections = kept(KEPT_SCENES, sectionsFrom);
   const surroundings = kept(KEPT_SCENES, surroundingsFrom);
   const words = kept(KEPT_SCENES, wordsFrom);
+  const worked = kept(KEPT_SCENES, (json) => json as WorkedData);
+  /** A lesson on another scene is laid over that scene. */
+  const whole = async (id: string): Promise<SceneData> => {
+    const scene = await scenes(`${id}/scene`);
+    if (scene.of === id) return scene;
+    const base = await scenes(`${scene.of}/scene`);
+    return { ...base, ...scene, files: base.files };
+  };
   const spoken = async (id: string): Promise<SceneData> => {
-    const [scene, translated] = await Promise.all([scenes(`${id}/scene`), words(`${id}/words-${languageCode()}`).catch(() => null)]);
+    const [scene, translated] = await Promise.all([whole(id), words(`${id}/words-${languageCode()}`).catch(() => null)]);
     return translated ? inWords(scene, translated) : scene; // better in its own language than not at all
   };
   return {
-    scene: (id: string) => (languageCode() === OWN_LANGUAGE ? scenes(`${id}/scene`) : spoken(id)),
+    scene: (id: string) => (languageCode() === OWN_LANGUAGE ? whole(id) : spoken(id)),
     sections: (id: string) => sections(`${id}/sections`),
     surroundings: (id: string) => surroundings(`${id}/surroundings`),
+    worked: (id: string) => worked(`${id}/worked`),
     trace: (id: string, n: number) => traces(`${id}/${n}`),
     /** Of a scene with a mesh. */
     boxes: (id: string) => boxes(`${id}/boxes`),
@@ -143,7 +152,7 @@ const nextTask = () => new Promise<void>((resolve) => setTimeout(resolve));
 function sceneFrom(json: unknown): SceneData {
   const scene = json as SceneData;
   if (typeof scene?.format === "number" && scene.format !== SCENE_FORMAT) throw new TraceError("version", `written as ${scene.format}, this reads ${SCENE_FORMAT}`);
-  if (!scene?.format || !scene.levels?.length || !scene.objects || !scene.camera) throw new Error("not a scene");
+  if (!scene?.format || (scene.of === scene.id && !(scene.levels?.length && scene.objects && scene.camera))) throw new Error("not a scene");
   for (const file in scene.files) mark(`${scene.id}/${file}`, scene.files[file]);
   return scene;
 }

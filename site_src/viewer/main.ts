@@ -50,6 +50,7 @@ function start(own: HTMLScriptElement) {
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
     pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
+    loadWorked: loader.worked,
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
   const modes = createModes(session, acts, { link: bar.link, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });

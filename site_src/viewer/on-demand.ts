@@ -26,6 +26,7 @@ const PARTS = {
   "tile-legend": () => import("./panels/tile-legend"),
   "box-lines": () => import("./state/box-lines"),
   inset: () => import("./stage/inset"),
+  worked: () => import("./worked/worked"),
   busy: () => import("./stage/busy"),
   flat: () => import("./stage/flat"),
   "event-words": () => import("./event-words"),

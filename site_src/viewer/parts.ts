@@ -18,7 +18,8 @@ import type { Drawn, StageRenderer } from "./stage/renderer";
 import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
 import { isSwitched } from "./state/switches";
-import { isAsking, type ViewState } from "./state/view-state";
+import { isAsking, stopOf, type ViewState } from "./state/view-state";
+import type { WorkedData } from "./trace/types";
 import { say } from "./words";
 
 export interface PartsPlace {
@@ -26,6 +27,7 @@ export interface PartsPlace {
   page: PageParts;
   withGl: boolean;
   pictureFailed: (again: () => void) => void;
+  loadWorked: (scene: string) => Promise<WorkedData>;
   /** Why the stage is drawn in a simpler way from now on; "": it no longer is. */
   simpler: (why: string) => void;
 }
@@ -107,7 +109,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
 }
 
 /** The stage, and what of it comes later. */
-function createStageOf(acts: Actions, onDemand: OnDemand, { page, withGl, simpler }: PartsPlace) {
+function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, simpler, loadWorked }: PartsPlace, changed: () => void) {
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
@@ -124,13 +126,17 @@ function createStageOf(acts: Actions, onDemand: OnDemand, { page, withGl, simple
     stage.element.append(made.element);
     return made;
   });
+  const worked = onDemand.one("worked", ({ createWorked }) => createWorked({ stage: stage.element, side: home.querySelector(".side")!, load: loadWorked, changed }));
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const later = {
     flat,
     flatRenderer: (use: (make: () => StageRenderer) => void) => drawnFlat.use(({ createFlatRenderer }) => use(createFlatRenderer)),
     scrolled: () => hint.use((tell) => tell()),
     traced: (isWanted: boolean, come: () => void) => tracedPicture.when(isWanted, come),
-    marked: (drawn: Drawn, labels: Label[], come: () => void) => marks.when(drawn.view.state.step !== null, come)?.show(drawn, labels) ?? labels,
+    marked(drawn: Drawn, labels: Label[], come: () => void) {
+      worked.when(!!stopOf(drawn.view.scene, drawn.view.state)?.view.works, come)?.show(drawn);
+      return marks.when(drawn.view.state.step !== null, come)?.show(drawn, labels) ?? labels;
+    },
   };
   const stage: Stage = createStage({ ...acts, ...later, move: acts.observer }, withGl, () => [...document.querySelectorAll(ON_STAGE)]);
   return stage;
@@ -139,7 +145,7 @@ function createStageOf(acts: Actions, onDemand: OnDemand, { page, withGl, simple
 export function createParts(session: Session, acts: Actions, onDemand: OnDemand, where: PartsPlace) {
   const { home } = where;
   const eventWords = onDemand.one("event-words", (part) => part);
-  const stage = createStageOf(acts, onDemand, where);
+  const stage = createStageOf(acts, onDemand, where, session.changed);
   const panels = createPanels(session, stage, acts, onDemand, where);
   const place = layOut(home, session.changed, stage, panels);
   const corner = onDemand.one("inset", ({ createInset }) => createInset(panels.picture.element, session.changed));
@@ -152,7 +158,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   /** What is shown instead of the stage: a slice, once its outlines have come, and with them what draws it. */
   function sliceOf({ state, scene, trace, view }: Present): SliceView | null {
     const { sections } = session;
-    const isAsked = state.slice !== "none" && trace && sections?.scene === scene.id;
+    const isAsked = state.slice !== "none" && trace && sections?.scene === scene.of;
     const section = isAsked ? slice.now()?.sectionOf(sections, state, scene, trace, view.plane) : null;
     if (!section) return null;
     return { section, scene, trace: trace!, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen };
@@ -164,7 +170,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now();
-    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === traced.scene.id && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === traced.scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
   let shownSlice: SavedView | null = null;
@@ -188,7 +194,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     recolour: stage.recolour,
     linesDrawn: () => drawn.lines,
     /** For tests. */
-    stats: () => ({ ...stage.stats(), shown: drawn, renders, surrounded: session.surroundings?.scene === session.scene?.id }),
+    stats: () => ({ ...stage.stats(), shown: drawn, renders, surrounded: session.surroundings?.scene === session.scene?.of }),
     loseContext: stage.loseContext,
   };
 }

@@ -62,7 +62,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     },
 
     /** The trace of what the state shows, as it was traced; null while another one is on its way. */
-    traced: (): Trace | null => (loaded && loaded.scene === session.state?.scene && loaded.n === session.state.n ? loaded : null),
+    traced: (): Trace | null => (loaded && session.state && loaded.scene === session.scene?.of && loaded.n === session.state.n ? loaded : null),
 
     /** The scene and its trace as the switches make them; the same objects where nothing is switched. */
     switched(): { scene: SceneData; trace: Trace | null } | null {
@@ -77,7 +77,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     recombined(): TilePicture | null {
       const { state, scene, finest } = session;
       if (!state || !scene || !isSwitched(state.switches)) return null;
-      const trace = finest?.scene === state.scene ? finest : session.traced();
+      const trace = finest?.scene === scene.of ? finest : session.traced();
       const recombine = trace && recombining()?.finest;
       return recombine ? { n: trace.n, colours: recombine(trace, scene, state.switches).trace.tiles } : null;
     },

@@ -24,7 +24,7 @@ function supply<K extends "sections" | "boxes" | "finest" | "surroundings">(sess
   let asked = ""; // the scene it was asked for
   return async function ask() {
     const { state, scene } = session;
-    if (!state || !scene || session[name]?.scene === scene.id) return;
+    if (!state || !scene || session[name]?.scene === scene.of) return;
     if (!isWanted(state, scene)) return void (asked = "");
     if (asked === scene.id) return;
     asked = scene.id;
@@ -43,7 +43,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
   const supplies = [
     supply(session, draw, "sections", {
       isWanted: ({ slice }) => slice !== "none",
-      load: async ({ id }) => (await Promise.all([loader.sections(id), onDemand.come("slice")]))[0], // what draws it, too
+      load: async ({ of }) => (await Promise.all([loader.sections(of), onDemand.come("slice")]))[0], // what draws it, too
       missing(_, { slice }) {
         session.set({ ...session.state!, slice: "none" });
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });
@@ -52,31 +52,31 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
     // What mirrors and glass have round them; without it they are painted.
     supply(session, draw, "surroundings", {
       isWanted: ({ look, gl }, { files }) => gl && look !== "plain" && "surroundings" in files,
-      load: async ({ id }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(id)),
+      load: async ({ of }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(of)),
       missing: () => {},
     }),
     // The boxes that rays are tested against, where the tiles show how many tests there were.
     supply(session, draw, "boxes", {
       isWanted: (state, scene) => wantsBoxes(state, scene) && Object.keys(scene.meshes).length > 0,
-      load: ({ id }) => loader.boxes(id),
+      load: ({ of }) => loader.boxes(of),
       missing: (again) => notice.say(say("trouble.boxesMissing"), { again }),
     }),
     // Where switches are set the picture is recombined from the finest grid; without that, from the one that is here.
     supply(session, draw, "finest", {
       isWanted: ({ switches }) => isSwitched(switches),
-      load: ({ id, levels }) => loader.trace(id, levels[levels.length - 1]),
+      load: ({ of, levels }) => loader.trace(of, levels[levels.length - 1]),
       missing: () => {},
     }),
   ];
 
   let traceAsked = 0; // the newest request; older ones that arrive late, or never, are dropped
   async function trace() {
-    if (!session.state) return;
+    if (!session.state || !session.scene) return;
     const mine = ++traceAsked;
-    const { scene, n } = session.state;
+    const { n } = session.state;
     const wait = window.setTimeout(draw, PATIENCE); // slow: say so, with an empty frustum
     try {
-      const arrived = await awaited(loader.trace(scene, n), "trace", notice);
+      const arrived = await awaited(loader.trace(session.scene.of, n), "trace", notice);
       if (mine !== traceAsked) return;
       session.receive(arrived);
       notice.hide("trace");

@@ -12,6 +12,7 @@ import pytest
 from raywalk.errors import SourceErrors
 from raywalk.scene.docs import EXAMPLE, files, json_schema
 from raywalk.scene.read import read_scene
+from raywalk.scene.schema import LessonFile, SceneFile
 
 SCENES = Path(__file__).parents[2] / "scenes"
 BAD = Path(__file__).parent / "bad"
@@ -34,7 +35,8 @@ def test_the_example_of_the_readme_is_a_scene(tmp_path):
 def test_the_json_schema_accepts_every_scene(path):
     """An editor must not underline what the reader takes."""
     jsonschema = pytest.importorskip("jsonschema")
-    jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), json_schema())
+    raw = tomllib.loads(path.read_text(encoding="utf-8"))
+    jsonschema.validate(raw, json_schema(LessonFile if "scene" in raw else SceneFile))
 
 
 @pytest.mark.parametrize(
@@ -46,13 +48,13 @@ def test_the_json_schema_refuses_what_an_editor_can_know(name):
     jsonschema = pytest.importorskip("jsonschema")
     raw = tomllib.loads((BAD / f"{name}.toml").read_text(encoding="utf-8"))
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(raw, json_schema())
+        jsonschema.validate(raw, json_schema(SceneFile))
 
 
 def test_the_json_schema_offers_no_null():
     """TOML has none: a key is given or left out."""
-    assert '"null"' not in json.dumps(json_schema())
-    assert '"default": null' not in json.dumps(json_schema())
+    assert '"null"' not in json.dumps(json_schema(SceneFile))
+    assert '"default": null' not in json.dumps(json_schema(SceneFile))
 
 
 def test_reading_scenes_does_not_load_the_tracer():

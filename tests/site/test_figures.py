@@ -12,7 +12,7 @@ from raywalk.site.pages import write_pages
 from raywalk.words import read_words
 
 ROOT = Path(__file__).parents[2]
-SCENES = {scene.key: scene for scene in read_scenes(ROOT / "scenes")}
+SCENES = {scene.key: scene for scene in read_scenes(ROOT / "scenes") if scene.key}
 FACTS = {"camera": 10, "secondary": 5, "shadow": 3, "deepest": 2, "dropped": {}, "warnings": []}
 
 

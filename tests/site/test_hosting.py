@@ -111,13 +111,13 @@ def test_the_manifest_names_its_language_and_icons_that_are_there(home):
 def test_every_scene_has_a_preview_picture_that_its_pages_name():
     """1200 x 630 and light: shared links are opened on phones."""
     for scene in read_scenes(ROOT / "scenes"):
-        place = DIST / "scenes" / scene.id / "preview.jpg"
+        place = DIST / "scenes" / scene.traces / "preview.jpg"
         with Image.open(place) as image:
             assert image.size == (1200, 630)
         assert place.stat().st_size < 200_000
         for home in ("", "de/"):
             page = (DIST / f"{home}scenes/{scene.id}/index.html").read_text("utf-8")
-            assert re.search(rf'og:image" content="[^"]*scenes/{scene.id}/preview.jpg"', page)
+            assert re.search(rf'og:image" content="[^"]*scenes/{scene.traces}/preview.jpg"', page)
 
 
 def test_the_sitemap_has_every_page_and_is_not_there_without_an_address(tmp_path):

@@ -164,6 +164,11 @@ def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
     from raywalk.work.pool import cores
     from raywalk.work.progress import say_nothing
 
+    if scene.base:
+        base = yield from traced(store, scene.base)
+        parts = page_data_parts(scene, base.traced.folder.name)
+        data = made(store, parts, partial(PAGE_DATA, scene, base.traced.folder))
+        return Source(scene, DEFAULT, base.traced, data, base.page_data)
     parts = trace_parts(scene)
     if not store.find(key_of(parts)):
         yield f"tracing {scene.id}"

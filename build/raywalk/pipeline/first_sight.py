@@ -21,7 +21,8 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     Raises UserError where the scenes have mistakes.
     """
     store = Store(chosen.work)
-    parts = {scene.id: (scene, trace_parts(scene)) for scene in read_scenes(chosen.scenes)}
+    own = [scene for scene in read_scenes(chosen.scenes) if not scene.base]
+    parts = {scene.id: (scene, trace_parts(scene)) for scene in own}
     missing = [each for each in parts.values() if not store.has(key_of(each[1]))]
     if len(missing) != 1:
         return False

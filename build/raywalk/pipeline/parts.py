@@ -18,6 +18,7 @@ from raywalk.work.maker import Maker, Parts
 from raywalk.work.packages import npm_versions
 from raywalk.work.scripts import script_closure
 from raywalk.work.snapshot import digest_of
+from raywalk.work.store import Entry
 
 # Of modules that begin so a scene without a mesh runs none (tested), and needs no key.
 MESH = "mesh_"
@@ -40,7 +41,10 @@ def trace_parts(scene: Scene) -> Parts:
 
 def silent(scene: Scene) -> Any:
     """All of a scene that is traced: it without its words."""
-    words: dict[str, Any] = {"title": "", "teaches": "", "key": "", "lesson": (), "goals": ()}
+    words: dict[str, Any] = {
+        "title": "", "teaches": "", "key": "", "chapter": "", "lesson": (), "goals": (),
+        "base": None,
+    }  # fmt: skip
     return plain(replace(scene, path=Path(), **words))
 
 
@@ -61,12 +65,15 @@ def shut_for(scene: Scene) -> str:
     return "" if scene.has_mesh else MESH
 
 
-def page_data_parts(scene: Scene, trace_key: str, picture: str = "picture.png") -> Parts:
-    """The whole scene with its words, its trace, the picture it names, and what makes its data."""
+def page_data_parts(
+    scene: Scene, trace_key: str, picture: str = "picture.png", worked: Entry | None = None
+) -> Parts:
+    """The whole scene with its words, its trace, the picture it names, what its lesson works out,
+    and what makes its data."""
     whole = plain(replace(scene, path=Path()))
     return {
         "what": "page data", "of": scene.id, "scene": whole, "trace": trace_key,
-        "picture": picture, **PAGE_DATA.parts(),
+        "picture": picture, "worked": worked.folder.name if worked else "", **PAGE_DATA.parts(),
     }  # fmt: skip
 
 

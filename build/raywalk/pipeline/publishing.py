@@ -45,6 +45,7 @@ class Made:
     traces: dict[str, Entry]
     data: dict[str, Entry]
     pictures: dict[str, Entry]  # of some: pages do without
+    worked: dict[str, Entry]  # of scenes whose lessons work something out
     decks: list[MadeDeck]
 
     @property
@@ -53,8 +54,10 @@ class Made:
         return [each.scene for each in self.spoken[DEFAULT]]
 
     def of_scene(self, id: str) -> Iterator[Entry]:
-        """What is published of a scene."""
-        for kind in (self.traces, self.data, self.pictures):
+        """What is published of a scene; of a lesson on another one, what that has not."""
+        is_lesson = any(each.id == id and each.base for each in self.scenes)
+        own = (self.data, self.worked)
+        for kind in own if is_lesson else (self.traces, self.pictures, *own):
             if id in kind:
                 yield kind[id]
 

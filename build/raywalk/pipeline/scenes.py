@@ -27,6 +27,7 @@ from raywalk.pipeline.slides import (
     planned,
 )
 from raywalk.pipeline.tracing import Tracing, by_cost
+from raywalk.pipeline.worked import worked_chain
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
 from raywalk.site.shown_picture import shown_picture
@@ -51,6 +52,7 @@ class SceneMade:
     traced: Entry
     data: Entry
     pictures: Entry | None  # for pages; None where these do not wait for them
+    worked: Entry | None  # what its lesson works out; None where it does not
     sources: list[Source]  # by language, as are plans and decks
     plans: list[Plan]
     decks: list[MadeDeck]
@@ -71,9 +73,12 @@ def make_scenes(
 ) -> Generator[str | Message, None, tuple[dict[str, SceneMade], list[MadeDeck]]]:
     """By the scenes' ids, and all decks: of the scenes by language, then the courses'."""
     scenes = by_cost([each.scene for each in spoken[DEFAULT]])
-    chains = [scene_chain(making, scene, translated(scene, spoken)) for scene in scenes]
-    results = yield from run_chains(chains, workers)
-    found = dict(zip([scene.id for scene in scenes], results, strict=True))
+    found: dict[str, SceneMade] = {}
+    for are_lessons in (False, True):  # lessons on other scenes are made from what these have
+        chosen = [scene for scene in scenes if bool(scene.base) is are_lessons]
+        chains = [scene_chain(making, each, translated(each, spoken), found) for each in chosen]
+        results = yield from run_chains(chains, workers)
+        found |= zip([scene.id for scene in chosen], results, strict=True)
     inner = [found[each.scene.id] for each in spoken[DEFAULT]]
     if not making.asking:
         sources = _by_language(spoken, [each.sources for each in inner])
@@ -100,22 +105,27 @@ def translated(scene: Scene, spoken: dict[str, list[Spoken]]) -> dict[str, Scene
     }
 
 
-def scene_chain(making: Making, scene: Scene, spoken: dict[str, Scene]) -> Chain[SceneMade]:
-    store = making.store
-    traced = yield from making.tracing.chain(scene)
+def scene_chain(
+    making: Making, scene: Scene, spoken: dict[str, Scene], found: dict[str, SceneMade]
+) -> Chain[SceneMade]:
+    """found: scenes that others' lessons are about."""
+    store, base = making.store, found[scene.traces] if scene.base else None
+    traced = base.traced if base else (yield from making.tracing.chain(scene))
     folder, name = traced.folder, traced.folder.name
-    pictures = yield from _page_pictures(making, scene, traced)
+    pictures = None if base else (yield from _page_pictures(making, scene, traced))
     picture = shown_picture(pictures.folder if pictures else folder, "picture")
+    worked = yield from worked_chain(store, scene, traced)
     data = yield from _kept(
-        store, page_data_parts(scene, name, picture),
-        partial(PAGE_DATA, scene, folder, picture=picture),
+        store, page_data_parts(scene, name, picture, worked),
+        partial(PAGE_DATA, scene, folder, picture=picture, worked=worked and worked.folder),
     )  # fmt: skip
-    sources = [Source(each, code, traced, data) for code, each in spoken.items()]
+    under = base.data if base else None
+    sources = [Source(each, code, traced, data, under) for code, each in spoken.items()]
     plans, decks = [], []
     if making.asking:
         plans = yield from planned(making.asking, sources)
         decks = yield from drawn(store, plans)
-    return SceneMade(traced, data, pictures, sources, plans, decks)
+    return SceneMade(traced, data, pictures, worked, sources, plans, decks)
 
 
 def _page_pictures(making: Making, scene: Scene, traced: Entry) -> Chain[Entry | None]:

@@ -53,7 +53,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     store = Store(chosen.work, chosen.explain)
     made_from = viewer_parts(site_source)
     yield from reasons(store, made_from)
-    tracing = Tracing(scenes, store, {scene.id: trace_parts(scene) for scene in scenes})
+    own = [scene for scene in scenes if not scene.base]
+    tracing = Tracing(own, store, {scene.id: trace_parts(scene) for scene in own})
     with phase("make what changed"), ThreadPoolExecutor(1) as beside, Stops() as stops:
         # Esbuild needs one core for a moment, and the first traces compile or load kernels.
         bundled = beside.submit(made, store, made_from, partial(bundle, site_source))
@@ -68,16 +69,17 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     facts = {id: facts_of(traced) for id, traced in traces.items()}
     if chosen.stats:
         words = read_words()
-        yield from (as_table(id, counted, words) for id, counted in facts.items())
+        yield from (as_table(scene.id, facts[scene.id], words) for scene in own)
         yield words.say("savings.note")
-    notes = [line for scene in scenes for line in remarks(scene, facts[scene.id])]
+    notes = [line for scene in own for line in remarks(scene, facts[scene.id])]
     for code, translated in spoken.items():
         notes += missing_translations(translated, code)
     notes += slide_remarks(decks)
     yield from notes
     data = {scene.id: of_scenes[scene.id].data for scene in scenes}
     pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}
-    works = Made(spoken, facts, viewer, traces, data, pictures, decks)
+    worked = {id: each.worked for id, each in of_scenes.items() if each.worked}
+    works = Made(spoken, facts, viewer, traces, data, pictures, worked, decks)
     with phase("publish"):
         heavy = publish(works, chosen, site_source, base)
     heavy = [f"warning: {line}" for line in heavy]
@@ -86,7 +88,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     if not chosen.slides_later:  # nor is tidying up anything that pages should wait for
         with phase("tidy up kept work"):
             store.prune(keep={entry.folder.name for entry in works.entries()})
-    count, missing = len(scenes), len(tracing.missing)
+    count, missing = len(own), len(tracing.missing)
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
         f"{count} scenes: {missing} traced, {count - missing} unchanged",

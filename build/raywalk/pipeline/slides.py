@@ -50,6 +50,7 @@ class Source:
     language: str
     traced: Entry
     page_data: Entry  # scene.js, in the default language
+    base_data: Entry | None = None  # of a lesson on another scene: that scene's
 
 
 @dataclass(frozen=True)
@@ -132,7 +133,7 @@ def _asked(of: Asking, source: Source) -> Generator[str, None, Entry]:
     """What the tracer is asked for."""
     parts = {
         "what": "asked", "of": source.scene.id, "layout": of.layout.name,
-        "page data": source.page_data.folder.name, **of.code,
+        **_data_of(source), **of.code,
     }  # fmt: skip
     return (yield from _kept(of, parts, ASKED, {"do": "ask", **_where(source, of.layout)}))
 
@@ -155,7 +156,7 @@ def _lesson(of: Asking, source: Source, asked: Entry, sights: Entry) -> Generato
     spoken = None if source.language == DEFAULT else scene_words(source.scene)
     parts = {
         "what": "lesson", "of": _of(source.scene.id, source.language), "layout": of.layout.name,
-        "page data": source.page_data.folder.name, "sights": sights.folder.name, "spoken": spoken,
+        **_data_of(source), "sights": sights.folder.name, "spoken": spoken,
         **of.code, "read": sentences(source.language),
     }  # fmt: skip
     request = {
@@ -166,8 +167,15 @@ def _lesson(of: Asking, source: Source, asked: Entry, sights: Entry) -> Generato
     return (yield from _kept(of, parts, LESSON, request))
 
 
+def _data_of(source: Source) -> Parts:
+    """The keys of what the viewer's modules know of a scene."""
+    parts = {"page data": source.page_data.folder.name}
+    return parts | ({"base": source.base_data.folder.name} if source.base_data else {})
+
+
 def _where(of: Source, layout: Layout) -> Parts:
-    return {
+    base = {"base": str(of.base_data.folder / "scene.js")} if of.base_data else {}
+    return base | {
         "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
         "size": {"width": layout.figure.width, "height": layout.figure.height},
     }  # fmt: skip

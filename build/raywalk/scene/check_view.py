@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from raywalk.scene.model import Render, SceneObject
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema import SwitchesTable, ViewTable
-from raywalk.scene.shapes import Plane
+from raywalk.scene.shapes import Mesh, Plane, Sphere
 from raywalk.scene.wording import did_you_mean, joined, plain, quoted
 
 #: The ray-tracing camera's name in `labels`, in every language.
@@ -33,6 +33,7 @@ def check_view(
         _check_switches(view.switches, render, lights, (*at, "switches"), problems)
     if named is not None and named.objects is not None:
         _check_marks(view, named.lights, named.objects, at, problems)
+        _check_works(view, render, named.objects, at, problems)
     resolutions = render.resolutions
     if view.resolution is not None and view.resolution not in resolutions:
         problems.add(
@@ -53,6 +54,31 @@ def check_view(
         problems.add(
             (*at, "observer", "target"), f"{plain(view.observer.target)} is where the eye is"
         )
+
+
+def _check_works(
+    view: ViewTable, render: Render, objects: Sequence[SceneObject], at: Location,
+    problems: Problems,
+) -> None:  # fmt: skip
+    """What is to be worked out is of a scene that has it."""
+    if view.works is None:
+        for key in ("tree_depth", "rays_a_tile"):
+            if getattr(view, key) is not None:
+                problems.add((*at, key), "nothing is worked out here", hint="give works, too")
+        return
+    shapes = [obj.shape for obj in objects]
+    if view.works == "equation" and not any(isinstance(each, Sphere) for each in shapes):
+        problems.add((*at, "works"), "this scene has no sphere, so no sphere's equation")
+    if view.works == "tree" and not any(isinstance(each, Mesh) for each in shapes):
+        problems.add((*at, "works"), "this scene has no mesh, so no tree of boxes")
+    n = view.resolution
+    if n is None or view.pixel is None:
+        problems.add((*at, "works"), "needs a resolution and a pixel")
+    elif view.works == "average" and not {3 * n, 5 * n, 7 * n} <= set(render.resolutions):
+        problems.add(
+            (*at, "works"), f"needs the resolutions {3 * n}, {5 * n} and {7 * n}, too",
+            hint="works = \"average\" is for resolution 11 of 11, 33, 55, 77",
+        )  # fmt: skip
 
 
 def _check_switches(

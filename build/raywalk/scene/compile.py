@@ -38,7 +38,7 @@ from raywalk.scene.models import Models, mesh_file
 from raywalk.scene.names import untaken, with_defaults
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import resolutions_of
-from raywalk.scene.schema import SceneFile, StepTable, ViewTable
+from raywalk.scene.schema import LessonFile, SceneFile, StepTable, ViewTable
 from raywalk.scene.schema_objects import MaterialTable, MeshTable, ObjectTable, PlaneTable
 from raywalk.scene.shapes import SHAPES, Mesh, Shape
 from raywalk.scene.transforms import is_singular, product
@@ -57,18 +57,17 @@ def compile_scene(
     lights = _lights(draft, problems)
     # With a light or an object left out for its errors, its name would seem to be wrong.
     objects = parts.known()
-    named = None if whole is None else Named(list(_light_names(draft).values()), objects)
+    named = None if whole is None else Named(light_names(draft), objects)
     names = None if objects is None else [obj.name for obj in objects]
-    lesson = _lesson(draft, render, named, names, problems)
-    goals = () if whole is None else tuple(goal.strip() for goal in whole.goals or ())
-    for i, goal in enumerate(goals):
-        check_slots(goal, {}, render, ("goals", i), problems)
+    lesson = _lesson(draft.lesson, render, named, names, problems)
+    goals = _goals(whole, render, problems)
     if problems.errors or whole is None or camera is None or render is None:
         return None
     return Scene(
         id=address_of(problems.file.absolute().parent.name),
         path=problems.file,
         key=whole.key or "",
+        chapter=whole.chapter or "",
         title=whole.title,
         teaches=whole.teaches,
         camera=camera,
@@ -80,6 +79,41 @@ def compile_scene(
         lesson=tuple(lesson),
         goals=goals,
     )
+
+
+def compile_lesson(
+    whole: LessonFile | None, steps: dict[int, StepTable], base: Scene | None,
+    lights: list[str] | None, problems: Problems,
+) -> Scene | None:  # fmt: skip
+    """A lesson on a scene that is there, or None with all problems noted. base: that scene, None if
+    it has problems of its own; lights: the names of its lights, as its file gives them."""
+    named = Named(lights, base.objects) if base and lights is not None else None
+    names = [obj.name for obj in base.objects] if base else None
+    lesson = _lesson(steps, base.render if base else None, named, names, problems)
+    goals = _goals(whole, base.render if base else None, problems)
+    if problems.errors or whole is None or base is None:
+        return None
+    return replace(
+        base,
+        id=address_of(problems.file.absolute().parent.name),
+        path=problems.file,
+        key="",
+        chapter=whole.chapter or "",
+        title=whole.title,
+        teaches=whole.teaches,
+        lesson=tuple(lesson),
+        goals=goals,
+        base=base,
+    )
+
+
+def _goals(
+    whole: SceneFile | LessonFile | None, render: Render | None, problems: Problems
+) -> tuple[str, ...]:
+    goals = () if whole is None else tuple(goal.strip() for goal in whole.goals or ())
+    for i, goal in enumerate(goals):
+        check_slots(goal, {}, render, ("goals", i), problems)
+    return goals
 
 
 def _camera(draft: Draft, problems: Problems) -> Camera | None:
@@ -101,21 +135,26 @@ def _lights(draft: Draft, problems: Problems) -> list[Light]:
     tables = draft.lights
     for i, table in tables.items():
         check_light(table, ("lights", i), problems)
-    names = _light_names(draft)
+    names = _names_of_lights(draft)
     check_names(names.items(), "lights", problems)
     return [light for i, table in tables.items() for light in point_lights(table, names[i])]
 
 
-def _light_names(draft: Draft) -> dict[int, str]:
+def light_names(draft: Draft) -> list[str]:
+    """As views name them: an area light is one."""
+    return list(_names_of_lights(draft).values())
+
+
+def _names_of_lights(draft: Draft) -> dict[int, str]:
     return with_defaults((i, table.name, "light") for i, table in draft.lights.items())
 
 
 def _lesson(
-    draft: Draft, render: Render | None, named: Named | None, objects: list[str] | None,
-    problems: Problems,
+    steps: dict[int, StepTable], render: Render | None, named: Named | None,
+    objects: list[str] | None, problems: Problems,
 ) -> list[LessonStep]:  # fmt: skip
     """objects: their names; None where some are not known for their errors."""
-    for i, step in draft.lesson.items():
+    for i, step in steps.items():
         for key, view in (("view", step.view), ("answer_view", step.answer_view)):
             if render is not None and view is not None:
                 check_view(view, render, named, ("lesson", i, key), problems)
@@ -123,7 +162,7 @@ def _lesson(
         for place, (text, shown) in _step(step, objects or []).said().items():
             check_pictures(text, ("lesson", i, *place), problems)
             check_slots(text, shown, render, ("lesson", i, *place), problems)
-    return [_step(step, objects or []) for step in draft.lesson.values()]
+    return [_step(step, objects or []) for step in steps.values()]
 
 
 def _step(step: StepTable, objects: list[str]) -> LessonStep:

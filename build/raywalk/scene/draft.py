@@ -14,6 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 from raywalk.scene.problems import Problems
 from raywalk.scene.schema import (
     CameraTable,
+    LessonFile,
     LightTable,
     RenderTable,
     SceneFile,
@@ -71,6 +72,18 @@ def _sound_tables(raw: dict[str, Any]) -> Draft:
         lights=_sound_items(TypeAdapter(LightTable), raw.get("lights")),
         lesson=_sound_items(TypeAdapter(StepTable), raw.get("lesson")),
     )
+
+
+def read_lesson(
+    raw: dict[str, Any], problems: Problems
+) -> tuple[LessonFile | None, dict[int, StepTable]]:
+    """A lesson's whole file if it is sound, and its sound steps in any case."""
+    try:
+        whole = LessonFile.model_validate(raw)
+    except ValidationError as error:
+        problems.add_refusals(error)
+        return None, _sound_items(TypeAdapter(StepTable), raw.get("lesson"))
+    return whole, dict(enumerate(whole.lesson))
 
 
 def _sound_items(kind: TypeAdapter[T], items: Any) -> dict[int, T]:

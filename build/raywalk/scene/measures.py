@@ -13,6 +13,7 @@ from math import sin as sine_of
 from typing import Any
 
 from raywalk.scene.model import Light, Material, Scene
+from raywalk.scene.shapes import Sphere
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 Ray = dict[str, Any]
@@ -164,6 +165,24 @@ def crossing(asked: Asked) -> float:
         message = f"the camera ray's line meets no surface number {asked.of}"
         raise SlotFault(message, allowed=f"allowed: 1 to {len(hits)}" if hits else "it meets none")
     return float(hits[int(asked.of) - 1]["t"])
+
+
+def discriminant(asked: Asked) -> float:
+    """D of t^2 + 2 b t + c = 0 for the ray and a sphere, from the chord's midpoint; below 0 the ray
+    passes the sphere by."""
+    spheres = {obj.name: obj.shape for obj in asked.scene.objects if isinstance(obj.shape, Sphere)}
+    if asked.of not in spheres:
+        raise _no("sphere", asked.of, list(spheres))
+    sphere, along = spheres[asked.of], asked.ray["direction"]
+    away = [o - m for o, m in zip(asked.ray["origin"], sphere.center, strict=True)]
+    b = sum(q * d for q, d in zip(away, along, strict=True))
+    aside = [q - b * d for q, d in zip(away, along, strict=True)]
+    return sphere.radius**2 - sum(part * part for part in aside)
+
+
+def lit(asked: Asked) -> float:
+    """How many point lights reach the hit."""
+    return float(sum(bool(light["visible"]) for light in asked.hit["lights"]))
 
 
 def triangles(key: str) -> Callable[[Asked], float]:

@@ -186,6 +186,15 @@ class Scene:
     lights: tuple[Light, ...]
     lesson: tuple[LessonStep, ...]
     goals: tuple[str, ...] = ()  # of the lesson: Markdown, a line each
+    chapter: str = ""  # of the course, one of the schema's
+    # Of a lesson on another scene: that scene, whose rays, pictures and meshes it shows. All that
+    # is here besides id, path, key, chapter and words is that scene's.
+    base: Scene | None = None
+
+    @property
+    def traces(self) -> str:
+        """The id of the scene that was traced for this one: as a rule its own."""
+        return self.base.id if self.base else self.id
 
     @property
     def has_glass(self) -> bool:

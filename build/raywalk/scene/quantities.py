@@ -73,6 +73,9 @@ ALL = (
     _part("origin", "where the ray starts", AXES, 2),
     _part("direction", "of the ray, of length 1", AXES, 3),
     _whole("tests", "intersection tests made for the ray", found.tests, "ray"),
+    Quantity("discriminant", "of the quadratic equation for the ray and a sphere; below 0 it "
+             "misses", found.discriminant, 2, takes="object"),
+    _whole("lit", "lights, or points of area lights, that reach the hit", found.lit, "ray"),
     _whole("byte", "what the pixel shows, 0 to 255", found.byte, "pixel", "part",
            choices=CHANNELS),
     _whole("rays", "of the pixel, shadow rays not among them", found.rays, "pixel"),

@@ -3,60 +3,123 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, get_args
 
 from raywalk.errors import SourceError, SourceErrors, shown_path
-from raywalk.scene.compile import compile_scene
-from raywalk.scene.draft import read_tables
+from raywalk.scene.compile import compile_lesson, compile_scene, light_names
+from raywalk.scene.draft import read_lesson, read_tables
 from raywalk.scene.model import Scene
 from raywalk.scene.models import find_catalogue, read_catalogue
 from raywalk.scene.problems import Problems
+from raywalk.scene.schema import ChapterName
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 SCENE_FILE = "scene.toml"
+ON = "scene"  # the key by which a file is known as a lesson on another scene
+CHAPTERS = get_args(ChapterName)
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """What came of one file."""
+
+    scene: Scene | None
+    errors: list[SourceError]
+    lights: list[str] | None  # names, as the file gives them; None where they are not known
 
 
 def read_scene(path: Path | str) -> Scene:
-    """The scene in one file, or in the scene.toml of a folder.
+    """The scene in one file, or in the scene.toml of a folder; a lesson on another scene with it.
 
     Raises SourceErrors with everything that is wrong with it.
     """
     path = Path(path)
     file = path / SCENE_FILE if path.is_dir() else path
-    scene, errors = _read(file)
-    if errors or scene is None:
-        raise SourceErrors(errors)
-    return scene
+    read = _read(file, {})
+    if read.errors or read.scene is None:
+        raise SourceErrors(read.errors)
+    return read.scene
 
 
 def read_scenes(folder: Path | str) -> list[Scene]:
-    """Every scene of a folder of scene folders, ordered by folder name.
+    """Every scene of a folder of scene folders, ordered by chapter, then by folder name.
 
     Raises SourceErrors with everything that is wrong with any of them.
     """
     folder = Path(folder)
     files, errors = _scene_files(folder)
-    scenes = []
+    scenes: list[Scene] = []
+    known: dict[Path, _Reading] = {}
     for file in files:
-        scene, found = _read(file)
-        errors += [error for error in found if error not in errors]  # models.toml is shared
-        scenes += [scene] if scene else []
+        read = _read(file, known)
+        errors += [each for each in read.errors if each not in errors]  # models.toml is shared
+        scenes += [read.scene] if read.scene else []
+    scenes.sort(key=_chapter)
     errors += [*_shared_addresses(scenes), *_shared_keys(scenes)]
     if errors:
         raise SourceErrors(errors)
     return scenes
 
 
-def _read(file: Path) -> tuple[Scene | None, list[SourceError]]:
-    problems = Problems(file)
-    raw = read_toml(file, problems)
-    if raw is None:
-        return None, problems.errors
-    models, model_problems = read_catalogue(find_catalogue(file))
+def _chapter(scene: Scene) -> int:
+    return CHAPTERS.index(scene.chapter) if scene.chapter else len(CHAPTERS)
+
+
+def _read(file: Path, known: dict[Path, _Reading]) -> _Reading:
+    """known: files that were read already, by path; this one joins them."""
+    if file not in known:
+        problems = Problems(file)
+        raw = read_toml(file, problems)
+        if raw is None:
+            known[file] = _Reading(None, problems.errors, None)
+        elif ON in raw:
+            known[file] = _read_lesson(raw, problems, known)
+        else:
+            known[file] = _read_scene(raw, problems)
+    return known[file]
+
+
+def _read_scene(raw: dict[str, Any], problems: Problems) -> _Reading:
+    models, model_problems = read_catalogue(find_catalogue(problems.file))
     whole, draft = read_tables(raw, problems)
     scene = compile_scene(whole, draft, models, problems)
-    return scene, model_problems.errors + problems.errors
+    lights = light_names(draft) if whole else None
+    return _Reading(scene, model_problems.errors + problems.errors, lights)
+
+
+def _read_lesson(raw: dict[str, Any], problems: Problems, known: dict[Path, _Reading]) -> _Reading:
+    """A lesson on another scene. Where that has mistakes they are told as its own."""
+    whole, steps = read_lesson(raw, problems)
+    base = _base(raw[ON], problems, known) if isinstance(raw[ON], str) else None
+    scene = compile_lesson(
+        whole, steps, base.scene if base else None, base.lights if base else None, problems
+    )
+    return _Reading(scene, (base.errors if base else []) + problems.errors, None)
+
+
+def _base(named: str, problems: Problems, known: dict[Path, _Reading]) -> _Reading | None:
+    """The scene that a lesson names; None, with the problem noted, if it cannot be that."""
+    folder = problems.file.parent.parent
+    files = [
+        file for file in _scene_files(folder)[0] if file.parent.name != problems.file.parent.name
+    ]
+    file = next((each for each in files if each.parent.name == named), None)
+    own = [each.parent.name for each in files if not _is_lesson(each)]
+    if file is not None and named in own:
+        return _read(file, known)
+    said = "is no scene of its own, but a lesson too" if file else "there is no such scene"
+    problems.add(
+        (ON,), f"{quoted(named)}: {said}", allowed=f"known: {joined(map(quoted, own))}",
+        hint=did_you_mean(named, own),
+    )  # fmt: skip
+    return None
+
+
+def _is_lesson(file: Path) -> bool:
+    return ON in (read_toml(file, Problems(file)) or {})
 
 
 def _scene_files(folder: Path) -> tuple[list[Path], list[SourceError]]:

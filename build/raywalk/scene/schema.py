@@ -170,6 +170,14 @@ Sides = Annotated[
 Names = Annotated[tuple[Text, ...], Allowed("a list of names of objects and lights")]
 
 
+Works = Annotated[Literal["equation", "tree", "average"], one_of("equation", "tree", "average")]
+TreeDepth = Annotated[
+    Literal["none", "sphere", "1", "2", "4", "8", "all"],
+    one_of("none", "sphere", "1", "2", "4", "8", "all"),
+]
+RaysATile = Annotated[Literal[1, 9, 25, 49], Allowed("1, 9, 25 or 49")]
+
+
 class SwitchesTable(Table):
     """What-if switches: how the tiles and rays would be with other settings."""
 
@@ -194,6 +202,13 @@ class ViewTable(Table):
     highlight: Maybe[Names] = maybe("objects and lights that are ringed and named on the stage")
     labels: Maybe[Sides] = maybe("on which side of its thing a name on the stage stands")
     boxes: Maybe[Flag] = maybe("whether the boxes that the selected ray tested are drawn")
+    works: Maybe[Works] = maybe(
+        "what is worked out beside the stage for the selected ray: where it meets each sphere, by "
+        "its equation; how it goes through a mesh's tree of boxes; the mean of the finer grids' "
+        "rays in its tile"
+    )
+    tree_depth: Maybe[TreeDepth] = maybe("levels of the tree that the step begins with")
+    rays_a_tile: Maybe[RaysATile] = maybe("rays of the mean that the step begins with")
 
 
 class StepTable(Table):
@@ -238,6 +253,9 @@ Goals = Annotated[
     tuple[LessonText, ...], Field(min_length=GOALS[0], max_length=GOALS[1]),
     Allowed("a list of 2 to 4 texts"),
 ]  # fmt: skip
+# In the order in which the course goes through them.
+ChapterName = Literal["rays", "light", "mirrors", "triangles", "glass", "sampling", "pictures"]
+Chapter = Annotated[ChapterName, one_of(*get_args(ChapterName))]
 Key = Annotated[Literal["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"], one_of(*"0123456789")]
 
 
@@ -248,6 +266,9 @@ class SceneFile(Table):
         "of this format, which is 1"
     )
     key: Maybe[Key] = maybe("the key that selects the scene in the viewer")
+    chapter: Maybe[Chapter] = maybe(
+        "of the course: where the scene stands among all; without one, after all that have one"
+    )
     title: Text = means("a few words")
     teaches: Text = means("one sentence: what a student takes home")
     goals: Maybe[Goals] = maybe(
@@ -260,3 +281,22 @@ class SceneFile(Table):
     objects: Objects = means("what the rays may hit", ())
     lights: Lights = means("where light comes from", ())
     lesson: Lesson = means("the steps, in order: a text and what is shown meanwhile", ())
+
+
+class LessonFile(Table):
+    """Another lesson on a scene that is there: it has that scene's objects, light, camera and rays,
+    which are not traced again, and a page, slides and sheets of its own."""
+
+    version: Annotated[Literal[1], Allowed("a version this program reads, which is 1")] = means(
+        "of this format, which is 1"
+    )
+    scene: Name = means("the folder of the scene that it is about, beside its own")
+    chapter: Maybe[Chapter] = maybe("of the course, as a scene's")
+    title: Text = means("a few words")
+    teaches: Text = means("one sentence: what a student takes home")
+    goals: Maybe[Goals] = maybe(
+        "2 to 4 sentences for the lesson's first slide: what a student can do after it"
+    )
+    lesson: Annotated[
+        Lesson, Field(min_length=1), Allowed("at least one step", hint="write [[lesson]]")
+    ] = means("the steps, in order: a text and what is shown meanwhile")

@@ -68,12 +68,21 @@ def read_spoken(scenes: Iterable[Scene], language: str) -> list[Spoken]:
         table = _read(file, problems)
         if table is not None:
             _check(table, scene, problems)
+            table = _with_base_names(table, scene, language)
         errors += problems.errors
         if table is not None and not problems.errors:
             spoken.append(Spoken(in_words_of(table, scene), True))
     if errors:
         raise SourceErrors(errors)
     return spoken
+
+
+def _with_base_names(table: TranslationFile, scene: Scene, language: str) -> TranslationFile:
+    """A lesson on another scene has its names from there; where they have mistakes, those are told
+    of that scene."""
+    file = translation_file(scene.base, language) if scene.base else None
+    of_base = _read(file, Problems(file)) if file and file.exists() else None
+    return table.model_copy(update={"names": of_base.names}) if of_base else table
 
 
 def translation_file(scene: Scene, language: str) -> Path:
@@ -216,6 +225,11 @@ def _check_choices(i: int, step: LessonStep, said: TranslatedStep, problems: Pro
 def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> None:
     parts: Sequence[Sequence[object]] = (scene.objects, scene.lights, scene.materials)
     known = list(dict.fromkeys(str(getattr(each, "name", "")) for of in parts for each in of))
+    if scene.base:
+        if table.names:
+            hint = f"they stand in {scene.base.path.parent.name}, for both"
+            problems.add(("names",), "a lesson on another scene has its names there", hint=hint)
+        return
     for name in table.names:
         if name not in known:
             problems.add(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import groupby
 from pathlib import Path
 from traceback import walk_tb
 from typing import Any
@@ -60,9 +61,10 @@ def write_pages(
         values = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
         page.write_text(rendered(environment, template, values), encoding="utf-8")
 
+    cards = [_card(scene, home, out) for scene in scenes]
     decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
-        "home": home, "scenes": [_card(scene, home, out) for scene in scenes], **assets,
+        "home": home, "scenes": cards, "chapters": _chapters(cards), **assets,
         "decks": decks, "forms": {word: ending for ending, word in FORMS.items()},
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
     }  # fmt: skip
@@ -70,7 +72,9 @@ def write_pages(
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
-        glass_scenes=[_glass(scene, home, out) for scene in scenes if scene.has_glass],
+        glass_scenes=[
+            _glass(each, home, out) for each in scenes if each.has_glass and not each.base
+        ],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
     if decks:
@@ -93,7 +97,7 @@ def face_of(scenes: Sequence[Scene]) -> Scene:
 
 def _preview(out: Path, scenes: Sequence[Scene]) -> str:
     """The preview picture of the first of these, "" where there is none."""
-    names = (f"scenes/{scene.id}/{PREVIEW}" for scene in scenes)
+    names = (f"scenes/{scene.traces}/{PREVIEW}" for scene in scenes)
     return next((name for name in names if (out / name).exists()), "")
 
 
@@ -194,13 +198,22 @@ def page_environment(templates: Path, words: Words | None = None) -> Environment
 
 
 def _named(scene: Scene) -> dict[str, str]:
-    return {key: getattr(scene, key) for key in ("id", "key", "title", "teaches")}
+    return {key: getattr(scene, key) for key in ("id", "key", "chapter", "title", "teaches")}
 
 
 def _card(scene: Scene, home: str, out: Path) -> dict[str, str]:
-    at = f"scenes/{scene.id}"
+    at = f"scenes/{scene.traces}"
     thumb = f"{at}/{shown_picture(out / at, 'thumb')}"
-    return _named(scene) | {"url": f"{home}{at}/index.html", "thumb": thumb}
+    return _named(scene) | {"url": f"{home}scenes/{scene.id}/index.html", "thumb": thumb}
+
+
+def _chapters(cards: Sequence[dict[str, str]]) -> list[dict[str, Any]]:
+    """Scenes by chapter, in their order; each with its place among all, from 1."""
+    placed = [card | {"place": str(place)} for place, card in enumerate(cards, start=1)]
+    return [
+        {"name": name, "scenes": list(of)}
+        for name, of in groupby(placed, key=lambda card: card["chapter"])
+    ]
 
 
 def _glass(scene: Scene, home: str, out: Path) -> dict[str, str]:
@@ -208,7 +221,7 @@ def _glass(scene: Scene, home: str, out: Path) -> dict[str, str]:
 
 
 def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
-    render, at = scene.render, f"scenes/{scene.id}"
+    render, at = scene.render, f"scenes/{scene.traces}"
     return {
         **_named(scene),
         "picture": f"{at}/{shown_picture(out / at, 'picture')}",

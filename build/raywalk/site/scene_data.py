@@ -18,6 +18,7 @@ from raywalk.site.mesh_data import DisplayMesh, mesh_data
 from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
     ChoiceData,
+    LessonData,
     LessonStepData,
     LessonStop,
     LightData,
@@ -49,6 +50,7 @@ def scene_data(
     return {
         "format": 1,
         "id": scene.id,
+        "of": scene.id,
         "key": scene.key,
         "title": scene.title,
         "teaches": scene.teaches,
@@ -69,6 +71,15 @@ def scene_data(
         "savings": savings,
         "files": files,
     }
+
+
+def lesson_data(scene: Scene, base: Scene, own: dict[str, str]) -> LessonData:
+    """Of a lesson on another scene what that scene's own data has not. own: marks of scripts."""
+    return {
+        "format": 1, "id": scene.id, "of": base.id, "key": scene.key, "title": scene.title,
+        "teaches": scene.teaches, "start": start_of(scene),
+        "lesson": [_step(step, scene.id) for step in scene.lesson], "files": own,
+    }  # fmt: skip
 
 
 def scene_words(scene: Scene) -> SceneWords:
@@ -163,13 +174,24 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
     return [float(value) for value in matrix.T.reshape(-1)]
 
 
-def write_page_data(scene: Scene, traced: Path, folder: Path, picture: str = "picture.png") -> None:
+def write_page_data(
+    scene: Scene, traced: Path, folder: Path, picture: str = "picture.png",
+    worked: Path | None = None,
+) -> None:  # fmt: skip
     """traced: the folder of the scene's trace, with facts.json and display.npz. picture: the name
-    of the file that pages show."""
+    of the file that pages show. worked: the folder of what its lesson works out."""
+    own = {"worked": mark_of(worked / "worked.js")} if worked else {}
+    if scene.base:
+        _write(folder, scene, lesson_data(scene, scene.base, own))
+        return
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
     display = read_display(scene, traced / "display.npz")
-    marks = {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
+    marks = own | {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
     data = scene_data(scene, display, savings_of(facts), marks, picture)
+    _write(folder, scene, data)
+
+
+def _write(folder: Path, scene: Scene, data: SceneData | LessonData) -> None:
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, default=asdict)
     write_script(folder / "scene.js", f"{scene.id}/scene", text.encode())
 

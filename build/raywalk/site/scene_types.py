@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, NotRequired
 
-from pydantic import WithJsonSchema
+from pydantic import Field, WithJsonSchema
 from typing_extensions import TypedDict
 
 from raywalk.scene.model import Camera, Material
@@ -145,6 +145,7 @@ class SceneData(TypedDict):
 
     format: Literal[1]
     id: str
+    of: str  # whose rays, pictures and meshes it shows: its own id, or of a lesson that scene's
     key: str  # "1".."9", "0" or ""
     title: str
     teaches: str
@@ -164,6 +165,72 @@ class SceneData(TypedDict):
     lesson: list[LessonStepData]
     savings: Savings
     files: dict[str, str]  # the marks of the scripts beside it: of this build, and no other
+
+
+class LessonData(TypedDict):
+    """scenes/<id>/scene.js of a lesson on another scene: what it has of its own. Laid over that
+    scene's it is a SceneData."""
+
+    format: Literal[1]
+    id: str
+    of: str  # the other scene's id
+    key: str
+    title: str
+    teaches: str
+    start: StartData
+    lesson: list[LessonStepData]
+    files: dict[str, str]  # of scripts beside it, which are not the other scene's
+
+
+class WorkedSphere(TypedDict):
+    """A sphere's equation for a ray, t^2 + 2 b t + c = 0, as trace/equations.py has it."""
+
+    object: int
+    centre: Vec3
+    radius: float
+    b: float
+    c: float
+    discriminant: float
+    t: list[float]  # the two roots, or none
+
+
+class WorkedRay(TypedDict):
+    n: int
+    pixel: Annotated[list[int], Field(min_length=2, max_length=2)]
+    origin: Vec3
+    direction: Vec3
+    spheres: list[WorkedSphere]
+
+
+class WorkedTree(TypedDict):
+    """As trace/mesh_visits.py writes it."""
+
+    object: int
+    n: int
+    triangles: int
+    sphere: list[float]
+    boxes: list[list[float]]  # low, high, level, triangles in it
+    visits: list[list[float]]  # by ray: box, what, t; and so on
+    tests: dict[str, list[int]]  # by cut, by ray
+
+
+class WorkedAverage(TypedDict):
+    """As trace_file/nested.py writes it."""
+
+    n: int
+    across: list[int]
+    samples: list[str]
+    means: list[str]
+
+
+class WorkedData(TypedDict):
+    """scenes/<id>/worked.js"""
+
+    format: Literal[1]
+    scene: str
+    equations: NotRequired[list[WorkedRay]]
+    tree: NotRequired[WorkedTree]
+    average: NotRequired[WorkedAverage]
 
 
 class SceneWords(TypedDict):

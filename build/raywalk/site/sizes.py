@@ -86,8 +86,12 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         if path.name.startswith(PART):
             name = path.stem.removeprefix(PART).rpartition("-")[0]
             sizes.append(Size(_part(name), f"assets/{path.name}", sent(path)))
+    fixed = styles + sum(scripts.values())
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
+        if scene.base:
+            sizes.append(Size("first", name, _first_of_lesson(out, scene) + fixed))
+            continue
         finest = facts[scene.id]["finest"]
         trace = folder / f"{finest['n']}.json.gz"
         # What textures and colours of files add is noise to every encoder.
@@ -100,7 +104,7 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         sizes += [
             Size(kind + "trace", f"{name}/{trace.name}", sent(trace), rays),
             Size(kind + "picture", f"{name}/{picture}", sent(folder / picture)),
-            Size("first", name, first + styles + sum(scripts.values())),
+            Size("first", name, first + fixed),
         ]
         if (around := folder / "surroundings.js").is_file():
             objects = max(1, len(json.loads(unpack(around.read_bytes()))["objects"]))
@@ -109,6 +113,14 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             over = max(triangles, FEW_TRIANGLES)
             sizes.append(Size(kind + "mesh", f"{name}/scene.js", data, over))
     return sizes
+
+
+def _first_of_lesson(out: Path, scene: Scene) -> int:
+    """Of a lesson on another scene: its page and data, with that scene's."""
+    own, base = out / "scenes" / scene.id, out / "scenes" / scene.traces
+    grid = base / f"{start_of(scene)['resolution']}.json.gz"
+    data = sent(own / "scene.js") + _without_meshes(base / "scene.js")
+    return sent(own / "index.html") + data + sent(grid)
 
 
 def _is_loaded(name: str) -> bool:

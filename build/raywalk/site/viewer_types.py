@@ -23,6 +23,7 @@ from raywalk.site.scene_types import (
     SceneWords,
     SectionsData,
     SurroundingsData,
+    WorkedData,
 )
 from raywalk.trace.tree import Visibility
 
@@ -47,7 +48,15 @@ def viewer_types() -> str:
     """The text of the viewer's pipeline-types.d.ts."""
     file = Path(raywalk.trace_file.__file__).parent / "trace.schema.json"
     named = {"Header": json.loads(file.read_text(encoding="utf-8"))}
-    for of in (SceneData, SceneWords, SectionsData, SurroundingsData, BoxesData, ViewTable):
+    for of in (
+        SceneData,
+        SceneWords,
+        SectionsData,
+        SurroundingsData,
+        BoxesData,
+        WorkedData,
+        ViewTable,
+    ):
         whole = TypeAdapter(of).json_schema()
         named |= whole.pop("$defs", {}) | {of.__name__: whole}
     return HEAD + "".join(_declaration(name, schema) for name, schema in sorted(named.items()))

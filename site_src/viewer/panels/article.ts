@@ -86,7 +86,7 @@ export function writeArticle(article: HTMLElement, root: string, scene: SceneDat
   const [folder, ...sizes] = slides.split("|");
   writeSlides(root, scene.id, folder, sizes);
   const picture = element("img", "plain-picture");
-  picture.src = `${root}scenes/${scene.id}/${scene.picture}`;
+  picture.src = `${root}scenes/${scene.of}/${scene.picture}`;
   picture.alt = say("picture.alt", { title: scene.title });
   const lesson = lessonOf(scene, folder && `${root}${folder}${scene.id}-figure-`);
   const figures = element("dl", "figures");

@@ -104,7 +104,7 @@ export function createPicture(root: string, acts: Pick<Actions, "pick" | "point"
       if (instead) badge.textContent = say("whatIf.recombined", { n: instead.n });
       if (shownScene !== scene.id) {
         shownScene = scene.id;
-        image.src = `${root}scenes/${scene.id}/${scene.picture}`;
+        image.src = `${root}scenes/${scene.of}/${scene.picture}`;
         image.alt = say("picture.alt", { title: scene.title }); // with switches the badge beside it says that tiles stand before it
       }
       draw();

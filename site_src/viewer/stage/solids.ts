@@ -76,15 +76,18 @@ function sideOf(object: ObjectData, scene: SceneData): Side {
   return FORMS[object.type].isOpen(object) ? DoubleSide : FrontSide;
 }
 
+const MOST_LAMPS = 16; // that a graphics card takes, each with its shadow map
+
 function lightsOf(scene: SceneData, plain: boolean) {
   const group = new Group();
   const lamps: PointLight[] = [];
   // A little light from everywhere, so that shapes keep their form in the shade.
   const everywhere = new AmbientLight(0xffffff, EVERYWHERE);
   group.add(everywhere);
-  for (const { position, colour, intensity, attenuation } of scene.lights) {
+  const every = Math.ceil(scene.lights.length / MOST_LAMPS); // of an area light's many points one stands for so many
+  for (const { position, colour, intensity, attenuation } of scene.lights.filter((_, k) => k % every === every >> 1)) {
     const near = Math.max(1e-6, attenuation[0]);
-    const light = new PointLight(0xffffff, intensity * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
+    const light = new PointLight(0xffffff, intensity * every * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
     light.color.setRGB(...scale(colour, 1 / near));
     light.position.set(...position);
     light.castShadow = !plain && drawsShadows(scene);
@@ -96,7 +99,7 @@ function lightsOf(scene: SceneData, plain: boolean) {
     lamps.push(light);
     group.add(light);
   }
-  return { group, lamps, everywhere };
+  return { group, lamps, everywhere, every };
 }
 
 /** plain: each surface by itself, without shadows, mirrors or glass. */
@@ -146,7 +149,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
     follow(switched: SceneData, { without, bounces }: Switches) {
       const isOn = (part: Part) => !without.includes(part) && !(bounces === 0 && (part === "reflected" || part === "refracted"));
       for (const [k, lamp] of lights.lamps.entries()) {
-        lamp.intensity = switched.lights[k].intensity * Math.PI;
+        lamp.intensity = switched.lights[k * lights.every + (lights.every >> 1)].intensity * lights.every * Math.PI;
         lamp.shadow.intensity = switched.shadows ? 1 : 0;
       }
       lights.everywhere.intensity = isOn("ambient") ? EVERYWHERE : 0;

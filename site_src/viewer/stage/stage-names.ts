@@ -6,6 +6,7 @@ import type { Label } from "./labels";
 import type { Drawn, StageView } from "./renderer";
 
 const BLOCKERS = 3; // named at most
+const OF_LAMP = /^(.*?)(?: (\d+)\/\d+)?$/; // an area light's points are named once, at the first
 
 /** Most important first. */
 export function namesOf({ view, projection }: Drawn): Label[] {
@@ -21,7 +22,10 @@ export function namesOf({ view, projection }: Drawn): Label[] {
     ...(hit ? label("hit", vector(hit), hit, "hit") : []),
     ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
     ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign", true)),
-    ...scene.lights.flatMap(({ name, position }, k) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), position, "sign")),
+    ...scene.lights.flatMap(({ name, position }, k) => {
+      const [, lamp, point = "1"] = name.match(OF_LAMP)!;
+      return point === "1" ? label(`light ${name}`, switched.lights[k].intensity > 0 ? lamp : say("stage.off", { light: lamp }), position, "sign") : [];
+    }),
   ];
 }
 

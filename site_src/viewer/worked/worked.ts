@@ -1,0 +1,73 @@
+/** What a lesson's step works out for the selected ray: a panel beside the stage, and what of it is drawn on the stage. The
+ *  numbers are the pipeline's; here they are only shown, and a point moves along its ray. */
+import { element } from "../element";
+import { svg } from "../panels/svg";
+import type { Drawn } from "../stage/renderer";
+import { isAsking, stopOf } from "../state/view-state";
+import type { View, WorkedData } from "../trace/types";
+import { say } from "../words";
+import { createAverage } from "./average";
+import { createEquation } from "./equation";
+import { createTree } from "./tree";
+
+/** What a maker of a panel gets with each frame. */
+export interface Worked {
+  drawn: Drawn;
+  data: WorkedData;
+  view: View; // of the step
+  isAsking: boolean; // a question: its answer is not shown yet
+  isNew: boolean; // the step was not shown before
+}
+
+export interface WorkedPanel {
+  element: HTMLElement;
+  /** False where there is nothing of the selected pixel. Draws on the stage into `lines`. */
+  show: (worked: Worked, lines: SVGElement) => boolean;
+}
+
+const MAKERS = { equation: createEquation, tree: createTree, average: createAverage };
+
+export interface WorkedPlace {
+  stage: HTMLElement;
+  side: Element;
+  load: (scene: string) => Promise<WorkedData>;
+  /** Something was moved, or has come. */
+  changed: () => void;
+}
+
+export function createWorked({ stage, side, load, changed }: WorkedPlace) {
+  const lines = svg("svg", { class: "worked-lines", "aria-hidden": "true" });
+  const elsewhere = element("p", "worked-none", say("worked.elsewhere"));
+  const root = element("section", "worked");
+  stage.append(lines);
+  side.querySelector(".legend")!.before(root);
+  const panels = new Map<string, WorkedPanel>();
+  const come = new Map<string, WorkedData | null>(); // null: on its way, or not to be had
+  let shown = ""; // the step
+
+  function dataOf(scene: string): WorkedData | null {
+    if (!come.has(scene)) {
+      come.set(scene, null);
+      load(scene).then((data) => (come.set(scene, data), changed()), () => come.delete(scene));
+    }
+    return come.get(scene)!;
+  }
+
+  return {
+    show(drawn: Drawn) {
+      const { scene, state } = drawn.view;
+      const view = stopOf(scene, state)?.view ?? {};
+      const data = view.works ? dataOf(scene.id) : null;
+      root.hidden = !data;
+      side.parentElement!.classList.toggle("working", !!data);
+      lines.replaceChildren();
+      if (!data || !view.works) return void (shown = "");
+      const step = `${scene.id} ${state.step} ${state.revealed}`;
+      const panel = panels.get(view.works) ?? MAKERS[view.works](changed);
+      panels.set(view.works, panel);
+      const has = panel.show({ drawn, data, view, isAsking: isAsking(state, scene), isNew: step !== shown }, lines);
+      shown = step;
+      if (root.firstChild !== (has ? panel.element : elsewhere)) root.replaceChildren(has ? panel.element : elsewhere);
+    },
+  };
+}
