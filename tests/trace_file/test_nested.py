@@ -38,6 +38,14 @@ def test_three_tiles_get_the_means_that_another_tracer_found(scene, tile, channe
     assert [int(unpacked(each, 11)[row, column, channel]) for each in found["means"]] == means
 
 
+@pytest.mark.parametrize("file", ["scene.toml", "lesson.de.toml"])
+def test_the_lesson_says_these_means(file):
+    """Two tiles, with 9, 25 and 49 rays; that of one ray is a slot."""
+    text = (DIST.parents[1] / "scenes" / "18-jagged-edges" / file).read_text(encoding="utf-8")
+    for mean in (151, 134, 121, 79, 84, 93):
+        assert str(mean) in text
+
+
 def test_counts_are_odd_and_nest():
     """Only then the tile's own ray is among them."""
     assert nested_counts(11, GRIDS) == [1, 3, 5, 7]

@@ -7,9 +7,15 @@ import { load } from "./typescript.mjs";
 const { decode } = await load("trace/decode.ts");
 const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/scenes/${path}.js`, "utf8").match(/raywalkReceive\([^,]+,\s*["'`]([^"'`]+)/)[1], "base64")));
 
-export const readSections = (id) => read(`${id}/sections`);
-export const readSurroundings = (id) => read(`${id}/surroundings`);
-export const readScene = (id) => read(`${id}/scene`);
+/** A lesson on another scene is laid over that scene, as the viewer does. */
+export function readScene(id) {
+  const own = read(`${id}/scene`);
+  return own.of === id ? own : { ...read(`${own.of}/scene`), ...own };
+}
+/** The id of the scene whose rays it shows. */
+const of = (id) => read(`${id}/scene`).of;
+export const readSections = (id) => read(`${of(id)}/sections`);
+export const readSurroundings = (id) => read(`${of(id)}/surroundings`);
 /** A scene's words in another language, as its pages there read them. */
 export const readWords = (id, language) => read(`${id}/words-${language}`);
-export const readTrace = (id, n) => ({ scene: readScene(id), trace: decode(read(`${id}/${n}`), { scene: id, n }) });
+export const readTrace = (id, n) => ({ scene: readScene(id), trace: decode(read(`${of(id)}/${n}`), { scene: of(id), n }) });

@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { raysLeftIn, withoutRays } from "../../site_src/strip-rays.mjs";
 import { DIST } from "./browser.mjs";
 import { VIEWER } from "./typescript.mjs";
+import { readScene } from "./scene-files.mjs";
 
 const sources = readdirSync(VIEWER, { recursive: true }).filter((file) => file.endsWith(".ts"));
 const text = (file) => readFileSync(join(VIEWER, file), "utf8");
@@ -43,5 +44,5 @@ test("no file outgrows 350 lines", () => {
 });
 
 test("every scene has its page, picture, data and grids", () => {
-  for (const id of readdirSync(`${DIST}/scenes`)) for (const file of ["index.html", "picture.png", "scene.js"]) assert.ok(existsSync(`${DIST}/scenes/${id}/${file}`), `${id}/${file}`);
+  for (const id of readdirSync(`${DIST}/scenes`)) for (const file of ["index.html", "scene.js", ...(readScene(id).of === id ? ["picture.png"] : [])]) assert.ok(existsSync(`${DIST}/scenes/${id}/${file}`), `${id}/${file}`);
 });
