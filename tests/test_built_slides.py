@@ -20,8 +20,8 @@ SHEETS = {
     "de": ("worksheet", "answers"),
 }
 MAIL = 1_000_000  # bytes: a lesson can be sent by mail
-COURSE = 2_500_000  # a hundred slides and more, of ten lessons
-ALL = {"en": 17_500_000, "de": 14_000_000}  # with them the whole site fits a kiosk's 40 MB
+COURSE = 4_500_000  # two hundred slides and more, of 21 lessons
+ALL = {"en": 33_000_000, "de": 26_500_000}  # with them the whole site fits a kiosk's 50 MB
 LEAST = 1400  # hundredths of a point, as PPTX counts
 
 

@@ -84,13 +84,18 @@ test("a ray's boxes are gone through one by one, and a tree that is cut off cost
   assert.match(await text(".worked-title"), /^49 tests/);
   const next = page.locator(".worked-steps button").nth(1);
   await next.click();
+  await settled(page);
   assert.match(await text(".worked-note >> nth=0"), /Level 1: entered/);
   const of = Number((await text(".worked-steps span.numbers")).match(/of (\d+)/)[1]);
-  for (let k = 1; k < of; k++) await next.click();
+  for (let k = 1; k < of - 1; k++) await next.click();
+  await next.focus();
+  await press(page, "ArrowRight"); // the last one by key
+  assert.deepEqual((await state(page)).pixel, [6, 3], "the arrows went on to the next box, not to the next pixel");
   assert.match(await text(".worked-title"), /^49 of 49/);
   assert.equal(await next.getAttribute("aria-disabled"), "true");
   assert.ok((await page.locator(".worked-lines .cutOff").getAttribute("d")).length > 0);
   await page.locator(".worked-choice button").first().click();
+  await settled(page);
   assert.match(await text(".worked-title"), /^14.696 tests/);
 });
 

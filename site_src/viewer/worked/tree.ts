@@ -84,8 +84,16 @@ function scaleOf(tests: readonly number[]) {
 function createSteps(move: (by: 1 | -1) => void) {
   const [back, on] = ([-1, 1] as const).map((by) => button(by < 0 ? "\u2039" : "\u203a", say(by < 0 ? "worked.tree.back" : "worked.tree.on"), () => move(by), { className: "sign" }));
   const place = element("span", "numbers");
+  const root = element("div", "worked-steps", back, place, on);
+  root.addEventListener("keydown", (event) => {
+    const by = ({ ArrowLeft: -1, ArrowRight: 1 } as const)[event.key as "ArrowLeft"];
+    if (!by) return;
+    event.preventDefault(); // here the arrows go from box to box, not from pixel to pixel
+    event.stopPropagation();
+    move(by);
+  });
   return {
-    element: element("div", "worked-steps", back, place, on),
+    element: root,
     show(at: number, of: number) {
       place.textContent = say("worked.tree.place", { at, of });
       disable(back, at === 0);
