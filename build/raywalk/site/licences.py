@@ -63,7 +63,7 @@ def npm_package(name: str, where: str, files: tuple[str, ...] = ("LICENSE",)) ->
 def models(scenes: Iterable[Scene]) -> list[Part]:
     """The named models that scenes show: once each, as models.toml has them."""
     used: dict[str, tuple[Part, list[str]]] = {}
-    for scene in (each for each in scenes if not each.base):
+    for scene in scenes:
         for model in named_models(scene):
             about = f"{model.credit}\nSource: {model.source}"
             part = Part(model.title, "", model.licence, about)
