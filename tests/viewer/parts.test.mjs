@@ -51,7 +51,7 @@ const PARTS = {
   lecture: [(page) => press(page, "j", "b"), ".blackout"],
 };
 
-const IN_IDLE_TIME = ["spoken", "inset", "busy", "guide", "marks", "choices"]; // the page speaks once it is whole; a narrow page, a slow machine and a lesson ask for the others
+const IN_IDLE_TIME = ["spoken", "inset", "busy", "guide", "marks", "choices", "worked"]; // the page speaks once it is whole; a narrow page, a slow machine and a lesson ask for the others
 const ALL = [...Object.keys(PARTS), ...IN_IDLE_TIME].sort();
 
 /** A page whose browser is never idle, or whose idle time comes when the test says so, and the parts it asks for. */
