@@ -3,7 +3,7 @@ import { element, named, swatch } from "../element";
 import type { View, WorkedAverage } from "../trace/types";
 import { list, say } from "../words";
 import { createChoice, drawSquare } from "./choice";
-import type { Worked, WorkedPanel } from "./worked";
+import type { Worked, WorkedPanel } from "./types";
 
 type Rays = NonNullable<View["rays_a_tile"]>;
 const SIDES = { inside: 180, whole: 180 }; // CSS pixels

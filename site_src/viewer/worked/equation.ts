@@ -6,7 +6,7 @@ import type { Drawn } from "../stage/renderer";
 import type { Vec3 } from "../state/vectors";
 import type { SceneData, WorkedRay } from "../trace/types";
 import { fixed, hexOf, number, say, vector } from "../words";
-import type { Worked, WorkedPanel } from "./worked";
+import type { Worked, WorkedPanel } from "./types";
 
 type Sphere = WorkedRay["spheres"][number];
 

@@ -8,7 +8,7 @@ import type { Vec3 } from "../state/vectors";
 import type { View, WorkedTree } from "../trace/types";
 import { fixed, grouped, say } from "../words";
 import { createChoice, drawSquare } from "./choice";
-import type { Worked, WorkedPanel } from "./worked";
+import type { Worked, WorkedPanel } from "./types";
 
 type Cut = NonNullable<View["tree_depth"]>;
 const CUTS: readonly Cut[] = ["none", "sphere", "1", "2", "4", "8", "all"];

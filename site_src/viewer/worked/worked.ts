@@ -4,26 +4,12 @@ import { element } from "../element";
 import { svg } from "../panels/svg";
 import type { Drawn } from "../stage/renderer";
 import { isAsking, stopOf } from "../state/view-state";
-import type { View, WorkedData } from "../trace/types";
+import type { WorkedData } from "../trace/types";
 import { say } from "../words";
 import { createAverage } from "./average";
 import { createEquation } from "./equation";
 import { createTree } from "./tree";
-
-/** What a maker of a panel gets with each frame. */
-export interface Worked {
-  drawn: Drawn;
-  data: WorkedData;
-  view: View; // of the step
-  isAsking: boolean; // a question: its answer is not shown yet
-  isNew: boolean; // the step was not shown before
-}
-
-export interface WorkedPanel {
-  element: HTMLElement;
-  /** False where there is nothing of the selected pixel. Draws on the stage into `lines`. */
-  show: (worked: Worked, lines: SVGElement) => boolean;
-}
+import type { WorkedPanel } from "./types";
 
 const MAKERS = { equation: createEquation, tree: createTree, average: createAverage };
 
