@@ -16,8 +16,8 @@ DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
 LANGUAGES = {"en": DIST / "slides", "de": DIST / "de" / "slides"}
 SHEETS = {
-    "en": ("handout-2", "handout-3", "handout-6", "worksheet", "answers"),
-    "de": ("worksheet", "answers"),
+    "en": ("handout-2", "handout-3", "handout-6", "worksheet"),
+    "de": ("worksheet",),
 }
 MAIL = 1_000_000  # bytes: a lesson can be sent by mail
 COURSE = 4_500_000  # two hundred slides and more, of 21 lessons

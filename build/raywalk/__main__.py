@@ -27,6 +27,7 @@ COMMANDS = {
     "slides": "slides",
     "serve": "serve",
     "kiosk": "kiosk",
+    "teacher": "teacher",
     "bench": "bench",
     "stress": "stress",
 }

@@ -1,5 +1,5 @@
-"""What a lesson's figures need of the tracer, as files: shaded views, hidden stretches, and the
-rays of the pixels whose numbers are printed, in all digits."""
+"""What a lesson's figures need of the tracer, as files: shaded views, hidden stretches, the rays of
+the pixels whose numbers are printed, in all digits, and what its worksheet asks."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from raywalk.slides.formats import SIGHTS
 from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record
+from raywalk.trace.sheet_pixels import sheet_facts
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import level_pixels
 from raywalk.trace.wavefront import Threads, Tracer, in_order
@@ -49,6 +50,7 @@ def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Thr
     answers = {
         "stops": [_hidden(tracer, eyes[stop["viewpoint"]], stop) for stop in asked["stops"]],
         "exact": [exact_rays(tracer, each["n"], each["pixels"]) for each in asked["exact"]],
+        "worksheet": sheet_facts(tracer, **asked["worksheet"]),
     }
     (folder / SIGHTS).write_text(json.dumps(answers, sort_keys=True), encoding="utf-8")
 

@@ -11,7 +11,14 @@ from raywalk.scene.model import Scene
 from raywalk.scene.translation import translation_file
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
-from raywalk.slides.formats import COURSE_FORMATS, FORMATS, KEPT, REMARKS, SHEET_FORMATS, TRANSLATED
+from raywalk.slides.formats import (
+    COURSE_FORMATS,
+    KEPT,
+    PUBLISHED,
+    REMARKS,
+    SHEET_FORMATS,
+    TRANSLATED,
+)
 from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.layout import Layout
@@ -35,7 +42,7 @@ def write_scene_slides(
         lesson = sources.lesson(layout)
         slides = lesson_slides(lesson)
         deck = scene_deck(sources, layout, lesson=lesson, slides=slides)
-        formats = FORMATS if language == DEFAULT else TRANSLATED
+        formats = PUBLISHED if language == DEFAULT else TRANSLATED
         write_files(folder, deck, formats, lesson, [sources.scene])
     (folder / KEPT).write_bytes(pickle.dumps(slides, protocol=5))
 

@@ -13,7 +13,7 @@ from raywalk.work.snapshot import bytes_of
 
 BUNDLED = ("viewer", "kiosk", "page")
 PART = "part-"  # what comes when asked for, as bundle.mjs names it
-PAGES_ONLY = ("pages", "slides")  # sentences that the viewer never says
+PAGES_ONLY = ("pages", "slides", "sheet", "teacher")  # sentences that the viewer never says
 
 
 class BundleError(Exception):

@@ -15,7 +15,6 @@ FORMS = {
     "-handout-3.pdf": "handout3",
     "-handout-6.pdf": "handout6",
     "-worksheet.pdf": "worksheet",
-    "-answers.pdf": "answers",
 }
 ABSENT = "-"  # in place of a size
 

@@ -27,8 +27,8 @@ class Sources:
     stops: Path  # Lesson as JSON, of the layout's aspect
 
     def lesson(self, layout: Layout) -> Lesson:
-        answers = read_stops(self.stops)
-        return Lesson(self.scene, *answers, self.sights, self.traced / "picture.png", layout)
+        stops = read_stops(self.stops)
+        return Lesson(self.scene, stops, self.sights, self.traced / "picture.png", layout)
 
 
 def scene_deck(

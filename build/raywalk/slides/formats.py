@@ -6,8 +6,10 @@ COURSE = "course"  # the id of the deck of all scenes
 PER_SHEET = (2, 3, 6)  # slides on a sheet of a handout
 DECK_FORMATS = ("html", "pdf", "pptx")
 SHEET_FORMATS = tuple(f"handout-{count}" for count in PER_SHEET)
-LESSON_FORMATS = ("svg", "worksheet", "answers")
-FORMATS = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
+LESSON_FORMATS = ("svg", "worksheet")
+PUBLISHED = (*DECK_FORMATS, *SHEET_FORMATS, *LESSON_FORMATS)
+# Answers are for teachers: they are in what `raywalk teacher` makes, and no page links to them.
+FORMATS = (*PUBLISHED, "answers")
 # What the command line may say for several.
 GROUPS = {"decks": DECK_FORMATS, "handouts": SHEET_FORMATS}
 TRANSLATED = (*DECK_FORMATS, *LESSON_FORMATS)  # any printer sets several slides on a sheet

@@ -33,7 +33,7 @@ from raywalk.slides.palette import KINDS
 from raywalk.slides.pictures import PICTURE_SIDE, grid_picture, picture_of, traced_picture
 from raywalk.slides.ray_table import ROW, is_whole, ray_table, ray_tables
 from raywalk.slides.step_figure import CHOSEN_WIDTH, HIDDEN_SHARE, Drawing, step_figure
-from raywalk.slides.stops import Question, Stop
+from raywalk.slides.stops import Stop
 from raywalk.slides.typeface import width
 from raywalk.slides.words import chosen_tile, kind_word, place, say
 
@@ -53,8 +53,7 @@ class Lesson:
 
     scene: Scene
     stops: list[Stop]
-    questions: list[Question]  # of the worksheet, which the trace answers
-    views: Path  # the folder of view-<k>.png, shaded views
+    views: Path  # the folder of SIGHTS and view-<k>.png, shaded views
     picture: Path  # the traced picture
     layout: Layout
 

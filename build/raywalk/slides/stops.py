@@ -187,26 +187,16 @@ class Stop(FromNode):
         return step.answer if self.kind == "answer" else step.text
 
 
-@dataclass(frozen=True)
-class Question(FromNode):
-    """Of a worksheet: one whose answer the trace knows."""
-
-    asks: str
-    answer: str
-
-
 @dataclass(frozen=True, eq=False)
 class Lesson(FromNode):
     """As there."""
 
     stops: tuple[Stop, ...]
-    questions: tuple[Question, ...]
 
 
 LESSON = TypeAdapter(Lesson)
 
 
-def read_stops(file: Path) -> tuple[list[Stop], list[Question]]:
-    """The lesson's stops, and what its worksheet asks of the trace."""
-    lesson = LESSON.validate_json(file.read_bytes())
-    return list(lesson.stops), list(lesson.questions)
+def read_stops(file: Path) -> list[Stop]:
+    """The lesson's stops."""
+    return list(LESSON.validate_json(file.read_bytes()).stops)

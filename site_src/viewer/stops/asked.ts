@@ -5,7 +5,7 @@ import { pixelIndex } from "../state/view-state";
 import { switchedScene } from "../state/what-if";
 import type { SceneData } from "../trace/types";
 import { seenAt, settingOf, stopsOf, walksPixel, type Seen, type Size, type Traces } from "./seen";
-import { worksheetOf } from "./worksheet";
+import { worksheetOf, type Worksheet } from "./worksheet";
 
 /** A place to look from, and the scene as it is lit. */
 interface Viewpoint extends Size {
@@ -30,6 +30,7 @@ export interface Asked {
     tiles: { n: number; origin: Vec3; across: Vec3; down: Vec3 };
   }[];
   exact: readonly { n: number; pixels: readonly number[] }[];
+  worksheet: Worksheet;
 }
 
 const isPaint = (part: string) => part === "ambient" || part === "diffuse" || part === "specular";
@@ -52,8 +53,6 @@ export function ask(scene: SceneData, traces: Traces, size: Size): Asked {
   const viewpoints: string[] = [];
   const exact = new Map<number, Set<number>>();
   const want = (n: number, pixel: number) => exact.set(n, (exact.get(n) ?? new Set()).add(pixel));
-  const { n, picks } = worksheetOf(all, traces);
-  for (const { pixel } of picks) want(n, pixel);
   const stops = all.map(({ state }) => {
     const seen = seenAt(state, traces(state.n), setting);
     const viewpoint = JSON.stringify(viewpointOf(seen, litBy(scene, state.switches)));
@@ -62,5 +61,5 @@ export function ask(scene: SceneData, traces: Traces, size: Size): Asked {
     const lines = [...seen.chosen, ...seen.thin].map(({ from, to }) => [from, to] as const);
     return { viewpoint: viewpoints.indexOf(viewpoint), lines, tiles: { n: state.n, origin, across, down } };
   });
-  return { viewpoints: viewpoints.map((each) => JSON.parse(each)), stops, exact: [...exact].map(([n, pixels]) => ({ n, pixels: [...pixels].sort((a, b) => a - b) })) };
+  return { viewpoints: viewpoints.map((each) => JSON.parse(each)), stops, exact: [...exact].map(([n, pixels]) => ({ n, pixels: [...pixels].sort((a, b) => a - b) })), worksheet: worksheetOf(all) };
 }

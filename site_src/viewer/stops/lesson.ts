@@ -14,7 +14,6 @@ import { withExact, type ExactRays } from "./exact";
 import { Sheet, type ChosenLine, type DrawnLine, type Figure, type Stretches } from "./figure";
 import { seenAt, settingOf, stopsOf, walksPixel, whatIf, type Seen, type Setting, type Size, type Stop, type Traces } from "./seen";
 import { worded, type Worded } from "./worded";
-import { questionOf, worksheetOf, type Question } from "./worksheet";
 
 /** What the tracer answered. */
 export interface Sights {
@@ -56,7 +55,6 @@ export interface LessonStop {
 
 export interface Lesson {
   stops: readonly LessonStop[];
-  questions: readonly Question[];
 }
 
 const base64 = (bytes: Uint8Array) => btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
@@ -107,9 +105,7 @@ export function lessonOf(scene: SceneData, filed: Traces, size: Size, asked: Ask
   const stops = stopsOf(scene);
   const laid = new Map(sights.exact.map((rays) => [rays.n, withExact(filed(rays.n), scene, rays)]));
   const exact = (n: number) => laid.get(n) ?? filed(n);
-  const { n, picks } = worksheetOf(stops, filed);
   return {
     stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], asked.stops[k].viewpoint, sights.stops[k])),
-    questions: picks.map((pick) => questionOf(pick, exact(n), scene)),
   };
 }
