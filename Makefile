@@ -10,7 +10,7 @@ MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all packages site slides kiosk test test-busy check serve bench stress mutants clean distclean help versions
+.PHONY: all packages site slides teacher kiosk test test-busy check serve bench stress mutants clean distclean help versions
 .DEFAULT_GOAL := all
 
 all: site
@@ -43,6 +43,9 @@ else
 	@$(PYTHON) -m raywalk slides course $(SLIDES_AS) --format pdf,pptx --out $(SLIDES_TO)
 endif
 
+teacher: packages ## guide, answers, assignments, quizzes for teachers: dist-teacher/raywalk-teacher.zip
+	@$(PYTHON) -m raywalk teacher
+
 kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
 	@$(PYTHON) -m raywalk kiosk
 
@@ -72,7 +75,7 @@ mutants: $(TEST_READY) $(MUTANTS)/.ready ## change sources and see that a test f
 		$(if $(JOBS),--jobs $(JOBS)) $(if $(ONLY),--only $(ONLY))
 
 clean: ## remove what was built; keeps installed packages
-	rm -rf dist dist-kiosk dist.*.partial .work test-output
+	rm -rf dist dist-kiosk dist-teacher dist.*.partial .work test-output
 	@# compiled kernels too: each state of their sources has left a folder
 	find build tests -name __pycache__ -prune -exec rm -rf {} +
 

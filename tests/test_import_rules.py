@@ -29,6 +29,7 @@ MAY_IMPORT = {
     "stops": {"words", "trace.tree", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "errors"},
+    "teacher": {"slides", "scene", "words", "errors"},
     "site": {
         "scene",
         "trace.kinds",
@@ -124,7 +125,17 @@ def test_a_build_knows_nothing_of_the_bench() -> None:
 def test_start_up_needs_no_engine() -> None:
     """A run with nothing to trace does not import numba, trimesh or embreex (0.8 to 1.2 s):
     no module that reads scenes imports them at its top."""
-    for folder in ("scene", "models", "trace_file", "stops", "words", "site", "slides", "work"):
+    for folder in (
+        "scene",
+        "models",
+        "trace_file",
+        "stops",
+        "words",
+        "site",
+        "slides",
+        "teacher",
+        "work",
+    ):
         for file in python_files(folder):
             found = {name.split(".")[0] for name in imported(file)}
             assert not found & {"numba", "trimesh", "embreex"}, file.name

@@ -17,6 +17,7 @@ from raywalk.scene.read import read_scenes
 from raywalk.slides.deck import Sources
 from raywalk.slides.figure import Text, flat
 from raywalk.slides.layout import WIDE
+from raywalk.slides.sheet_questions import sheet_facts
 from raywalk.slides.words import speaking, words
 from raywalk.slides.worksheet import SIZE, SMALL, worksheet
 from raywalk.work.store import Store
@@ -167,3 +168,31 @@ def test_facts_have_no_more_than_they_were_given() -> None:
     glass = next(each for each in student.things if each.name == "glass sphere")
     assert glass.ior == 1.5168 and glass.centre.tolist() == [-0.12, -0.15, 0.8]
     assert not re.search(r"\d{7}", str(student.eye))
+
+
+def test_a_tangent_pixel_is_never_asked() -> None:
+    """The line through pixel (7, 7) of 15 touches scene 3's ellipsoid: right tracers differ there,
+    and it was question 4 once."""
+    from raywalk.trace.plan import LEAST_SHARE
+    from raywalk.trace.sheet_sights import sights_of
+    from raywalk.trace.wavefront import Tracer
+
+    scene = next(each for each in read_scenes(ROOT / "scenes") if each.id == "03-two-lights")
+    pixels = [7 * 15 + 7, 11 * 15 + 7, 14 * 15 + 14]
+    tangent, floor, corner = sights_of(Tracer(scene, least_share=LEAST_SHARE), pixels, 15, [])
+    assert not tangent.is_sure and floor.is_sure and corner.is_sure
+
+
+def test_nothing_behind_an_opaque_wall_is_listed() -> None:
+    """Up to the first plane that lets nothing through."""
+    for id in IDS:
+        sources = next(each for each in lessons()["en"] if each.scene.id == id)
+        scene = sources.scene
+        for fact in sheet_facts(sources.lesson(WIDE))["asked"]:
+            things = [scene.objects[k] for k, _ in fact.get("hits", ())]
+            walls = [
+                type(thing.shape).__name__ == "Plane"
+                and scene.materials[thing.material].transmit == 0
+                for thing in things
+            ]
+            assert not any(walls[:-1])

@@ -118,6 +118,12 @@ class Student:
             self.right, self.up, self.forward = frame
         elif self._is("sheet.glassPasses", line):
             self.passes = True
+        elif found := self._is("sheet.lampGrid", line):
+            across, down = int(found["across"]), int(found["down"])
+            at, step, row = (np.array(numbers(found[key])) for key in ("at", "step", "row"))
+            for k in range(across * down):
+                name = f"{found['light']} {k + 1}/{across * down}"
+                self.lights[name] = at + k % across * step + k // across * row
         elif found := self._is("slides.givenLight", line):
             self.lights[found["light"]] = np.array(numbers(found["at"]))
         if not any(self._is(key, line) for key in ("slides.givenCamera", "sheet.frame")):

@@ -105,7 +105,7 @@ def test_handouts_have_as_many_sheets_as_they_need(deck: Deck, per_sheet: int):
 
 def test_the_worksheets_answers_are_the_traces(balls):
     """The nearest hit of a pixel that is asked for, traced anew."""
-    from raywalk.slides.worksheet import questions
+    from raywalk.slides.sheet_questions import questions
 
     asked = questions(balls.lesson())
     assert len(asked) >= 7
@@ -120,7 +120,7 @@ def test_the_worksheets_answers_are_the_traces(balls):
 def test_a_worksheet_of_several_sheets_numbers_them(balls):
     """Title and "1 / 2" at each foot; no number where there is one sheet only."""
     from raywalk.slides.figure import Slide
-    from raywalk.slides.worksheet import _numbered, worksheet
+    from raywalk.slides.worksheet import numbered, worksheet
 
     sheets = worksheet(balls.lesson(), with_answers=False).slides
     assert len(sheets) > 1
@@ -128,7 +128,7 @@ def test_a_worksheet_of_several_sheets_numbers_them(balls):
         said = [item.words for item in sheet.items if isinstance(item, Text)]
         assert said[-2:] == [sheet.title, f"{k} / {len(sheets)}"]
     alone = Slide("Alone", ())
-    assert _numbered([alone]) == [alone]
+    assert numbered([alone]) == [alone]
 
 
 def test_no_question_stands_alone_on_a_worksheets_last_page():

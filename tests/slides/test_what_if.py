@@ -89,7 +89,7 @@ def test_its_shaded_view_is_lit_as_switched(made):
 
 def test_the_worksheet_asks_of_the_scene_as_it_is(made):
     """Its answers come from a step without switches, or there are only the lesson's own."""
-    from raywalk.slides.worksheet import questions
+    from raywalk.slides.sheet_questions import questions
 
     assert questions(made(with_step("bounces = 0")).lesson()) == []
 

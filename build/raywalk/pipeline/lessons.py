@@ -4,6 +4,7 @@ any."""
 from __future__ import annotations
 
 from collections.abc import Generator
+from dataclasses import replace
 from pathlib import Path
 
 from raywalk.commands.slides import traced
@@ -35,7 +36,7 @@ def all_lessons(
             if each.scene.id not in of_scenes:
                 of_scenes[each.scene.id] = yield from traced(store, each.scene)
             own = of_scenes[each.scene.id]
-            sources.append(Source(each.scene, code, own.traced, own.page_data))
+            sources.append(replace(own, scene=each.scene, language=code))
     with Stops() as stops:
         plans = yield from plans_of(store, stops, sources)
     by_language: dict[str, list[Sources]] = {code: [] for code in spoken}

@@ -3,17 +3,21 @@ that the questions need."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
 from raywalk.scene.camera import camera_frame, half_width
-from raywalk.scene.model import Scene, SceneObject
+from raywalk.scene.model import Light, Scene, SceneObject
 from raywalk.scene.on_paper import INSIDE, equation
 from raywalk.slides.words import numbers, say
 
 MOST_DECIMALS = 6  # of what is given: as many as it has, of roots and turned axes these
+
+PART = re.compile(r"(.+) \d+/\d+")  # of a light with an area, as scene/lights.py names it
+NO_STEP = 1e-9  # between two steps along a row of lamps: roundings
 
 Facts = dict[str, Any]  # those of trace/sheet_pixels.py: "n", "boxes", "asked"
 
@@ -47,10 +51,29 @@ def given(scene: Scene, facts: Facts) -> list[str]:
             lines[-1] += say("sheet.glass", ior=exactly(glass.ior))
     if scene.has_glass and scene.render.shadows and scene.render.glass_shadows == "pass":
         lines.append(say("sheet.glassPasses"))
-    return lines + [
-        say("slides.givenLight", light=light.name, at=exact_vector(light.position))
-        for light in scene.lights
-    ]
+    return lines + [_placed(name, lights) for name, lights in lamps(scene).items()]
+
+
+def lamps(scene: Scene) -> dict[str, list[Light]]:
+    """By name: a light that has an area is a grid of points, row by row."""
+    by_name: dict[str, list[Light]] = {}
+    for light in scene.lights:
+        part = PART.fullmatch(light.name)
+        by_name.setdefault(part[1] if part else light.name, []).append(light)
+    return by_name
+
+
+def _placed(name: str, lights: list[Light]) -> str:
+    at = np.array([light.position for light in lights])
+    if len(at) == 1:
+        return say("slides.givenLight", light=name, at=exact_vector(at[0]))
+    steps = np.abs(np.diff(at, axis=0) - (at[1] - at[0])).max(axis=1) > NO_STEP
+    across = int(np.argmax(steps)) + 1 if steps.any() else len(at)
+    down = at[across] - at[0] if across < len(at) else np.zeros(3)
+    return say(
+        "sheet.lampGrid", light=name, across=across, down=len(at) // across, at=exact_vector(at[0]),
+        step=exact_vector(at[1] - at[0]), row=exact_vector(down),
+    )  # fmt: skip
 
 
 def shape_words(obj: SceneObject, box: list[list[float]] | None) -> str:

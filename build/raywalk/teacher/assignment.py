@@ -11,7 +11,7 @@ from raywalk.slides.figure import Cell, Deck, Run, Table
 from raywalk.slides.handout import A4
 from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph
-from raywalk.slides.sheet_facts import Facts, exact_vector, exactly, given
+from raywalk.slides.sheet_facts import Facts, exact_vector, exactly, given, lamps
 from raywalk.slides.sheet_questions import sheet_facts
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.table_parts import table_parts
@@ -52,9 +52,10 @@ def _colours(scene: Scene) -> Iterator[str]:
             )  # fmt: skip
         if obj.base:
             yield say("teacher.base", name=obj.name)
-    for light in scene.lights:
+    for name, (light, *more) in lamps(scene).items():
         yield say(
-            "teacher.light", light=light.name, colour=exact_vector(light.colour),
+            "teacher.lights" if more else "teacher.light",
+            light=name, colour=exact_vector(light.colour),
             intensity=exactly(light.intensity), falloff=exact_vector(light.attenuation),
         )  # fmt: skip
     yield say("teacher.background", colour=exact_vector(scene.background),

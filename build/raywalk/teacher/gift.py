@@ -44,7 +44,8 @@ def _answers(item: Item) -> Iterator[str]:
     yield ""
     for option in item.options:
         mark = "=" if option.right else "~"
-        yield f"\t{mark}{escaped(option.text)}#{escaped(option.because)}"
+        because = f"#{escaped(option.because)}" if option.because else ""
+        yield f"\t{mark}{escaped(option.text)}{because}"
 
 
 def _after(item: Item) -> Iterator[str]:

@@ -20,7 +20,15 @@ from raywalk.teacher.timing import LENGTHS, schedule
 from raywalk.teacher.topics import prerequisites
 
 HEAD, FOOT = 20.0, 9.5
-SIZES = (10.5, 10.0, 9.5, 9.0, 8.5)  # the largest is taken in which a page has room for all
+SIZES = (
+    11.5,
+    11.0,
+    10.5,
+    10.0,
+    9.5,
+    9.0,
+    8.5,
+)  # the largest is taken in which a page has room for all
 SIDE, SHARP = 150.0, 400  # of the picture: points, pixels
 TOP = MARGIN + HEAD * 1.9
 BOTTOM = A4[1] - MARGIN
@@ -42,17 +50,20 @@ def _lesson(lesson: Lesson, course: list[Scene], base: str) -> list[Slide]:
     head = say("teacher.lesson", number=number, title=scene.title)
     first = _first_page(lesson, course, base)
     second = _fitting([_questions(lesson), _misconceptions(lesson)], BOTTOM - TOP)
-    return [_page(head, k, items, number) for k, items in enumerate((first, second), start=1)]
+    return [
+        _page(head, k, items, number, len(course))
+        for k, items in enumerate((first, second), start=1)
+    ]
 
 
-def _page(head: str, k: int, items: list[Item], number: int) -> Slide:
+def _page(head: str, k: int, items: list[Item], number: int, count: int) -> Slide:
     title = Box(MARGIN, MARGIN - 6, WIDE, HEAD * 1.2)
     under = Box(MARGIN, BOTTOM + 8, WIDE, FOOT * 1.3)
-    count = say("slides.sheetOf", sheet=k, of=2)
+    said = say("slides.sheetOf", sheet=2 * number - 2 + k, of=2 * count)
     frame = [
         text([(Run(head, bold=True),)], title, HEAD, name="title", is_title=True),
         one_line(say("teacher.guide"), under, FOOT, "soft"),
-        one_line(f"{number}: {count}", under, FOOT, "soft", "right", name="sheet"),
+        one_line(said, under, FOOT, "soft", "right", name="sheet"),
     ]
     return Slide(head, (*frame, *(moved(item, TOP, MARGIN) for item in items)), kind="worksheet")
 
