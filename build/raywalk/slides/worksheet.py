@@ -23,6 +23,7 @@ from raywalk.slides.sheet_facts import formulas, given
 from raywalk.slides.sheet_figure import HIGH, SIDE, sheet_figure
 from raywalk.slides.sheet_questions import Question, questions, sheet_facts
 from raywalk.slides.step_slide import Lesson
+from raywalk.slides.typeface import width
 from raywalk.slides.words import say, words
 
 SIZE = 12.0
@@ -144,7 +145,13 @@ def numbered(slides: Iterable[Slide]) -> list[Slide]:
 
 def _heading(title: str) -> list[Item]:
     box = Box(MARGIN, MARGIN - 6, WIDE, HEAD * 1.2)
-    return [text([(Run(title, bold=True),)], box, HEAD, name="title", is_title=True)]
+    size = fitting(title, HEAD)
+    return [text([(Run(title, bold=True),)], box, size, name="title", is_title=True)]
+
+
+def fitting(title: str, size: float) -> float:
+    """The size, or the smaller one in which a title fits on its line."""
+    return min(size, size * WIDE / width(title, size, bold=True))
 
 
 def moved(item: Item, down: float, right: float = 0.0) -> Item:

@@ -14,7 +14,7 @@ from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.pictures import picture_of, traced_picture
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.words import say, words
-from raywalk.slides.worksheet import MARGIN, WIDE, flowed, moved
+from raywalk.slides.worksheet import MARGIN, WIDE, fitting, flowed, moved
 from raywalk.teacher.links import address
 from raywalk.teacher.timing import LENGTHS, schedule
 from raywalk.teacher.topics import prerequisites
@@ -61,7 +61,7 @@ def _page(head: str, k: int, items: list[Item], number: int, count: int) -> Slid
     under = Box(MARGIN, BOTTOM + 8, WIDE, FOOT * 1.3)
     said = say("slides.sheetOf", sheet=2 * number - 2 + k, of=2 * count)
     frame = [
-        text([(Run(head, bold=True),)], title, HEAD, name="title", is_title=True),
+        text([(Run(head, bold=True),)], title, fitting(head, HEAD), name="title", is_title=True),
         one_line(say("teacher.guide"), under, FOOT, "soft"),
         one_line(said, under, FOOT, "soft", "right", name="sheet"),
     ]
