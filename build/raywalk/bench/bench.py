@@ -26,11 +26,11 @@ BOUND = {"median": 1e-15, "largest": 1e-12, "wrong": 0.0}
 # Of our path's time, over that of the peer that the goal was set by.
 TIMES = {
     "spheres-coherent": ("Mitsuba 3, llvm (its own spheres)", 1.0),
-    "spheres-incoherent": ("Mitsuba 3, llvm (its own spheres)", 1.0),
-    "mesh-coherent": ("Embree float32, as is", 1.2),
+    "spheres-incoherent": ("Mitsuba 3, llvm (its own spheres)", 0.9),
+    "mesh-coherent": ("Embree float32, as is", 1.0),
     "mesh-incoherent": ("Embree float32, as is", 1.2),
     "mesh-vertices": ("Embree float32, as is", 4.0),
-    "mesh-far": ("Embree float32, as is", 1.2),
+    "mesh-far": ("Embree float32, as is", 1.0),
 }
 FAR = 1e6  # where the moved mesh stands, in its own sizes
 # Errors of t smaller than float64's own rounding count as equal.

@@ -40,9 +40,10 @@ def lay_out_hits(table, columns, count, origin, direction, leaving, t):
 
 
 @inlined
-def land_on_sphere(table, primitives, k, count):
-    """The first hits (count,) of a table, which are of row k, a sphere: as `refined` and
-    `on_surface` have it. Marks those that graze it."""
+def feet_on_sphere(table, primitives, k, count):
+    """Where the first hits (count,) of a table, which are of row k, a sphere, are on the canonical
+    one: as `refined` and `on_surface` have it, written to P and N. Marks those that graze the
+    sphere: they are left."""
     cx, cy, cz, ex, ey, ez = centre_of(primitives, k)
     a, b, c, d, e, f, g, h, i = matrix_of(primitives.to_local, k)
     who, stretch = primitives.object[k], primitives.stretch[k]
@@ -68,37 +69,40 @@ def land_on_sphere(table, primitives, k, count):
         step = better - t
         x, y, z = x + step * dx, y + step * dy, z + step * dz
         length = math.sqrt(x * x + y * y + z * z)
+        x, y, z = x / length, y / length, z / length
         comes_out = again | (sx * sx + sy * sy + sz * sz - 1.0 <= 2.0 * bound)
         lands = again | (abs(square * over) < SLIGHT * slope * slope)
         table[BETTER + n] = better
         table[SIDE + n] = (1.0 if comes_out else -1.0) if lands else YET
-        table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = (
-            x / length, y / length, z / length,
-        )  # fmt: skip
-    # A loop of its own: with as many numbers at once, some would have to wait in memory.
-    into_world(table, primitives, k, count)
+        table[P + n], table[P + PITCH + n], table[P + 2 * PITCH + n] = x, y, z
+        table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = x, y, z
 
 
 @inlined
 def into_world(table, primitives, k, count):
-    """Points and unit normals from where hits are on the canonical sphere, which are left in N."""
+    """Points and unit normals from where hits are on row k's canonical shape, which is left in P,
+    and the gradients there, left in N; the sides of those that are of no solid."""
     cx, cy, cz, ex, ey, ez = centre_of(primitives, k)
     a, b, c, d, e, f, g, h, i = matrix_of(primitives.to_world, k)
     p, q, r, s, t, u, v, w, m = matrix_of(primitives.to_local, k)
     for n in range(count):
-        x, y, z = vector(table, N, n)
-        wx, wy, wz = times(a, b, c, d, e, f, g, h, i, x, y, z)
-        nx, ny, nz = times(p, s, v, q, t, w, r, u, m, x, y, z)  # by the transposed inverse
+        hx, hy, hz = vector(table, P, n)
+        gx, gy, gz = vector(table, N, n)
+        wx, wy, wz = times(a, b, c, d, e, f, g, h, i, hx, hy, hz)
+        nx, ny, nz = times(p, s, v, q, t, w, r, u, m, gx, gy, gz)  # by the transposed inverse
         length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        nx, ny, nz = nx / length, ny / length, nz / length
+        dx, dy, dz = vector(table, D, n)
+        side = nx * dx + ny * dy + nz * dz
+        table[SIDE + n] = side if table[SIDE + n] == 0.0 else table[SIDE + n]
         table[P + n], table[P + PITCH + n] = cx + (ex + wx), cy + (ey + wy)
         table[P + 2 * PITCH + n] = cz + (ez + wz)
-        table[N + n], table[N + PITCH + n] = nx / length, ny / length
-        table[N + 2 * PITCH + n] = nz / length
+        table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = nx, ny, nz
 
 
 @inlined
 def land_on_plane(table, primitives, k, count):
-    """The same of row k, a plane."""
+    """The same of row k, a plane, all the way into the world."""
     cx, cy, cz, ex, ey, ez = centre_of(primitives, k)
     a, b, c, d, e, f, g, h, i = matrix_of(primitives.to_local, k)
     p, _, q, r, _, s, u, _, v = matrix_of(primitives.to_world, k)

@@ -23,14 +23,15 @@ from raywalk.geometry.landing import (
     O,
     P,
     T,
+    feet_on_sphere,
+    into_world,
     land_on_plane,
-    land_on_sphere,
     lay_out_hits,
     vector,
 )
 from raywalk.geometry.refine import from_close_up, refined
 from raywalk.geometry.roots import NOWHERE
-from raywalk.geometry.rows import centre_of, matrix_of, times
+from raywalk.geometry.rows import matrix_of, times
 from raywalk.geometry.sides import POINT_ERROR
 from raywalk.optics.compiled import inlined, kernel, lean
 
@@ -109,7 +110,7 @@ def primitive_surface(
             end = start + 1
             while end < count and rows[end] == rows[start]:
                 end += 1
-            land_run(table, primitives, rows[start], start, end)
+            land_run(table[start:], primitives, rows[start], end - start)
             start = end
         for n in range(count):
             write_hit(table, n, columns[n], appearance, t, met, point, normal, inside, material)
@@ -148,19 +149,23 @@ def put_alike_together(columns, rows, count, ends, to_columns, to_rows):
 
 
 @inlined
-def land_run(table, primitives, k, start, end):
-    """Hits start to end, which are of row k."""
+def land_run(table, primitives, k, count):
+    """The first hits (count,) of a table, which are of row k."""
     code, is_apart = primitives.shape[k].code, primitives.is_skewed[k] or primitives.is_thin[k]
     # In whole eights: what is written after the last one is of no hit, or of one that comes later.
-    run, whole = table[start:], (end - start + WORD - 1) // WORD * WORD
+    whole = (count + WORD - 1) // WORD * WORD
     if code == PLANE and not is_apart:
-        land_on_plane(run, primitives, k, whole)
+        land_on_plane(table, primitives, k, whole)
         return
-    if code == SPHERE and not is_apart:
-        land_on_sphere(run, primitives, k, whole)
-    for n in range(start, end):
-        if code != SPHERE or is_apart or table[SIDE + n] == YET:
-            land_alone(table, primitives, k, n)
+    is_round, left = code == SPHERE and not is_apart, count
+    if is_round:
+        feet_on_sphere(table, primitives, k, whole)
+        left = 0
+        for n in range(count):
+            left += table[SIDE + n] == YET
+    if left > 0:
+        feet_one_by_one(table, primitives, k, count, is_round)
+    into_world(table, primitives, k, whole)
 
 
 @inlined
@@ -176,42 +181,40 @@ def write_hit(table, n, i, appearance, t, met, point, normal, inside, material):
 
 
 @lean
-def land_alone(table, primitives, k, n):
-    """Hit n of row k by one ray's formulas: of other shapes, those thin or skewed, grazing rays."""
-    shape, t, is_skewed = primitives.shape[k], table[T + n], primitives.is_skewed
-    to_local, to_world, rest = primitives.to_local, primitives.to_world, primitives.to_local_rest
-    ox, oy, oz = vector(table, O, n)
-    wx, wy, wz = vector(table, D, n)
-    cx, cy, cz, ex, ey, ez = centre_of(primitives, k)
-    again = table[LEAVES + n] == primitives.object[k]
-    bound = 0.0
-    if table[LEAVES + n] != NOWHERE:
-        reach = abs(ox) + abs(oy) + abs(oz) + (abs(cx) + abs(cy) + abs(cz))
-        bound = POINT_ERROR * primitives.stretch[k] * reach
-    x, y, z, dx, dy, dz = from_close_up(
-        primitives.centre, primitives.centre_rest, to_local, rest, is_skewed, k,
-        ox, oy, oz, wx, wy, wz, t,
-    )  # fmt: skip
-    if not again:
-        better = refined(t, shape, x, y, z, dx, dy, dz)
-        step, t = better - t, better
-        x, y, z = x + step * dx, y + step * dy, z + step * dz
-    sx, sy, sz = times(*matrix_of(to_local, k), ox - cx, oy - cy, oz - cz)
-    # Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
-    solid = is_solid(shape)
-    leaves = solid and (again or height(shape, sx, sy, sz) <= 2.0 * bound)
-    hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
-    if primitives.is_thin[k]:
-        hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
-        if shape.code == SPHERE:
-            gx, gy, gz = hx, hy, hz
-    px, py, pz = times(*matrix_of(to_world, k), hx, hy, hz)
+def feet_one_by_one(table, primitives, k, count, only_left):
+    """As `feet_on_sphere`, by one ray's formulas: for other shapes, those thin or skewed, and what
+    that left over."""
+    shape, is_skewed, is_thin = primitives.shape[k], primitives.is_skewed, primitives.is_thin[k]
+    to_local, rest, solid = primitives.to_local, primitives.to_local_rest, is_solid(shape)
+    centre, centre_rest = primitives.centre, primitives.centre_rest
+    who, stretch = primitives.object[k], primitives.stretch[k]
+    cx, cy, cz = centre[k, 0], centre[k, 1], centre[k, 2]
     a, b, c, d, e, f, g, h, i = matrix_of(to_local, k)
-    nx, ny, nz = times(a, d, g, b, e, h, c, f, i, gx, gy, gz)  # by the transposed inverse
-    length = math.sqrt(nx * nx + ny * ny + nz * nz)
-    nx, ny, nz = nx / length, ny / length, nz / length
-    table[BETTER + n], table[HX + n], table[HZ + n] = t, hx, hz
-    table[P + n], table[P + PITCH + n] = cx + (ex + px), cy + (ey + py)
-    table[P + 2 * PITCH + n] = cz + (ez + pz)
-    table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = nx, ny, nz
-    table[SIDE + n] = (1.0 if leaves else -1.0) if solid else nx * wx + ny * wy + nz * wz
+    for n in range(count):
+        if only_left and table[SIDE + n] != YET:
+            continue
+        ox, oy, oz = vector(table, O, n)
+        wx, wy, wz = vector(table, D, n)
+        t, again, bound = table[T + n], table[LEAVES + n] == who, 0.0
+        if table[LEAVES + n] != NOWHERE:
+            reach = abs(ox) + abs(oy) + abs(oz) + (abs(cx) + abs(cy) + abs(cz))
+            bound = POINT_ERROR * stretch * reach
+        x, y, z, dx, dy, dz = from_close_up(
+            centre, centre_rest, to_local, rest, is_skewed, k, ox, oy, oz, wx, wy, wz, t
+        )
+        if not again:
+            better = refined(t, shape, x, y, z, dx, dy, dz)
+            step, t = better - t, better
+            x, y, z = x + step * dx, y + step * dy, z + step * dz
+        sx, sy, sz = times(a, b, c, d, e, f, g, h, i, ox - cx, oy - cy, oz - cz)
+        # Asked of the start, not of the hit, where rounding may turn the normal of a grazing ray.
+        leaves = solid and (again or height(shape, sx, sy, sz) <= 2.0 * bound)
+        hx, hy, hz, gx, gy, gz = on_surface(shape, x, y, z, dx, dy, dz, leaves)
+        if is_thin:
+            hx, hy, hz = shortest_way(shape, to_local, k, x, y, z, hx, hy, hz, gx, gy, gz)
+            if shape.code == SPHERE:
+                gx, gy, gz = hx, hy, hz
+        table[BETTER + n], table[HX + n], table[HZ + n] = t, hx, hz
+        table[P + n], table[P + PITCH + n], table[P + 2 * PITCH + n] = hx, hy, hz
+        table[N + n], table[N + PITCH + n], table[N + 2 * PITCH + n] = gx, gy, gz
+        table[SIDE + n] = (1.0 if leaves else -1.0) if solid else 0.0
