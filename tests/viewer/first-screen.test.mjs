@@ -89,7 +89,7 @@ for (const [width, height] of PHONES)
     }
     const { step } = await page.evaluate(() => window.raywalk.lesson().reduce((found, each, step) => (found.step < 0 && each.answer ? { step } : found), { step: -1 }));
     await at(width, height, `step=${step + 1}`);
-    assert.deepEqual(await outOfSight([".reveal", ".lesson-steps .next"]), []);
+    assert.deepEqual(await outOfSight([".reveal", ".option"]), []);
   });
 
 /** A course's page, longer than its window, with this scene in a frame. */

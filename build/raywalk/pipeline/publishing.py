@@ -28,6 +28,7 @@ from raywalk.site.sitemap import write_sitemap
 from raywalk.trace_file.container import write_script
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
+from raywalk.words.glossary import read_glossary
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry
 
@@ -104,7 +105,8 @@ def write_edition(
     words = read_words(code)
     for scene in scenes if code != DEFAULT else []:
         path = out / "scenes" / scene.id / f"words-{code}.js"
-        text = json.dumps(scene_words(scene), ensure_ascii=False, separators=(",", ":"))
+        told = scene_words(scene, read_glossary(code))
+        text = json.dumps(told, ensure_ascii=False, separators=(",", ":"))
         write_script(path, f"{scene.id}/words-{code}", text.encode())
     for scene in scenes:
         publish_pictures(scene, out / home_of(code) / "scenes" / scene.id / PICTURES)

@@ -100,7 +100,14 @@ def _is_shown(path: Path) -> bool:
 def _is_first(name: str, homes: list[str]) -> bool:
     """The pages that are not a scene's, what all pages share, and the gallery's pictures."""
     own = next((name.removeprefix(home) for home in homes if home and name.startswith(home)), name)
-    pages = ("index.html", "model/index.html", "offline/index.html", MANIFEST, "LICENSES.txt")
+    pages = (
+        "index.html",
+        "model/index.html",
+        "glossary/index.html",
+        "offline/index.html",
+        MANIFEST,
+        "LICENSES.txt",
+    )
     return (
         own in pages or name.startswith("assets/") or name.endswith(("/thumb.png", "/thumb.webp"))
     )

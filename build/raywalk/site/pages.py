@@ -30,8 +30,10 @@ from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
 from raywalk.site.shown_picture import shown_picture
 from raywalk.site.sizes import Budget, Size, shown, weighed
+from raywalk.site.terms import first_seen, letters_of, marked, terms_script
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
+from raywalk.words.glossary import Glossary, read_glossary
 from raywalk.work.snapshot import text_of
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root; parts
@@ -44,10 +46,10 @@ def write_pages(
     words: Words | None = None, savings: dict[str, Figures] | None = None,
     downloads: dict[str, dict[str, int]] | None = None, base: str = "",
 ) -> None:  # fmt: skip
-    """index.html, model/, slides/, offline/ and scenes/<id>/index.html of one language: under
-    `out` for the default one, under out/<code> for another. scenes: in that language; downloads:
-    paths and sizes of the files to take away, by scene id or "course"; base: where the site will
-    be, if that is known.
+    """index.html, model/, glossary/, slides/, offline/ and scenes/<id>/index.html of one language:
+    under `out` for the default one, under out/<code> for another. scenes: in that language;
+    downloads: paths and sizes of the files to take away, by scene id or "course"; base: where the
+    site will be, if that is known.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -77,12 +79,18 @@ def write_pages(
         ],
         has_benchmarks=(out / "benchmarks" / "index.html").exists(),
     )  # fmt: skip
+    glossary = read_glossary(words.code)
+    write(
+        "glossary/index.html", "glossary.html", terms=glossary.terms,
+        seen=first_seen(glossary, scenes), letters=letters_of(glossary.terms),
+    )  # fmt: skip
+    (out / home / "glossary" / "terms.js").write_text(terms_script(glossary.terms), "utf-8")
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
         deck = decks.get(scene.id)
         shown = _scene(scene, figures[scene.id], out) | {
-            "lesson": _lesson(scene, deck["figures"] if deck else [], words),
+            "lesson": _lesson(scene, deck["figures"] if deck else [], words, glossary),
             "savings": (savings or {}).get(scene.id),
             "downloads": deck,
         }
@@ -231,13 +239,16 @@ def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _lesson(scene: Scene, figures: Sequence[str], words: Words) -> list[dict[str, Any]]:
+def _lesson(
+    scene: Scene, figures: Sequence[str], words: Words, glossary: Glossary
+) -> list[dict[str, Any]]:
     """The steps with their answers. figures: paths of a figure for each step and each answer, in
     their order, which paper shows beside the words; fewer where slides were not made."""
     left = iter(figures)
     steps = []
     for step in scene.lesson:
-        html, answer = (lesson_html(words, scene.id) for words in (step.text, step.answer))
+        texts = (lesson_html(text, scene.id) for text in (step.text, step.answer))
+        html, answer = (marked(text, glossary) for text in texts)
         seen = {"figure": next(left, ""), "answer_figure": next(left, "") if answer else ""}
         choices = [_choice(scene, choice, words) for choice in step.choices]
         steps.append({"html": html, "answer": answer, "choices": choices, **seen})

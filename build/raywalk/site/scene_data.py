@@ -28,7 +28,9 @@ from raywalk.site.scene_types import (
     SceneWords,
     StartData,
 )
+from raywalk.site.terms import marked
 from raywalk.trace_file.container import mark_of, write_script
+from raywalk.words.glossary import Glossary, read_glossary
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +69,7 @@ def scene_data(
         "objects": [_object(obj, display) for obj in scene.objects],
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
         "lights": [_light(light) for light in scene.lights],
-        "lesson": [_step(step, scene.id) for step in scene.lesson],
+        "lesson": [_step(step, scene.id, read_glossary()) for step in scene.lesson],
         "savings": savings,
         "files": files,
     }
@@ -78,26 +80,29 @@ def lesson_data(scene: Scene, base: Scene, own: dict[str, str]) -> LessonData:
     return {
         "format": 1, "id": scene.id, "of": base.id, "key": scene.key, "title": scene.title,
         "teaches": scene.teaches, "start": start_of(scene),
-        "lesson": [_step(step, scene.id) for step in scene.lesson], "files": own,
+        "lesson": [_step(step, scene.id, read_glossary()) for step in scene.lesson], "files": own,
     }  # fmt: skip
 
 
-def scene_words(scene: Scene) -> SceneWords:
-    """What of SceneData is words: for a scene in a language other than its own."""
+def scene_words(scene: Scene, glossary: Glossary | None = None) -> SceneWords:
+    """What of SceneData is words: for a scene in a language other than its own, the terms of whose
+    glossary are marked."""
     return {
         "title": scene.title,
         "teaches": scene.teaches,
         "objects": [obj.name for obj in scene.objects],
         "lights": [light.name for light in scene.lights],
         "materials": [material.name for material in scene.materials],
-        "lesson": [_step(step, scene.id) for step in scene.lesson],
+        "lesson": [_step(step, scene.id, glossary) for step in scene.lesson],
     }
 
 
-def _step(step: LessonStep, id: str) -> LessonStepData:
-    said, *answers = [
-        LessonStop(html=lesson_html(text, id), view=view) for text, view in step.stops()
-    ]
+def _step(step: LessonStep, id: str, glossary: Glossary | None) -> LessonStepData:
+    def html_of(text: str) -> str:
+        html = lesson_html(text, id)
+        return marked(html, glossary) if glossary else html
+
+    said, *answers = [LessonStop(html=html_of(text), view=view) for text, view in step.stops()]
     data: LessonStepData = {"html": said["html"], "view": said["view"]}
     if answers:
         data["answer"] = answers[0]

@@ -5,7 +5,7 @@ import type { Strikes } from "./strikes";
 
 const OURS = "raywalk"; // what the page keeps in the browser begins so
 /** Pages that a kiosk's script runs on too, below a language's folder: all others would be dead ends. */
-const PAGES = /^(?:index\.html|model\/index\.html|scenes\/[^/]+\/index\.html)$/;
+const PAGES = /^(?:index\.html|(?:model|glossary)\/index\.html|scenes\/[^/]+\/index\.html)$/;
 
 const TRIES_EVERY = 5000; // ms
 

@@ -3,6 +3,7 @@ import { element } from "../element";
 import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import { say } from "../words";
+import { listenToTerms } from "./term-card";
 
 const ROOM = "(min-width: 1100px)"; // else the drawer would take the stage's
 
@@ -18,8 +19,10 @@ export function createGuide(open: (then: () => void) => void) {
   const word = element("p", "introduces", say("drawer.introduces"));
   const known = new Set<string>();
   let stop = "";
+  const terms = listenToTerms(document.body);
   return {
     show(state: ViewState) {
+      terms.step();
       const at = state.step === null ? "" : `${state.scene} ${state.step} ${state.revealed}`;
       if (at === stop) return;
       stop = at;

@@ -1,0 +1,136 @@
+"""The glossary: each term of the course, how it is said in each language, and what not to say.
+
+All of it stands in site_src/words/glossary.toml; pages, cards on words, sheets and the check of
+texts are made from that.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from raywalk.words.catalogue import DEFAULT
+from raywalk.work.snapshot import text_of
+
+FILE = Path(__file__).resolve().parents[3] / "site_src" / "words" / "glossary.toml"
+# Endings that a term's last word takes where the glossary lists no forms.
+ENDINGS = {"en": "(?:s|es)?", "de": "(?:s|es|e|en|n)?"}
+STARRED = r"\w{0,4}"  # what a * stands for: any ending
+LETTER = r"[\w\u00ad]"  # with soft hyphens
+
+
+@dataclass(frozen=True)
+class Term:
+    """One entry in one language."""
+
+    id: str
+    term: str  # as the glossary has it
+    says: str
+    forms: tuple[str, ...]  # patterns of how it stands in texts
+    avoid: tuple[tuple[str, str], ...]  # patterns of what not to say, and why; "" where obvious
+    is_marked: bool = True  # in lessons
+
+
+@dataclass(frozen=True)
+class Found:
+    """A term in a text."""
+
+    start: int
+    end: int
+    term: Term
+
+
+@dataclass(frozen=True)
+class Avoided:
+    """What a text says that it should not."""
+
+    words: str  # as they stand there
+    term: Term  # what to say instead
+    why: str
+
+    def __str__(self) -> str:
+        because = f" ({self.why})" if self.why else ""
+        return f'"{self.words}": say "{self.term.term}"{because}'
+
+
+class Glossary:
+    """The terms of a language, in the order of their words."""
+
+    def __init__(self, code: str, terms: Sequence[Term]) -> None:
+        self.code = code
+        self.terms = sorted(terms, key=lambda term: term.term.casefold())
+        self._forms = _Patterns(
+            code, [(form, (term, "")) for term in terms for form in term.forms or (term.term,)]
+        )
+        self._avoided = _Patterns(
+            code, [(form, (term, why)) for term in terms for form, why in term.avoid]
+        )
+
+    def found_in(self, text: str) -> Iterator[Found]:
+        """Every place of the text where a term stands, the longest where several would fit."""
+        for start, end, (term, _) in self._forms.found_in(text):
+            yield Found(start, end, term)
+
+    def first_in(self, text: str) -> Iterator[Found]:
+        """The first place of each."""
+        seen: set[str] = set()
+        for found in self.found_in(text):
+            if found.term.id not in seen:
+                seen.add(found.term.id)
+                yield found
+
+    def avoided_in(self, text: str) -> Iterator[Avoided]:
+        """What should be said otherwise."""
+        for start, end, (term, why) in self._avoided.found_in(text):
+            yield Avoided(" ".join(text[start:end].split()), term, why)
+
+
+class _Patterns:
+    """Words with what they belong to, all looked for at once."""
+
+    def __init__(self, code: str, forms: Sequence[tuple[str, tuple[Term, str]]]) -> None:
+        longest_first = sorted(forms, key=lambda form: -len(form[0]))
+        self.of = [of for _, of in longest_first]
+        alternatives = "|".join(f"({_pattern(code, form)})" for form, _ in longest_first)
+        # English has small and capital letters alike; in German they tell words apart.
+        flags = re.IGNORECASE if code != "de" else 0
+        whole = rf"(?<!{LETTER})(?:{alternatives})(?!{LETTER})" if forms else "(?!)"
+        self.all = re.compile(whole, flags)
+
+    def found_in(self, text: str) -> Iterator[tuple[int, int, tuple[Term, str]]]:
+        for match in self.all.finditer(text):
+            assert match.lastindex  # one alternative has matched
+            yield match.start(), match.end(), self.of[match.lastindex - 1]
+
+
+def _pattern(code: str, form: str) -> str:
+    """A form's words as they may stand in a text: over two lines, at a sentence's beginning."""
+    words = [re.escape(word).replace(r"\*", STARRED) for word in form.split()]
+    if "*" not in form:
+        words[-1] += ENDINGS.get(code, "")
+    first = words[0]
+    if code == "de" and first[:1].islower():
+        words[0] = f"[{first[0]}{first[0].upper()}]{first[1:]}"
+    return r"\s+".join(words)
+
+
+def read_glossary(code: str = DEFAULT) -> Glossary:
+    """In a language; a term that it lacks is left out."""
+    return _glossary(code, text_of(FILE))
+
+
+@lru_cache(maxsize=8)  # by its text: a file that is saved anew is read anew
+def _glossary(code: str, text: str) -> Glossary:
+    entries = tomllib.loads(text)["terms"]
+    return Glossary(code, [_term(entry, entry[code]) for entry in entries if code in entry])
+
+
+def _term(entry: dict[str, Any], said: dict[str, Any]) -> Term:
+    forms, avoid = tuple(said.get("forms", ())), tuple(said.get("avoid", {}).items())
+    is_marked = entry.get("marked", True)
+    return Term(entry["id"], said["term"], said["says"], forms, avoid, is_marked)
