@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.pipeline.wording import avoided_words
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
@@ -34,6 +35,7 @@ def run(chosen: Namespace) -> Iterator[str]:
             if code != DEFAULT:
                 spoken[code] = read_spoken(scenes, code)
             untold += missing_translations(spoken[code], code)
+            untold += [f"warning: {line}" for line in avoided_words(spoken[code], code)]
             untold += [f"{code}.json: not translated: {key}" for key in missing_sentences(code)]
         except SourceErrors as raised:
             problems += raised.errors

@@ -9,6 +9,7 @@ from pathlib import Path
 from raywalk.errors import SourceError
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import translation_file
+from raywalk.scene.wording import key_path
 from raywalk.slides.deck import Sources, course_of, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Picture, Slide
 from raywalk.slides.formats import (
@@ -19,6 +20,7 @@ from raywalk.slides.formats import (
     SHEET_FORMATS,
     TRANSLATED,
 )
+from raywalk.slides.glossary_sheets import lesson_terms
 from raywalk.slides.handout import handout_pdf
 from raywalk.slides.html import deck_html
 from raywalk.slides.layout import Layout
@@ -95,8 +97,8 @@ def _written(scene: Scene) -> Iterator[tuple[str, str, str]]:
     yield "title", "", scene.title
     yield "teaches", "", scene.teaches
     for k, step in enumerate(scene.lesson):
-        yield f"lesson[{k}].text", f"step {k + 1}: ", step.text
-        yield f"lesson[{k}].answer", f"step {k + 1}: ", step.answer
+        for place, (text, _) in step.said().items():
+            yield key_path(("lesson", k, *place)), f"step {k + 1}: ", text
     for k, obj in enumerate(scene.objects):
         yield f"objects[{k}].name", "", obj.name
     for k, light in enumerate(scene.lights):
@@ -128,7 +130,8 @@ def deck_files(
         if name in makers:
             yield f"{deck.id}.{name}", makers[name]()
         elif name in SHEET_FORMATS:
-            yield f"{deck.id}-{name}.pdf", handout_pdf(deck, int(name[-1]))
+            terms = lesson_terms(lesson.scene) if lesson else []
+            yield f"{deck.id}-{name}.pdf", handout_pdf(deck, int(name[-1]), terms)
         elif name in ("worksheet", "answers") and lesson:
             sheet = worksheet(lesson, with_answers=name == "answers")
             yield f"{deck.id}-{name}.pdf", deck_pdf(sheet, PRINT)

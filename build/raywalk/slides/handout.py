@@ -1,14 +1,19 @@
-"""Handouts: two, three or six slides on a sheet of A4, with lines for notes."""
+"""Handouts: two, three or six slides on a sheet of A4, with lines for notes; then the glossary."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
 
 from reportlab.pdfgen.canvas import Canvas
 
 from raywalk.slides.figure import Deck
+from raywalk.slides.glossary_sheets import glossary_sheets
 from raywalk.slides.layout import Box
 from raywalk.slides.palette import PRINT
 from raywalk.slides.pdf import draw_slide, finished, font, new_canvas
 from raywalk.slides.words import say
+from raywalk.words.glossary import Term
 
 A4 = (595.28, 841.89)
 MARGIN, TOP, BOTTOM = 42.0, 60.0, 46.0
@@ -17,15 +22,22 @@ LINE = 22.0  # from one line for notes to the next
 SHARP = 120 / 72  # pixels a point of paper: lines and words are sharper than their pale views
 
 
-def handout_pdf(deck: Deck, per_sheet: int) -> bytes:
-    """per_sheet: 2 (lines below each slide), 3 (beside it) or 6 (below, in two columns)."""
+def handout_pdf(deck: Deck, per_sheet: int, terms: Sequence[Term] = ()) -> bytes:
+    """per_sheet: 2 (lines below each slide), 3 (beside it) or 6 (below, in two columns). terms: of
+    the glossary, which stand on sheets of their own at the end."""
     canvas, out = new_canvas(say("slides.handout", title=deck.title), deck.language, A4)
     sheets = -(-len(deck.slides) // per_sheet)
+    wide, high = A4[0] - 2 * MARGIN, A4[1] - TOP - BOTTOM
+    glossary = list(glossary_sheets(terms, Box(MARGIN, TOP, wide, high)))
     for sheet in range(sheets):
-        _heading(canvas, deck, sheet + 1, sheets)
+        _heading(canvas, deck, sheet + 1, sheets + len(glossary))
         part = deck.slides[sheet * per_sheet : (sheet + 1) * per_sheet]
         for place, slide in zip(_places(per_sheet), part, strict=False):
             _slide(canvas, deck, slide.items, place, per_sheet == 3)
+        canvas.showPage()
+    for count, items in enumerate(glossary, start=sheets + 1):
+        _heading(canvas, deck, count, sheets + len(glossary))
+        draw_slide(canvas, tuple(items), replace(deck, width=A4[0], height=A4[1]), PRINT, SHARP)
         canvas.showPage()
     return finished(canvas, out)
 

@@ -46,12 +46,13 @@ export function listenToTerms(body: HTMLElement) {
     shown = wanted = null;
     card.hidden = true;
   }
-  async function show(link: HTMLAnchorElement) {
+  /** false: its meaning cannot be had. */
+  async function show(link: HTMLAnchorElement): Promise<boolean> {
     clearTimeout(timer);
-    if (link === shown) return;
+    if (link === shown) return true;
     wanted = link;
     const entry = await entryOf(link);
-    if (wanted !== link || !entry || !link.isConnected) return;
+    if (!entry || wanted !== link || !link.isConnected) return !!entry;
     hide();
     const more = element("a", "", say("term.more"));
     more.href = link.href;
@@ -61,6 +62,7 @@ export function listenToTerms(body: HTMLElement) {
     placeBy(card, link);
     link.setAttribute("aria-describedby", card.id);
     shown = wanted = link;
+    return true;
   }
   const soon = (act: () => void) => {
     clearTimeout(timer);
@@ -87,7 +89,7 @@ export function listenToTerms(body: HTMLElement) {
     const isSecond = link === shown && !event.detail; // Enter on what is shown leads to the glossary
     if (isSecond) return;
     event.preventDefault();
-    void show(link);
+    void show(link).then((isThere) => isThere || location.assign(link.href));
   });
   window.addEventListener(
     "keydown",
