@@ -57,7 +57,7 @@ export function listenToTerms(body: HTMLElement) {
     const more = element("a", "", say("term.more"));
     more.href = link.href;
     card.replaceChildren(element("b", "", entry[0]), element("p", "", entry[1]), more);
-    body.append(card);
+    (body.querySelector("main") ?? body).append(card);
     card.hidden = false;
     placeBy(card, link);
     link.setAttribute("aria-describedby", card.id);
