@@ -16,9 +16,9 @@ from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scenes
 from raywalk.scene.translation import Spoken, read_spoken
 from raywalk.site.terms import first_seen, letters_of, marked
+from raywalk.terms.glossary import read_glossary
 from raywalk.words import languages
 from raywalk.words.catalogue import DEFAULT, entries, read_tree
-from raywalk.words.glossary import read_glossary
 
 ROOT = Path(__file__).parents[2]
 SCENES = ROOT / "scenes"

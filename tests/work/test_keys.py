@@ -125,6 +125,9 @@ def test_what_writes_a_scenes_data_is_in_its_key(copy):
     assert "def write_page_data(" in texts and "def read_display(" in texts
 
 
+GLOSSARY = "site_src/words/glossary.toml"
+
+
 def test_a_page_or_a_sentence_traces_nothing():
     """Neither pages, words, slides nor the viewer are behind a trace; sights hold no sentence."""
     traced = parts(OURS, "trace")
@@ -133,15 +136,15 @@ def test_a_page_or_a_sentence_traces_nothing():
     ]
     assert not traced["read"]
     assert not parts(OURS, "sights")["read"]
-    assert not parts(OURS, "page data")["read"]
+    assert set(parts(OURS, "page data")["read"]) == {GLOSSARY}  # whose terms it marks
 
 
 def test_slides_are_keyed_by_the_languages_that_they_say():
     """What a language lacks is said in the default one."""
     maker = slide_pipeline.WRITE
     said = {code: maker.parts(languages={"en", code})["read"] for code in ("en", "de")}
-    assert set(said["en"]) == {"site_src/words/en.json"}
-    assert set(said["de"]) == {"site_src/words/en.json", "site_src/words/de.json"}
+    assert set(said["en"]) == {"site_src/words/en.json", GLOSSARY}
+    assert set(said["de"]) == {"site_src/words/en.json", "site_src/words/de.json", GLOSSARY}
 
 
 def test_packages_are_those_behind_the_imports_by_the_names_they_are_installed_under():

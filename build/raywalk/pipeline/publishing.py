@@ -25,10 +25,10 @@ from raywalk.site.reports import publish_reports
 from raywalk.site.savings import savings_lines
 from raywalk.site.scene_data import scene_words
 from raywalk.site.sitemap import write_sitemap
+from raywalk.terms.glossary import read_glossary
 from raywalk.trace_file.container import write_script
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
-from raywalk.words.glossary import read_glossary
 from raywalk.work.publish import staged
 from raywalk.work.store import Entry
 

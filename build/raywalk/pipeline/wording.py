@@ -8,8 +8,8 @@ from raywalk.errors import shown_path
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken, translation_file
 from raywalk.scene.wording import key_path
+from raywalk.terms.glossary import Glossary, read_glossary
 from raywalk.words.catalogue import DEFAULT
-from raywalk.words.glossary import Glossary, read_glossary
 
 
 def avoided_words(spoken: list[Spoken], code: str) -> Iterator[str]:

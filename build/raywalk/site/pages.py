@@ -31,9 +31,9 @@ from raywalk.site.saying import sayings
 from raywalk.site.shown_picture import shown_picture
 from raywalk.site.sizes import Budget, Size, shown, weighed
 from raywalk.site.terms import first_seen, letters_of, marked, terms_script
+from raywalk.terms.glossary import Glossary, read_glossary
 from raywalk.words import Words, languages, read_words
 from raywalk.words.catalogue import DEFAULT
-from raywalk.words.glossary import Glossary, read_glossary
 from raywalk.work.snapshot import text_of
 
 # viewer_js, kiosk_js, words_js, page_js and style_css, relative to the site's root; parts

@@ -29,8 +29,8 @@ from raywalk.site.scene_types import (
     StartData,
 )
 from raywalk.site.terms import marked
+from raywalk.terms.glossary import Glossary, read_glossary
 from raywalk.trace_file.container import mark_of, write_script
-from raywalk.words.glossary import Glossary, read_glossary
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from raywalk.scene.model import Scene
-from raywalk.words.glossary import Glossary, Term
+from raywalk.terms.glossary import Glossary, Term
 
 TAG = re.compile(r"(<[^>]*>)")
 # Within these nothing is marked: links in links, formulas, code.

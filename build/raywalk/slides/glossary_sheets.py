@@ -10,7 +10,7 @@ from raywalk.slides.figure import Item, Run
 from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.words import say, words
-from raywalk.words.glossary import Term, read_glossary
+from raywalk.terms.glossary import Term, read_glossary
 
 SIZE, HEAD = 11.5, 18.0
 

@@ -13,7 +13,7 @@ from raywalk.slides.layout import Box
 from raywalk.slides.palette import PRINT
 from raywalk.slides.pdf import draw_slide, finished, font, new_canvas
 from raywalk.slides.words import say
-from raywalk.words.glossary import Term
+from raywalk.terms.glossary import Term
 
 A4 = (595.28, 841.89)
 MARGIN, TOP, BOTTOM = 42.0, 60.0, 46.0

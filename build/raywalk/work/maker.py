@@ -50,7 +50,9 @@ def parts_of(found: Closure, languages: Iterable[str] | None, sources: Sources =
     read = {
         path: digest_of(path)
         for path in found.read
-        if said is None or path.parent.name != "words" or path.name in said
+        if said is None
+        or (path.parent.name, path.suffix) != ("words", ".json")
+        or path.name in said
     }
     own = {"python": platform.python_version(), "zlib": zlib.ZLIB_RUNTIME_VERSION}
     if scripts:
@@ -60,6 +62,11 @@ def parts_of(found: Closure, languages: Iterable[str] | None, sources: Sources =
         "read": named(read, sources),
         "packages": own | versions(found.packages) | npm_versions(sources.root, found.npm),
     }
+
+
+def _is_a_language(path: Path) -> bool:
+    """A file of sentences; what else stands beside them belongs to all languages."""
+    return path.parent.name == "words" and path.suffix == ".json"
 
 
 def which_build(program: str) -> str:

@@ -14,7 +14,6 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from raywalk.words.catalogue import DEFAULT
 from raywalk.work.snapshot import text_of
 
 FILE = Path(__file__).resolve().parents[3] / "site_src" / "words" / "glossary.toml"
@@ -119,7 +118,7 @@ def _pattern(code: str, form: str) -> str:
     return r"\s+".join(words)
 
 
-def read_glossary(code: str = DEFAULT) -> Glossary:
+def read_glossary(code: str = "en") -> Glossary:
     """In a language; a term that it lacks is left out."""
     return _glossary(code, text_of(FILE))
 
