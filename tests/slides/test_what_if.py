@@ -75,7 +75,7 @@ def test_its_slide_says_what_is_switched_and_puts_the_lamp_out(made):
     assert lamps == {"light 1": "ground", "light 2": "lamp"}
     [stop] = scene.lesson().stops
     assert ", ".join(map(str, stop.bytes)) in words
-    assert any("light 1 is switched off" in note.casefold() for note in slide.notes)
+    assert any("from light 1: it is switched off" in note for note in slide.notes)
 
 
 def test_its_shaded_view_is_lit_as_switched(made):
