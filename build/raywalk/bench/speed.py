@@ -20,7 +20,7 @@ from raywalk.bench import (
     speed_triangles,
 )
 from raywalk.bench.cases import Case
-from raywalk.scene.read import read_scenes
+from raywalk.scene.read import read_own_scenes
 
 
 class Part(NamedTuple):
@@ -45,12 +45,12 @@ def part(key: str, chosen: Namespace, cases: list[Case]) -> dict[str, Any]:
 
 
 def _floor(chosen: Namespace) -> list[dict[str, Any]]:
-    scenes = read_scenes(chosen.scenes)
+    scenes = read_own_scenes(chosen.scenes)
     return list(speed_floor.floors(*((scenes[:1], 1) if chosen.quick else (scenes, 3))))
 
 
 def _memory(chosen: Namespace) -> list[dict[str, Any]]:
-    scenes = read_scenes(chosen.scenes)
+    scenes = read_own_scenes(chosen.scenes)
     rows = [speed_memory.memory(each.path) for each in (scenes[2:3] if chosen.quick else scenes)]
     return [*rows, speed_memory.many_objects(1_000 if chosen.quick else 10_000)]
 
@@ -64,7 +64,7 @@ def _triangles(chosen: Namespace) -> list[dict[str, Any]]:
 PARTS = {
     "skips": Part(
         "Skips: time without the skip over time with it",
-        lambda c: list(speed_skips.skips(read_scenes(c.scenes), 3 if c.quick else 9)),
+        lambda c: list(speed_skips.skips(read_own_scenes(c.scenes), 3 if c.quick else 9)),
         speed_skips.skip_cases, speed_skips.as_table,
     ),
     "floor": Part(
@@ -73,7 +73,9 @@ PARTS = {
     ),
     "cores": Part(
         "All scenes on two cores beside one",
-        lambda c: speed_cores.cores(read_scenes(c.scenes), 1 if c.quick else speed_cores.ROUNDS),
+        lambda c: speed_cores.cores(
+            read_own_scenes(c.scenes), 1 if c.quick else speed_cores.ROUNDS
+        ),
         speed_cores.core_cases, speed_cores.as_table,
     ),
     "memory": Part("Peak memory of making a scene", _memory, speed_memory.memory_cases),

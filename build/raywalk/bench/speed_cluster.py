@@ -22,7 +22,7 @@ from raywalk.pipeline.cluster import connected, run_on_cluster
 from raywalk.pipeline.cluster_strips import Wire, trace_there
 from raywalk.pipeline.trace_products import write_products
 from raywalk.scene.model import Scene
-from raywalk.scene.read import read_scene, read_scenes
+from raywalk.scene.read import read_own_scenes, read_scene
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.wavefront import Traced, Tracer, trace_picture
 from raywalk.work.pool import Finished, cores
@@ -100,7 +100,7 @@ def many_scenes(address: str, count: int) -> dict[str, Any]:
     """So many small scenes there, and a tenth of them here, on one core: time and bytes."""
     with tempfile.TemporaryDirectory() as folder:
         write_scenes(Path(folder) / "scenes", count)
-        scenes = read_scenes(Path(folder) / "scenes")
+        scenes = read_own_scenes(Path(folder) / "scenes")
         start = time.perf_counter()
         found = {
             message.task.id: message.result[1]

@@ -24,7 +24,7 @@ from raywalk.bench.cases import Case
 from raywalk.bench.made_scenes import placed
 from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Camera, Scene
-from raywalk.scene.read import read_scenes
+from raywalk.scene.read import read_own_scenes
 from raywalk.scene.shapes import Mesh
 from raywalk.trace.tree import Visibility
 from raywalk.trace.wave import Wave
@@ -40,7 +40,7 @@ STEP = 2.0**-28  # 1e7 takes 24 bits before the point: 52 in all
 
 def cases(count: int, seed: int, scenes: Path = Path("scenes")) -> Iterator[Case]:
     """Every scene of the project that can be read."""
-    for scene in read_scenes(scenes):
+    for scene in read_own_scenes(scenes):
         grid = min(GRID, max(5, int(np.sqrt(count / 9))))
         yield from of_scene(scene, grid, seed)
         yield whole_picture(scene, min(FULL, 11 * grid), seed)

@@ -19,7 +19,7 @@ from raywalk.errors import SourceErrors
 from raywalk.geometry.compiled import CompiledScene, rays_from
 from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.model import Scene, SceneObject
-from raywalk.scene.read import read_scenes
+from raywalk.scene.read import read_own_scenes
 from raywalk.scene.shapes import Shape, Sphere
 from raywalk.trace.probe import probe, read_rays
 from raywalk.trace.tree import RayTree
@@ -32,7 +32,7 @@ def cases(count: int, seed: int, scenes: Path = Path("scenes")) -> Iterator[Case
     for length in (1e-30, 1e30):
         yield directions_of_length(length, count, seed)
     yield time_of_odd_directions(count, seed)
-    for scene in read_scenes(scenes):
+    for scene in read_own_scenes(scenes):
         yield same_twice(scene, seed)
 
 

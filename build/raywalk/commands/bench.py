@@ -62,7 +62,7 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
     from raywalk.bench import bench
     from raywalk.bench.picture_error import picture_cases, pictures, resolution
     from raywalk.bench.quantisation import quantisation
-    from raywalk.scene.read import read_scenes
+    from raywalk.scene.read import read_own_scenes
 
     side, rounds = (128, 3) if chosen.quick else (bench.SIDE, bench.ROUNDS)
     for task in bench.tasks(side, rounds, chosen.seed):
@@ -82,6 +82,6 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
             f"8-bit pixels wrong, mean error {method['mean']:.1e}"
         )
     measured["resolution"] = resolution(chosen.seed, 231 if chosen.quick else 1155)
-    cases += quantisation(read_scenes(chosen.scenes))
+    cases += quantisation(read_own_scenes(chosen.scenes))
     yield from measured["says"]
     yield from (case.as_line() for case in cases)

@@ -74,6 +74,8 @@ def _asked_pixels(scenes: Iterable[Scene]) -> Iterator[tuple[Pixel | None, str]]
                 for operand in slot.operands if isinstance(slot, Slot) else []:
                     if operand.quantity:
                         yield operand.pixel(own_pixel(view)), operand.quantity.name
+                        for pixel in operand.inside(own_pixel(view)):
+                            yield pixel, operand.quantity.name
 
 
 def figures_parts(scene: Scene, pixels: list[Pixel]) -> Parts:

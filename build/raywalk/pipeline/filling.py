@@ -119,7 +119,8 @@ def _operand(operand: Operand, scene: Scene, figures: Figures, own: Pixel | None
         return operand.number if operand.number is not None else nan
     pixel = operand.pixel(own) if operand.quantity.of != "scene" else None
     path = _path(figures.trees[pixel], operand.kinds, pixel) if pixel else ()
-    return operand.quantity.value(Asked(scene, figures.facts, path, operand.of))
+    inside = tuple(figures.trees[each] for each in operand.inside(own))
+    return operand.quantity.value(Asked(scene, figures.facts, path, operand.of, inside))
 
 
 def _path(camera: Ray, kinds: tuple[str, ...], pixel: Pixel) -> tuple[Ray, ...]:

@@ -8,7 +8,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from raywalk.pipeline.parts import trace_parts
-from raywalk.scene.read import read_scenes
+from raywalk.scene.read import read_own_scenes
 from raywalk.work.digests import key_of
 from raywalk.work.pool import cores
 from raywalk.work.store import Store
@@ -21,7 +21,7 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     Raises UserError where the scenes have mistakes.
     """
     store = Store(chosen.work)
-    own = [scene for scene in read_scenes(chosen.scenes) if not scene.base]
+    own = read_own_scenes(chosen.scenes)
     parts = {scene.id: (scene, trace_parts(scene)) for scene in own}
     missing = [each for each in parts.values() if not store.has(key_of(each[1]))]
     if len(missing) != 1:

@@ -52,3 +52,7 @@ def _check_pixel(operand: Operand, view: Mapping[str, Any], render: Render) -> N
     if max(column, row) >= n:
         allowed = f"allowed: columns and rows 0 to {n - 1}"
         raise SlotFault(f"pixel {column},{row} is outside the grid", allowed=allowed)
+    for finer, _, _ in operand.inside(pixel)[:1]:
+        if finer not in render.resolutions:
+            known = f"known: {joined(map(str, render.resolutions))}"
+            raise SlotFault(f"the scene has no grid of {finer} to take the mean of", allowed=known)

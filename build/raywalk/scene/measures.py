@@ -45,6 +45,7 @@ class Asked:
     facts: Facts
     path: tuple[Ray, ...]  # from the camera ray to the ray that is meant; () if it is of no pixel
     of: str  # light, object, material, part or number; "" if none is named
+    inside: tuple[Ray, ...] = ()  # of a mean: the camera rays that it is over
 
     @property
     def ray(self) -> Ray:
@@ -140,7 +141,17 @@ def tests(asked: Asked) -> float:
 
 def byte(asked: Asked) -> float:
     """8 bits of the pixel's colour, as the picture has it: trace/wavefront.py, eight_bit."""
-    bright = asked.path[0]["colour"][CHANNELS.index(asked.of)]
+    return _eight_bit(asked.path[0], asked.of)
+
+
+def mean(asked: Asked) -> float:
+    """Of the bytes of the rays in a tile."""
+    channel = asked.of.partition(".")[0]
+    return sum(_eight_bit(ray, channel) for ray in asked.inside) / len(asked.inside)
+
+
+def _eight_bit(camera: Ray, channel: str) -> float:
+    bright = camera["colour"][CHANNELS.index(channel)]
     return float(int(255.0 * min(max(bright, 0.0), 1.0) + 0.5))
 
 

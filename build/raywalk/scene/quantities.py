@@ -9,6 +9,7 @@ from raywalk.scene import measures as found
 from raywalk.scene.measures import AXES, CHANNELS, Asked
 
 KINDS = ("reflected", "refracted", "total")
+MEANS = tuple(f"{channel}.{rays}" for channel in CHANNELS for rays in (9, 25, 49))
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,7 @@ class Quantity:
     takes: str = ""  # what follows its name: light, object, material, part, number
     may_be_alone: bool = False  # without that
     choices: tuple[str, ...] = ()  # of what follows, where they are the same in every scene
+    is_mean: bool = False  # over the rays of a finer grid in the tile
 
 
 def _light(name: str, meaning: str, value: Callable[[Asked], float], digits: int) -> Quantity:
@@ -78,6 +80,8 @@ ALL = (
     _whole("lit", "lights, or points of area lights, that reach the hit", found.lit, "ray"),
     _whole("byte", "what the pixel shows, 0 to 255", found.byte, "pixel", "part",
            choices=CHANNELS),
+    Quantity("mean", "of what a finer grid's rays in the tile show, 0 to 255, as in mean.red.9",
+             found.mean, 0, of="pixel", takes="part", choices=MEANS, is_mean=True),
     _whole("rays", "of the pixel, shadow rays not among them", found.rays, "pixel"),
     _whole("bounces", "most bounces on the way of one of the pixel's rays", found.bounces, "pixel"),
     Quantity("crossing", "distance of the first (.1), second (.2) ... surface on the camera ray's "

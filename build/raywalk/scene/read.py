@@ -64,6 +64,11 @@ def read_scenes(folder: Path | str) -> list[Scene]:
     return scenes
 
 
+def read_own_scenes(folder: Path | str) -> list[Scene]:
+    """Those that are traced: without lessons on others. Raises SourceErrors as `read_scenes`."""
+    return [scene for scene in read_scenes(folder) if not scene.base]
+
+
 def _chapter(scene: Scene) -> int:
     return CHAPTERS.index(scene.chapter) if scene.chapter else len(CHAPTERS)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from math import isqrt
 from typing import Any
 
 from raywalk.scene.formula import FORMULA
@@ -45,6 +46,14 @@ class Operand:
             return own
         n = self.n or (own[0] if own else None)
         return None if n is None else (n, self.column, self.row)
+
+    def inside(self, own: Pixel | None) -> list[Pixel]:
+        """Of a mean over a tile: the pixels of the finer grid whose rays are in it."""
+        if self.quantity is None or not self.quantity.is_mean or not (pixel := self.pixel(own)):
+            return []
+        across, (n, column, row) = isqrt(int(self.of.rpartition(".")[2])), pixel
+        along = range(across)
+        return [(n * across, column * across + i, row * across + j) for j in along for i in along]
 
 
 @dataclass(frozen=True)
