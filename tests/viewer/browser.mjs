@@ -34,6 +34,9 @@ export function scenesOfSite() {
   });
 }
 
+/** Those that a key selects: none of them is a lesson on another, which has no rays of its own. */
+export const keyedScenes = () => scenesOfSite().filter(({ key }) => key);
+
 /** The scene with mirrors if the site has it: its trees have several kinds of ray. */
 export const richScene = () => scenesOfSite().find((scene) => scene.key === "5") ?? scenesOfSite()[0];
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
-import { DIST, scenesOfSite } from "./browser.mjs";
+import { DIST, keyedScenes } from "./browser.mjs";
 import { loadDecoder } from "./trace/bundle.mjs";
 import { best, decodingTimes, middle } from "./trace/times.mjs";
 
@@ -21,7 +21,7 @@ const START = 11;
 const WHOLE = 20;
 
 const textOf = (id) => gunzipSync(readFileSync(`${DIST}/scenes/${id}/${FINEST}.json.gz`)).toString();
-const scenes = scenesOfSite().map(({ id }) => ({ id, text: textOf(id) }));
+const scenes = keyedScenes().map(({ id }) => ({ id, text: textOf(id) }));
 const dearest = scenes.reduce((a, b) => (b.text.length > a.text.length ? b : a));
 let decoder, unit;
 

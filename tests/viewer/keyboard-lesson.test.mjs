@@ -1,10 +1,10 @@
 /** The lesson of scene 2 by keyboard alone: pressed keys, no pointer, and always to be seen where one is. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, scenesOfSite, settled, state } from "./browser.mjs";
+import { launch, newPage, ON_DISK, keyedScenes, settled, state } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
-const { id, path } = scenesOfSite()[1];
+const { id, path } = keyedScenes()[1];
 const { lesson } = readScene(id);
 const MOST_TABS = 60; // from one thing to another
 const TO_START = 6; // Tabs from the top of the page to the lesson

@@ -1,14 +1,14 @@
 /** On a host: without its network the site goes on, from what was kept; a newer build takes its place quietly. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync, existsSync } from "node:fs";
+import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, open, PATIENCE, press, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { DIST, launch, newPage, open, PATIENCE, press, keyedScenes, scenesOfSite, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
-const [first, second, third] = scenesOfSite();
+const [first, second, third] = keyedScenes();
 const UNDER = "/a/b/"; // a sub-path, as project pages have
 let browser, server, page, context;
 before(async () => {
@@ -106,7 +106,7 @@ test("a newer build says so quietly, opens when asked, and leaves nothing of the
   const own = await serve(site, "/");
   try {
     for (const name of ["index.html", "assets", "de", "model", "offline", "LICENSES.txt", "manifest.webmanifest"]) cpSync(join(DIST, name), join(site, name), { recursive: true });
-    for (const { id } of scenesOfSite().filter(({ id }) => existsSync(join(DIST, `scenes/${id}/thumb.webp`)))) cpSync(join(DIST, `scenes/${id}/thumb.webp`), join(site, `scenes/${id}/thumb.webp`));
+    for (const { id } of keyedScenes()) cpSync(join(DIST, `scenes/${id}/thumb.webp`), join(site, `scenes/${id}/thumb.webp`));
     const worker = readFileSync(join(DIST, "sw.js"), "utf8");
     writeFileSync(join(site, "sw.js"), worker);
     const page = await newPage(browser, { worker: true });

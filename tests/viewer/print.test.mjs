@@ -5,12 +5,12 @@ import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, openScene, richScene, scenesOfSite, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openScene, richScene, keyedScenes, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const PYTHON = [process.env.RAYWALK_PYTHON, ".venv/bin/python"].find((path) => path && existsSync(path));
 const rich = richScene();
-const other = scenesOfSite()[1];
+const other = keyedScenes()[1];
 const folder = mkdtempSync(join(tmpdir(), "raywalk-print-"));
 let browser, page;
 before(async () => {

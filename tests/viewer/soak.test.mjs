@@ -3,13 +3,13 @@
 import assert from "node:assert/strict";
 import { appendFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, scenesOfSite } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, keyedScenes } from "./browser.mjs";
 import { countGpu, grown, memoryOf, objectsIn } from "./memory.mjs";
 
 // `make stress` asks for 2,000 cycles or half an hour, with tiles that fill and rays that grow. A cycle is a lesson.
 const IS_LONG = !!process.env.RAYWALK_SOAK_CYCLES;
 // The short one shows every second scene: more than stay on the graphics card.
-const scenes = scenesOfSite().filter((_, k) => IS_LONG || k % 2 === 0);
+const scenes = keyedScenes().filter((_, k) => IS_LONG || k % 2 === 0);
 const CYCLES = Number(process.env.RAYWALK_SOAK_CYCLES ?? 2 * scenes.length);
 const MINUTES = Number(process.env.RAYWALK_SOAK_MINUTES ?? 60);
 /** A file that gets a line a round, and every tenth time what the objects take, while it runs. */

@@ -1,7 +1,7 @@
 /** What-if switches, tile views and boxes as laws of the state, with no browser. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { scenesOfSite } from "./browser.mjs";
+import { keyedScenes } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -172,7 +172,7 @@ test("boxes come back from their runs; a box is tested where its parent is enter
 });
 
 test("what the lessons say of switches is so", () => {
-  const byKey = new Map(scenesOfSite().map(({ key, id }) => [key, id]));
+  const byKey = new Map(keyedScenes().map(({ key, id }) => [key, id]));
   /** 8-bit colours of a step's pixel before and after its answer. */
   const colours = (key, at) => {
     const { scene } = readTrace(byKey.get(key), 15);

@@ -1,10 +1,10 @@
 /** The lesson of scene 2 by touch alone, on a phone: fingers on the glass, no key, no mouse. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { launch, newPage, ON_DISK, keyedScenes, settled, state, stats } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
-const { id, path } = scenesOfSite()[1];
+const { id, path } = keyedScenes()[1];
 const { lesson } = readScene(id);
 let browser, page, hand;
 before(async () => {

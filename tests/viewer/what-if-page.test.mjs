@@ -1,7 +1,7 @@
 /** Switches and tile views on the page: by key, by mouse, by finger, from a link; all parts follow at once. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, settled, state, stats, tileOnPage, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, keyedScenes, settled, state, stats, tileOnPage, until } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -201,7 +201,7 @@ test("a damaged switch in a link is named, and the view is as traced", async () 
   assert.deepEqual(await switches(), { bounces: null, lamps: [], shadows: true, without: [] });
 });
 
-const meshes = scenesOfSite().filter(({ id }) => Object.keys(readTrace(id, 15).scene.meshes).length > 0);
+const meshes = keyedScenes().filter(({ id }) => Object.keys(readTrace(id, 15).scene.meshes).length > 0);
 test("with tests shown, a mesh's boxes that the selected ray tested are drawn, with the tests they saved", async () => {
   const at = meshes.find(({ key }) => key === "7") ?? meshes[0];
   const mesh = readTrace(at.id, 15);
@@ -241,7 +241,7 @@ describe("on a phone", () => {
 });
 
 test("at 105 x 105 a switch is drawn within two frames, also with most rays", async () => {
-  const most = scenesOfSite().find(({ id }) => id.startsWith("08")) ?? rich;
+  const most = keyedScenes().find(({ id }) => id.startsWith("08")) ?? rich;
   await open(page, ON_DISK, most.path, "still=1&n=105&tiles=filled&gl=none");
   const turn = () =>
     page.evaluate(async () => {

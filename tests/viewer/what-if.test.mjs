@@ -4,7 +4,7 @@ import { execFile } from "node:child_process";
 import { existsSync } from "node:fs";
 import { test } from "node:test";
 import { promisify } from "node:util";
-import { scenesOfSite } from "./browser.mjs";
+import { keyedScenes } from "./browser.mjs";
 import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -14,7 +14,7 @@ const PYTHON = [process.env.RAYWALK_PYTHON, ".venv/bin/python"].find((path) => p
 // Both round to 8 bits: a term stored a fifth of half a step off may tip a value over the edge.
 const APART = 1;
 
-const ids = scenesOfSite().map(({ id }) => id);
+const ids = keyedScenes().map(({ id }) => id);
 const fresh = await promisify(execFile)(PYTHON, ["tests/viewer/fresh_traces.py", ...ids], { maxBuffer: 1 << 28 }).then(({ stdout }) => stdout.trim().split("\n").map((line) => JSON.parse(line)));
 
 const LEVELS = [5, 7, 11, 15, 21, 33, 105];
