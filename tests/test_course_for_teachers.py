@@ -23,7 +23,9 @@ from raywalk.teacher.gift import gift
 from raywalk.teacher.guide import guide
 from raywalk.teacher.qti import item_xml, package
 from raywalk.teacher.quiz import items_of
+from raywalk.teacher.terms import glossary
 from raywalk.teacher.timing import LENGTHS, schedule, shared
+from raywalk.terms.glossary import read_glossary
 
 from .teacher.gift_reader import read
 from .teacher.qti_reader import check_item, score
@@ -72,6 +74,15 @@ def test_nothing_is_cut_off_any_sheet(language: str) -> None:
             for deck in (worksheet(lesson, False), worksheet(lesson, True), assignment(lesson)):
                 check_pages(deck)
                 assert len(deck.slides) <= 6, deck.id
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_glossary_is_whole_on_its_sheets(language: str) -> None:
+    with speaking(language):
+        deck = glossary()
+    check_pages(deck)
+    texts = [i.words for page in deck.slides for i in flat(page.items) if isinstance(i, Text)]
+    assert all(term.term in " ".join(texts) for term in read_glossary(language).terms)
 
 
 @pytest.mark.parametrize("length", LENGTHS)

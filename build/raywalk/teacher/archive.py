@@ -11,6 +11,7 @@ from pathlib import Path
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
+from raywalk.slides.figure import Deck
 from raywalk.slides.palette import PRINT
 from raywalk.slides.pdf import deck_pdf
 from raywalk.slides.step_slide import Lesson
@@ -22,6 +23,7 @@ from raywalk.teacher.guide import guide
 from raywalk.teacher.links import links_page
 from raywalk.teacher.qti import package
 from raywalk.teacher.quiz import items_of
+from raywalk.teacher.terms import glossary
 
 TOP = "raywalk-teacher"
 WHEN = (1980, 1, 1, 0, 0, 0)  # of all files: the same lessons give the same bytes
@@ -36,7 +38,7 @@ def language_files(lessons: list[Lesson], base: str) -> Iterator[File]:
     folder = words().code
     scenes = [lesson.scene for lesson in lessons]
     yield f"{folder}/README.txt", _text(say("teacher.readme").replace(" • ", "\n- ") + "\n")
-    yield f"{folder}/guide.pdf", deck_pdf(guide(lessons, base), PRINT)
+    yield f"{folder}/guide.pdf", _pdf(guide(lessons, base))
     for lesson in lessons:
         id = lesson.scene.id
         yield f"{folder}/worksheets/{id}-worksheet.pdf", _pdf(worksheet(lesson, False))
@@ -47,11 +49,13 @@ def language_files(lessons: list[Lesson], base: str) -> Iterator[File]:
     yield f"{folder}/quiz/moodle-gift.txt", gift(quiz, course).encode()
     packed = ((name, text.encode()) for name, text in package(quiz, course, folder))
     yield f"{folder}/quiz/qti-2.1.zip", zipped(packed)
+    yield f"{folder}/glossary.pdf", _pdf(glossary())
     yield f"{folder}/links.html", links_page(lessons, base).encode()
     yield f"{folder}/credits.txt", _text("\n".join(_credits(scenes)) + "\n")
 
 
-_pdf = lambda deck: deck_pdf(deck, PRINT)  # noqa: E731
+def _pdf(deck: Deck) -> bytes:
+    return deck_pdf(deck, PRINT)
 
 
 def _text(text: str) -> bytes:
