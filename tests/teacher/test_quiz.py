@@ -111,5 +111,6 @@ def test_the_archive_is_the_same_each_time(balls, tmp_path: Path):
     assert names == [
         "de/README.txt", "de/guide.pdf", "de/worksheets/04-balls-worksheet.pdf",
         "de/answers/04-balls-answers.pdf", "de/assignments/04-balls-assignment.pdf",
-        "de/quiz/moodle-gift.txt", "de/quiz/qti-2.1.zip", "de/glossary.pdf", "de/links.html", "de/credits.txt",
+        "de/quiz/moodle-gift.txt", "de/quiz/qti-2.1.zip", "de/glossary.pdf",
+        "de/links.html", "de/credits.txt",
     ]  # fmt: skip
