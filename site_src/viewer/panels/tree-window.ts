@@ -4,14 +4,15 @@ import { button, element, setWord } from "../element";
 
 const LEGIBLE = 0.92; // smaller than this a tree is drawn on request only
 const DESK = 13; // px: the type in a node, unscaled
+const GROWS = 8; // px, at most, by which a node that is lit becomes wider and higher
 
-/** fitted: the tree is now drawn in the other way. */
-export function createTreeWindow(drawing: SVGElement, fitted: () => void) {
+/** shown: the tree is now drawn in another size, and what was looked at is to be seen again. */
+export function createTreeWindow(drawing: SVGElement, shown: () => void) {
   const root = element("div", "tree-window", drawing as unknown as HTMLElement);
   const fit = button(say("tree.fit.word"), say("tree.fit.help"), () => {
     fits = !fits;
     scale();
-    fitted();
+    shown();
   }, { className: "tree-fit" });
   let size = { width: 0, height: 0 }; // of the drawing, unscaled; 0: there is none yet
   let fits = false; // the whole tree, however small
@@ -37,7 +38,10 @@ export function createTreeWindow(drawing: SVGElement, fitted: () => void) {
   }
 
   root.addEventListener("scroll", cue);
-  new ResizeObserver(scale).observe(root);
+  new ResizeObserver(() => {
+    scale();
+    if (size.width) shown(); // what is below the tree may have become higher meanwhile
+  }).observe(root);
   root.addEventListener("pointermove", (event) => {
     if (event.pointerType === "mouse" && event.buttons === 1) root.scrollBy(-event.movementX, -event.movementY);
   });
@@ -54,8 +58,8 @@ export function createTreeWindow(drawing: SVGElement, fitted: () => void) {
     /** Scrolls the drawing alone. */
     showNode(node: SVGElement, middle: boolean) {
       const [of, at] = [root.getBoundingClientRect(), node.getBoundingClientRect()];
-      if (middle || at.left < of.left || at.right > of.right) root.scrollLeft += (at.left + at.right - of.left - of.right) / 2;
-      if (at.top < of.top || at.bottom > of.bottom) root.scrollTop += (at.top + at.bottom - of.top - of.bottom) / 2;
+      if (middle || at.left < of.left + GROWS || at.right > of.right - GROWS) root.scrollLeft += (at.left + at.right - of.left - of.right) / 2;
+      if (at.top < of.top + GROWS || at.bottom > of.bottom - GROWS) root.scrollTop += (at.top + at.bottom - of.top - of.bottom) / 2;
     },
   };
 }
