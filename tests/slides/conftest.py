@@ -109,7 +109,7 @@ def last(steps: Generator[str, None, Result]) -> Result:
 def make(folder: Path, text: str) -> Made:
     """A scene file's text as a scene; it is traced when it is needed."""
     place = folder / "scenes" / "04-balls"
-    place.mkdir(parents=True)
+    place.mkdir(parents=True, exist_ok=True)
     (place / "scene.toml").write_text(text, encoding="utf-8")
     return Made(read_scene(place), Store(folder / "work"))
 

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import pytest
 from pptx import Presentation
+from pptx.enum.shapes import PP_PLACEHOLDER
 from pypdf import PdfReader
 
 from raywalk.pipeline.slide_products import deck_files
@@ -20,6 +21,8 @@ from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.pdf import deck_pdf
 from raywalk.slides.pptx import deck_pptx
 from raywalk.trace.pixel_tree import pixel_tree
+
+MIRROR = "The mirror sends the ray on."
 
 
 def test_twice_made_is_the_same_to_the_byte(balls):
@@ -49,7 +52,7 @@ def test_html_needs_nothing_from_elsewhere(deck: Deck):
 
 def test_svg_figures_are_well_formed_and_alone(balls):
     figures = dict(deck_files(balls.deck(), ("svg",), None, None))
-    assert len(figures) == 7
+    assert len(figures) == 5  # four steps, one of them with an answer
     for data in figures.values():
         root = ElementTree.fromstring(data)
         assert root.find("{http://www.w3.org/2000/svg}desc").text
@@ -63,7 +66,8 @@ def test_pdf_has_title_language_outline_and_text(deck: Deck):
     assert reader.metadata.title == "Two balls"
     assert reader.trailer["/Root"]["/Lang"] == "en"
     assert [entry.title for entry in reader.outline] == [s.title for s in deck.slides]
-    assert "It brings back what it meets." in " ".join(reader.pages[3].extract_text().split())
+    place = next(k for k, slide in enumerate(deck.slides) if slide.title == MIRROR and slide.figure)
+    assert "It brings back what it meets." in " ".join(reader.pages[place].extract_text().split())
     fonts = {
         str(font.get_object()["/BaseFont"])
         for page in reader.pages
@@ -83,11 +87,36 @@ def test_pptx_has_titles_notes_names_and_descriptions(deck: Deck):
         ids = re.findall(r'<p:cNvPr id="(\d+)"', made._element.xml)
         assert len(ids) == len(set(ids))
         assert not re.search(r'id="(?!1")\d+" name=""', made._element.xml)  # 1: the slide itself
-    step = shown.slides[3]
+    step = shown.slides[
+        next(k for k, slide in enumerate(deck.slides) if slide.title == MIRROR and slide.figure)
+    ]
     figure = next(shape for shape in step.shapes if shape.name == "Figure")
     assert "mirror" in figure._element.xpath("./p:nvGrpSpPr/p:cNvPr")[0].get("descr")
     assert {"Frustum", "Ray 1, camera ray", "Ray 2, reflected"} <= {s.name for s in figure.shapes}
-    assert any(shape.has_table for shape in step.shapes)
+    behind = shown.slides[len(deck.slides) - 1]
+    assert any(shape.has_table for shape in behind.shapes)
+
+
+def test_pptx_has_its_words_in_the_places_of_its_master(deck: Deck):
+    """Title, body and notes are placeholders: the outline has them, and who changes the master's
+    font changes all slides'. One layout, where ours stand, on our ground."""
+    shown = Presentation(io.BytesIO(deck_pptx(deck, SCREEN)))
+    [layout] = shown.slide_layouts
+    frames = [(round(p.left / 12700), round(p.top / 12700)) for p in layout.placeholders]
+    assert frames == [(32, 8), (32, 388)]
+    for slide, made in zip(deck.slides, shown.slides, strict=True):
+        kinds = [p.placeholder_format.type for p in made.placeholders]
+        said = [i for i in slide.items if isinstance(i, Text) and i.name == "words"]
+        assert kinds.count(PP_PLACEHOLDER.TITLE) == 1
+        assert kinds.count(PP_PLACEHOLDER.BODY) == bool(said)
+        if said:
+            body = next(p for p in made.placeholders if p.placeholder_format.idx == 1)
+            spoken = body.text_frame.text.replace("\N{NO-BREAK SPACE}", " ")
+            assert spoken.startswith(said[0].words)
+        if slide.notes:
+            assert made.notes_slide.notes_placeholder is not None
+    ground = shown.slide_master.background.fill.fore_color.rgb
+    assert f"#{ground}".lower() == SCREEN["ground"].lower()
 
 
 def test_pptx_is_a_zip_with_one_date_in_one_order(deck: Deck):

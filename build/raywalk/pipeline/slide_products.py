@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from raywalk.errors import SourceError
@@ -32,8 +33,6 @@ from raywalk.slides.svg import standalone
 from raywalk.slides.words import speaking, words
 from raywalk.slides.worksheet import worksheet
 from raywalk.words.catalogue import DEFAULT
-
-LEGEND_HIGH = 42.0  # points under a figure, for its legend
 
 
 def write_scene_slides(
@@ -131,7 +130,7 @@ def deck_files(
             yield f"{deck.id}.{name}", makers[name]()
         elif name in SHEET_FORMATS:
             terms = lesson_terms(lesson.scene) if lesson else []
-            yield f"{deck.id}-{name}.pdf", handout_pdf(deck, int(name[-1]), terms)
+            yield f"{deck.id}-{name}.pdf", handout_pdf(on_paper(deck), int(name[-1]), terms)
         elif name in ("worksheet", "answers") and lesson:
             sheet = worksheet(lesson, with_answers=name == "answers")
             yield f"{deck.id}-{name}.pdf", deck_pdf(sheet, PRINT)
@@ -139,12 +138,16 @@ def deck_files(
             yield from _figures(deck, palette or PRINT)
 
 
+def on_paper(deck: Deck) -> Deck:
+    """The deck without what builds a slide up: on a sheet its end says it all."""
+    return replace(deck, slides=tuple(each for each in deck.slides if each.kind != "build"))
+
+
 def _figures(deck: Deck, palette: Palette) -> Iterator[tuple[str, bytes]]:
-    """Each step's figure with its legend, as deck-step-NN.svg in the lesson's order."""
+    """Each step's figure, as deck-step-NN.svg in the lesson's order."""
     figures = [slide.figure for slide in deck.slides if slide.figure]
     for count, figure in enumerate(figures, start=1):
         view = figure.items[0]
         assert isinstance(view, Picture)
-        frame = view.box._replace(height=view.box.height + LEGEND_HIGH)
-        text = standalone([figure], frame, palette, f"{deck.title} {count}", figure.alt)
+        text = standalone([figure], view.box, palette, f"{deck.title} {count}", figure.alt)
         yield f"{deck.id}-figure-{count:02}.svg", text.encode()

@@ -6,16 +6,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from raywalk.slides.figure import Item, Run, Slide, Text
-from raywalk.slides.layout import SMALLEST, Box, Layout
+from raywalk.slides.layout import SMALLEST, SOURCE, Box, Layout
 from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.typeface import is_right_to_left, shortened, width, wrapped
 from raywalk.slides.words import say
 
-TITLE_SIZE = 26.0
-BODY_SIZE = 17.0
+TITLE_SIZES = (30.0, 27.0, 24.0)  # the largest in which it takes one line
+BODY_SIZE = 24.0
 LEADING = 1.25
 PARAGRAPH_GAP = 0.45  # of a line
-INDENT = 20.0  # of a list's items
+INDENT, LEAST_INDENT = 1.45, 20.0  # of a list's items: of the letters' size, points
 
 
 @dataclass(frozen=True)
@@ -55,10 +55,15 @@ class Flow:
         return first, rest
 
 
+def indent_of(size: float) -> float:
+    """Room for a sign or a number before an item of a list."""
+    return max(LEAST_INDENT, INDENT * size)
+
+
 def flow(paragraphs: list[Paragraph], size: float, most: float) -> Flow:
     lines = []
     for paragraph in paragraphs:
-        room = most - (INDENT if paragraph.bullet else 0)
+        room = most - (indent_of(size) if paragraph.bullet else 0)
         for k, runs in enumerate(wrapped(paragraph.runs, size, room)):
             lines.append((runs, paragraph, k == 0))
     return Flow(tuple(lines), size)
@@ -78,11 +83,11 @@ def flow_texts(whole: Flow, box: Box, colour: str = "ink") -> list[Item]:
         lines = tuple(line for line, _, _ in whole.lines[k:end])
         if first and k:
             top += PARAGRAPH_GAP * whole.line_height
-        indent = INDENT if paragraph.bullet else 0.0
+        indent = indent_of(whole.size) if paragraph.bullet else 0.0
         place = Box(box.left + indent, top, box.width - indent, whole.line_height * len(lines))
         backwards = is_right_to_left(paragraph.text)
         if paragraph.bullet and first:
-            mark = Box(box.left, top, INDENT, whole.line_height)
+            mark = Box(box.left, top, indent, whole.line_height)
             items.append(text([(Run(paragraph.bullet),)], mark, whole.size, colour, name="bullet"))
         items.append(
             Text(
@@ -127,19 +132,19 @@ def one_line(words: str, box: Box, size: float = SMALLEST, colour: str = "ink",
     return text([(Run(cut, bold),)], box, size, colour, align, name)
 
 
-def title(words: str, box: Box, size: float = TITLE_SIZE) -> Text:
-    """At most as many bold lines as the box holds, at its bottom line; cut if there are more."""
-    most = max(1, int(box.height / (size * 1.2)))
-    lines = wrapped([Run(words, bold=True)], size, box.width)
-    if len(lines) > most:
-        kept = "".join(run.text for run in lines[most - 1]) + " …"
-        lines = [
-            *lines[: most - 1],
-            (Run(shortened(kept + "……", size, box.width - 1, True), True),),
-        ]
-    high = size * 1.2 * len(lines)
+def title_fits(words: str, most: float) -> bool:
+    """Whether a title takes one line of so many points, in its smallest size."""
+    return width(words, TITLE_SIZES[-1], bold=True) <= most
+
+
+def title(words: str, box: Box) -> Text:
+    """One bold line, as large as it fits; cut where it fits in no size."""
+    fitting = (size for size in TITLE_SIZES if width(words, size, bold=True) <= box.width)
+    size = next(fitting, TITLE_SIZES[-1])
+    cut = shortened(words, size, box.width, bold=True)
+    high = size * 1.2
     place = Box(box.left, box.top + (box.height - high) / 2, box.width, high)
-    return text(lines, place, size, name="title", is_title=True)
+    return text([(Run(cut, bold=True),)], place, size, name="title", is_title=True)
 
 
 def continued(
@@ -154,11 +159,12 @@ def continued(
 
 
 def footer(left: str, right: str, layout: Layout) -> list[Item]:
+    """The source line: what a slide is of, and which part of it."""
     box = layout.footer
-    room = width(right, SMALLEST) + 12
+    room = width(right, SOURCE) + 12
     return [
-        one_line(left, Box(box.left, box.top, box.width - room, box.height), SMALLEST, "soft",
+        one_line(left, Box(box.left, box.top, box.width - room, box.height), SOURCE, "soft",
                  name="where"),
-        one_line(right, Box(box.right - room, box.top, room, box.height), SMALLEST, "soft", "right",
+        one_line(right, Box(box.right - room, box.top, room, box.height), SOURCE, "soft", "right",
                  name="place"),
     ]  # fmt: skip

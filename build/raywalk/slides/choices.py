@@ -4,7 +4,7 @@ and each has its reason."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -17,17 +17,19 @@ from raywalk.slides.blocks import (
     one_line,
     title,
 )
-from raywalk.slides.figure import Dot, Item, Line, Polygon, Run, Slide, hex_of
+from raywalk.slides.figure import Dot, Group, Item, Line, Point, Polygon, Run, Slide, hex_of
+from raywalk.slides.labels import Inset, Places
 from raywalk.slides.layout import Box, Layout
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.stops import Stop
+from raywalk.slides.word_parts import MOST_WORDS
 from raywalk.slides.words import say
 
-SIZE = 20.0  # on a slide
+SIZE = 24.0  # on a slide
 INDENT = 1.7  # of the letters' size: the box, and room after it
 BOX = 0.82  # of the letters' size
 TICK = ((0.16, 0.52), (0.42, 0.8), (0.92, 0.08))  # of the box's side, from its top left
-MARK, LETTER = 9.5, 14.0  # of a pixel that is a choice: a circle's radius, its letter's size
+MARK, LETTER = 12.0, 18.0  # of a pixel that is a choice: a circle's radius, its letter's size
 BETWEEN = 0.5  # of a line, between two choices
 
 
@@ -106,28 +108,49 @@ def _one(choice: ChoiceWords, box: Box, size: float, revealed: bool) -> tuple[li
     used = 0.0
     for words in [Run(choice.label, bold), *([Run(choice.because)] if revealed else [])]:
         whole = flow([Paragraph((words,))], size, box.right - left)
-        items += flow_texts(whole, Box(left, box.top + used, box.right - left, whole.height()))
+        place = Box(left, box.top + used, box.right - left, whole.height())
+        items += [replace(item, name="choice") for item in flow_texts(whole, place)]
         used += whole.height()
     return items, used
 
 
-def choice_marks(choices: list[ChoiceWords], stop: Stop, frame: Box) -> list[Item]:
-    """Letters on the figure's tiles, where choices are pixels. frame: the figure's."""
+def choice_marks(choices: list[ChoiceWords], stop: Stop) -> Inset:
+    """What draws letters on the figure's tiles, where choices are pixels."""
+
+    def draw(places: Places) -> list[Item]:
+        frame, items = places.frame, list[Item]()
+        for choice in choices:
+            if choice.pixel is None:
+                continue
+            across, down = (np.array(at + 0.5) for at in choice.pixel)
+            x, y, depth = stop.figure.on_plane(across, down)
+            place = Box(frame.left + x - MARK, frame.top + y - MARK, 2 * MARK, 2 * MARK)
+            if depth > stop.figure.near and frame.holds(place):
+                items.append(_mark(choice, (frame.left + float(x), frame.top + float(y))))
+                places.boxes.append(place)
+        return items
+
+    return draw
+
+
+def marks_on_picture(choices: list[ChoiceWords], n: int, frame: Box) -> list[Item]:
+    """The same on the whole traced picture."""
     items: list[Item] = []
     for choice in choices:
-        if choice.pixel is None:
-            continue
-        across, down = (np.array(at + 0.5) for at in choice.pixel)
-        x, y, depth = stop.figure.on_plane(across, down)
-        place = Box(frame.left + x - MARK, frame.top + y - MARK, 2 * MARK, 2 * MARK)
-        if depth > stop.figure.near and frame.holds(place):
-            centre = (frame.left + float(x), frame.top + float(y))
-            items.append(Dot(centre, MARK, "#f0e442", "#15170a", name=choice.lettered))
-            high = Box(
-                place.left, place.top + MARK - LETTER * LEADING / 2, 2 * MARK, LETTER * LEADING
-            )
-            items.append(one_line(choice.letter, high, LETTER, "#15170a", "centre", bold=True))
+        if choice.pixel is not None:
+            column, row = choice.pixel
+            x = frame.left + (column + 0.5) / n * frame.width
+            items.append(_mark(choice, (x, frame.top + (row + 0.5) / n * frame.height)))
     return items
+
+
+def _mark(choice: ChoiceWords, centre: Point) -> Group:
+    x, y = centre
+    high = LETTER * LEADING
+    box = Box(x - MARK, y - high / 2, 2 * MARK, high)
+    dot = Dot(centre, MARK, "#f0e442", "#15170a", name=choice.lettered)
+    letter = one_line(choice.letter, box, LETTER, "#15170a", "centre", bold=True)
+    return Group(choice.lettered, "", (dot, letter))
 
 
 def choice_slides(
@@ -135,28 +158,39 @@ def choice_slides(
     revealed: bool,
 ) -> Iterator[Slide]:  # fmt: skip
     """Choices on as many slides of their own as they need. head: of the slide that they go on."""
-    again = say("slides.choicesOf", title=head)
     kind = "answer" if revealed else "question"
     while choices:
         count = _fitting(choices, box, revealed)
         items, _ = choice_items(choices[:count], box, SIZE, revealed)
-        yield Slide(again, (title(again, layout.title), *items, *under), (), kind, True)
+        yield Slide(head, (title(head, layout.title), *items, *under), (), kind, True)
         choices = choices[count:]
 
 
 def _fitting(choices: list[ChoiceWords], box: Box, revealed: bool) -> int:
-    """How many go below one another into the box; at least one."""
+    """How many go below one another into the box, with few words; at least one."""
     for count in range(len(choices), 1, -1):
-        if choice_items(choices[:count], box, SIZE, revealed)[1] <= box.height:
+        part = choices[:count]
+        if (
+            count_words(part, revealed) <= MOST_WORDS
+            and choice_items(part, box, SIZE, revealed)[1] <= box.height
+        ):
             return count
     return 1
 
 
+def count_words(choices: list[ChoiceWords], revealed: bool) -> int:
+    """With their letters."""
+    said = (f"{each.lettered} {each.because if revealed else ''}" for each in choices)
+    return sum(len(words.split()) for words in said)
+
+
 def in_notes(scene: Scene, step: LessonStep, revealed: bool) -> Iterator[str]:
-    """For who speaks: the choices, and with the answer why each is right or wrong."""
+    """For who speaks: the choices; with the answer why the right one is, and what each wrong one
+    misunderstands."""
     for choice in choice_words(scene, step):
         if not revealed:
             yield choice.lettered
-            continue
-        verdict = say("choices.right" if choice.right else "choices.wrong")
-        yield f"{choice.lettered} ({verdict}): {choice.because}"
+        elif choice.right:
+            yield f"{choice.lettered} ({say('choices.right')}): {choice.because}"
+        else:
+            yield say("slides.misconception", label=choice.lettered, because=choice.because)

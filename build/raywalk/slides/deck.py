@@ -6,14 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raywalk.scene.model import Scene
+from raywalk.slides.backup import backup_slides
+from raywalk.slides.build_up import build_up
+from raywalk.slides.course import course_slides, summary_slides
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.formats import COURSE
-from raywalk.slides.front import course_slides, credits_slides, goals_slides, title_slide
+from raywalk.slides.front import credits_slides, goals_slides, title_slide
 from raywalk.slides.layout import Layout
-from raywalk.slides.ray_slides import ray_slides
+from raywalk.slides.question_slide import question_slides
 from raywalk.slides.step_slide import Lesson, step_slides
 from raywalk.slides.stops import read_stops
-from raywalk.slides.sum_slide import sum_slides
 from raywalk.slides.words import say, words
 
 
@@ -44,34 +46,36 @@ def scene_deck(
     slides = lesson_slides(lesson, steps) if slides is None else slides
     if steps is None:
         front = [title_slide(scene, lesson.picture, layout), *goals_slides(scene, layout)]
-        slides = [*front, *slides, *credits_slides([scene], layout)]
+        slides = [*front, *slides, *credits_slides([scene], layout), *backup_slides(lesson)]
     return Deck(scene.id, scene.title, layout.width, layout.height, tuple(slides), words().code)
 
 
 def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[Slide]:
-    """The steps; one pixel's rays and the sum of its colour come before the last question."""
+    """The steps; where a pixel's rays are walked for the first time, they come one by one."""
     slides: list[Slide] = []
-    questions = [k for k, stop in enumerate(lesson.stops) if stop.kind == "question"]
-    before = questions[-1] if questions else len(lesson.stops)
+    walked = set()
     for k, stop in enumerate(lesson.stops):
-        if k == before and steps is None:
-            slides += [*ray_slides(lesson), *sum_slides(lesson)]
-        if steps is None or stop.step in steps:
-            slides += step_slides(lesson, k)
-    if before == len(lesson.stops) and steps is None:
-        slides += [*ray_slides(lesson), *sum_slides(lesson)]
+        if steps is not None and stop.step not in steps:
+            continue
+        if stop.kind == "question":
+            slides += question_slides(lesson, k)
+            continue
+        if stop.kind == "step" and stop.rows and stop.walk not in walked:
+            slides += build_up(lesson, stop)
+            walked.add(stop.walk)
+        slides += step_slides(lesson, k)
     return slides
 
 
 def course_of(all_sources: list[Sources], lessons: list[list[Slide]], layout: Layout) -> Deck:
-    """Every scene's lesson after the other."""
+    """Every scene's lesson after the other, without their backup."""
     scenes = [sources.scene for sources in all_sources]
     pictures = [sources.traced / "picture.png" for sources in all_sources]
     slides = course_slides(scenes, pictures, layout)
     for sources, picture, lesson in zip(all_sources, pictures, lessons, strict=True):
         slides.append(title_slide(sources.scene, picture, layout, "section"))
         slides += lesson
-    slides += credits_slides(scenes, layout)
+    slides += [*summary_slides(scenes, layout), *credits_slides(scenes, layout)]
     return Deck(
         COURSE, say("slides.course"), layout.width, layout.height, tuple(slides), words().code
     )

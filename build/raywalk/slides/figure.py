@@ -144,9 +144,11 @@ class Slide:
     title: str  # for outlines and lists of slides
     items: tuple[Item, ...]
     notes: tuple[str, ...] = ()  # speaker notes, a paragraph each
-    kind: str = "step"  # title, goals, step, question, answer, sum, credits, section
+    # title, goals, section, build, step, question, answer, credits; backup (a divider), table, sum
+    kind: str = "step"
     is_continued: bool = False
-    figure: Group | None = field(default=None, compare=False)  # also among the items
+    # Of each stop on the first of its slides, as a file of its own.
+    figure: Group | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)

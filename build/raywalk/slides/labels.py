@@ -6,7 +6,7 @@ A label with no clear place is left out; the table beside the figure says the sa
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from raywalk.slides.clip import clipped_line
@@ -17,7 +17,7 @@ from raywalk.slides.typeface import shortened, width
 RINGS = (9.0, 16.0, 26.0, 38.0)  # points from the thing to its label
 DIRECTIONS = (0, 180, 90, 270, 45, 315, 135, 225, 22, 338, 158, 202, 68, 112, 248, 292)
 PAD = 3.0  # round the words
-LONGEST = 170.0
+LONGEST = 220.0
 
 
 @dataclass(frozen=True)
@@ -87,3 +87,7 @@ def _drawn(box: Box, text: str, label: Label) -> list[Item]:
     runs = (Run(text, label.bold),)
     words = Text(inner, (runs,), SMALLEST, label.colour, leading=1.15, name=f"label {text}")
     return [plate, words]
+
+
+#: Draws something into a figure where it covers little, and takes the place for it.
+Inset = Callable[[Places], list[Item]]

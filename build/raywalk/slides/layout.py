@@ -45,7 +45,8 @@ class Box(NamedTuple):
 
 @dataclass(frozen=True)
 class Layout:
-    """One aspect's frames. Text of a slide runs in `words`; what is left below holds numbers."""
+    """One aspect's frames: a title's line, the figure from edge to edge under it, at least three
+    fifths of the slide, then words; in the last line the source."""
 
     name: str
     width: float
@@ -53,33 +54,32 @@ class Layout:
     title: Box
     figure: Box
     words: Box
-    aside: Box | None  # of numbers and picture; None: below the words
     footer: Box
 
+    @property
+    def below_title(self) -> Box:
+        """All of a slide without a figure."""
+        left, top, wide, _ = self.title
+        top = self.title.bottom + 12
+        return Box(left, top, wide, self.footer.top - 10 - top)
 
-MARGIN = 40.0
-# No text is smaller: it must be read from the last row.
-SMALLEST = 14.0
 
-WIDE = Layout(
-    name="16:9",
-    width=960.0,
-    height=540.0,
-    title=Box(MARGIN, 26, 880, 64),
-    figure=Box(MARGIN, 98, 520, 360),
-    words=Box(580, 98, 340, 394),
-    aside=None,
-    footer=Box(MARGIN, 504, 880, 20),
-)
-# Text above, figure left, numbers right of it.
-TALL = Layout(
-    name="4:3",
-    width=720.0,
-    height=540.0,
-    title=Box(MARGIN, 22, 640, 66),
-    figure=Box(MARGIN, 196, 316, 248),
-    words=Box(MARGIN, 92, 640, 100),
-    aside=Box(368, 200, 312, 292),
-    footer=Box(MARGIN, 504, 640, 20),
-)
+MARGIN = 32.0
+# No text but the source is smaller: it must be read from the last row.
+SMALLEST = 18.0
+SOURCE = 12.0
+
+
+def _layout(name: str, width: float) -> Layout:
+    inner = width - 2 * MARGIN
+    return Layout(
+        name=name, width=width, height=540.0,
+        title=Box(MARGIN, 8, inner, 42),
+        figure=Box(0, 56, width, 326),
+        words=Box(MARGIN, 388, inner, 122),
+        footer=Box(MARGIN, 516, inner, 16),
+    )  # fmt: skip
+
+
+WIDE, TALL = _layout("16:9", 960.0), _layout("4:3", 720.0)
 LAYOUTS = {layout.name: layout for layout in (WIDE, TALL)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from html.parser import HTMLParser
 from typing import NamedTuple
@@ -12,7 +13,6 @@ from raywalk.scene.lesson_text import lesson_html
 from raywalk.slides.figure import Run
 from raywalk.slides.words import say
 
-LONGEST_TITLE = 74  # characters: two lines on a slide
 BLOCKS = {"p", "li", "h1", "h2", "h3", "h4", "h5", "h6", "pre", "blockquote", "td", "th"}
 
 
@@ -60,14 +60,16 @@ def plain_text(markdown: str, on_page: bool = False) -> str:
     return " ".join(paragraph.text for paragraph in paragraphs_of(markdown, on_page))
 
 
-def title_and_body(paragraphs: list[Paragraph]) -> tuple[str, list[Paragraph]]:
-    """The first sentence if it is short enough for a title, and the rest; else "" and all."""
+def title_and_body(
+    paragraphs: list[Paragraph], fits: Callable[[str], bool]
+) -> tuple[str, list[Paragraph]]:
+    """The first sentence if it fits as a title, and the rest; else "" and all."""
     if not paragraphs or paragraphs[0].bullet:
         return "", paragraphs
     first = paragraphs[0]
     match = re.match(r".+?[.?!…](?=\s|$)", first.text)
     sentence = match.group() if match else first.text
-    if len(sentence) > LONGEST_TITLE:
+    if not fits(sentence):
         return "", paragraphs
     rest = _after(first.runs, len(sentence))
     return sentence, ([Paragraph(rest)] if rest else []) + paragraphs[1:]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from PIL import Image
@@ -65,10 +65,28 @@ def _file(image: Image.Image, kind: str, **options: Any) -> bytes:
     return out.getvalue()
 
 
+class Window(NamedTuple):
+    """A square part of a picture; shares of its side."""
+
+    left: float
+    top: float
+    share: float
+
+    def of(self, image: Image.Image) -> Image.Image:
+        """That part of it."""
+        wide = image.width
+        box = [round(k * wide) for k in (self.left, self.top)]
+        side = round(self.share * wide)
+        return image.crop((box[0], box[1], box[0] + side, box[1] + side))
+
+
+WHOLE = Window(0.0, 0.0, 1.0)
+
+
 @cache
-def traced_picture(file: Path, side: int) -> tuple[bytes, bytes]:
-    """The scene's picture at most `side` pixels wide, as JPEG and as WebP."""
-    image = Image.open(file).convert("RGB")
+def traced_picture(file: Path, side: int, window: Window = WHOLE) -> tuple[bytes, bytes]:
+    """The scene's picture, or a part of it, at most `side` pixels wide, as JPEG and as WebP."""
+    image = window.of(Image.open(file).convert("RGB"))
     if image.width > side:
         image = image.resize((side, side), Image.Resampling.BOX)
     return jpeg(image, CLEAR), webp(image)
@@ -91,10 +109,10 @@ def smaller(data: bytes, wide: int) -> bytes:
     return jpeg(image.resize((wide, high), Image.Resampling.BOX), PALE)
 
 
-def grid_picture(tiles: np.ndarray, n: int) -> tuple[bytes, bytes]:
-    """A grid's tiles (3 * n * n,) 8-bit, seen from the front."""
-    image = Image.fromarray(np.asarray(tiles, np.uint8).reshape(n, n, 3))
-    side = n * max(1, round(GRID_SIDE / n))
+def grid_picture(tiles: np.ndarray, n: int, window: Window = WHOLE) -> tuple[bytes, bytes]:
+    """A grid's tiles (3 * n * n,) 8-bit, or a part of them, seen from the front."""
+    image = window.of(Image.fromarray(np.asarray(tiles, np.uint8).reshape(n, n, 3)))
+    side = image.width * max(1, round(GRID_SIDE / image.width))
     tiled = image.resize((side, side), Image.Resampling.NEAREST)
     return jpeg(tiled, CLEAR), webp(tiled)
 

@@ -11,28 +11,25 @@ from collections import Counter
 from datetime import datetime
 from typing import Any
 
-from pptx import Presentation
 from pptx.opc.packuri import PackURI
 from pptx.oxml import parse_xml
-from pptx.util import Pt
 
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.palette import Palette
+from raywalk.slides.pptx_body import body_of
+from raywalk.slides.pptx_master import new_presentation
 from raywalk.slides.pptx_shapes import Pictures, ShapeWriter
-from raywalk.slides.pptx_text import NAMESPACES, solid
 
-TITLE_ONLY = 5  # of the template's layouts
 LONG_AGO = datetime(2020, 1, 1)  # every file's date: the same slides are the same bytes
 
 
 def deck_pptx(deck: Deck, palette: Palette) -> bytes:
     """A presentation whose notes hold what is said."""
-    shown = Presentation()
-    shown.slide_width, shown.slide_height = Pt(deck.width), Pt(deck.height)
+    shown, layout = new_presentation(deck, palette)
     package: Any = shown.part.package
     package.next_partname, pictures = Names(package).next, Pictures(package)
     for slide in deck.slides:
-        _add(shown, slide, palette, deck.language, pictures)
+        _add(shown, layout, slide, palette, deck.language, pictures)
     about = shown.core_properties
     about.title, about.author, about.language = deck.title, "Raywalk", deck.language
     about.last_modified_by, about.created, about.modified = "Raywalk", LONG_AGO, LONG_AGO
@@ -68,18 +65,19 @@ def steady_zip(data: bytes) -> bytes:
     return out.getvalue()
 
 
-def _add(shown: Any, slide: Slide, palette: Palette, language: str, pictures: Pictures) -> None:
-    made = shown.slides.add_slide(shown.slide_layouts[TITLE_ONLY])
-    writer = ShapeWriter(made, palette, language, pictures)
+def _add(
+    shown: Any, layout: Any, slide: Slide, palette: Palette, language: str, pictures: Pictures
+) -> None:
+    made = shown.slides.add_slide(layout)
     tree = made.shapes._spTree
+    for empty in list(made.placeholders):  # those that are needed come with their words
+        tree.remove(empty._element)
+    writer, body = ShapeWriter(made, palette, language, pictures), body_of(slide.items)
     for item in slide.items:
-        for xml in writer.shapes(item):
-            tree.append(parse_xml(xml))
-    if not writer.has_title:
-        made.shapes.title._element.getparent().remove(made.shapes.title._element)
-    ground = palette["ground"][1:]
-    made._element.cSld.insert(0, parse_xml(
-        f"<p:bg {NAMESPACES}><p:bgPr>{solid(ground)}<a:effectLst/></p:bgPr></p:bg>"
-    ))  # fmt: skip
+        if body and item is body.paragraphs[0].text:
+            tree.append(parse_xml(writer.body(body)))
+        elif not body or not any(item is each for each in body.items):
+            for xml in writer.shapes(item):
+                tree.append(parse_xml(xml))
     if slide.notes:
         made.notes_slide.notes_text_frame.text = "\n".join(slide.notes)

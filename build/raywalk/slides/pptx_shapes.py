@@ -19,8 +19,10 @@ from raywalk.slides.figure import Cell, Dot, Group, Item, Line, Picture, Point, 
 from raywalk.slides.layout import Box
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import SCREEN, Palette
+from raywalk.slides.pptx_body import Body
 from raywalk.slides.pptx_text import (
     NAMESPACES,
+    body_xml,
     emu,
     place,
     preset,
@@ -63,7 +65,6 @@ class ShapeWriter:
         self.slide, self.palette, self.language = slide, palette, language
         self.pictures = pictures
         self.last = 100
-        self.has_title = False
 
     def shapes(self, item: Item) -> list[str]:
         """One shape, or those of which the item is made."""
@@ -160,14 +161,19 @@ class ShapeWriter:
 
     def _title(self, text: Text) -> str:
         """Into the layout's own place for it: outlines and screen readers look there."""
-        self.has_title = True
-        made = self.slide.shapes.title._element
-        made.getparent().remove(made)
+        return self._placed("Title", 'type="title"', wider(text), self._body(text))
+
+    def body(self, body: Body) -> str:
+        """The same for the slide's words."""
+        words = body_xml(body, self.palette, self.language)
+        return self._placed("words", 'type="body" idx="1"', body.box, words)
+
+    def _placed(self, name: str, kind: str, box: Box, words: str) -> str:
         self.last += 1
         return (
-            f'<p:sp {NAMESPACES}><p:nvSpPr><p:cNvPr id="{self.last}" name="Title"/><p:cNvSpPr>'
-            '<a:spLocks noGrp="1"/></p:cNvSpPr><p:nvPr><p:ph type="title"/></p:nvPr></p:nvSpPr>'
-            f"<p:spPr>{place(wider(text))}</p:spPr>{self._body(text)}</p:sp>"
+            f'<p:sp {NAMESPACES}><p:nvSpPr><p:cNvPr id="{self.last}" name="{name}"/><p:cNvSpPr>'
+            f'<a:spLocks noGrp="1"/></p:cNvSpPr><p:nvPr><p:ph {kind}/></p:nvPr></p:nvSpPr>'
+            f"<p:spPr>{place(box)}</p:spPr>{words}</p:sp>"
         )
 
     def _text(self, text: Text) -> str:

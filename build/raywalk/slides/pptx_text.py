@@ -6,10 +6,12 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from html import escape
+from typing import NamedTuple
 
 from raywalk.slides.figure import Cell, Run, Table, Text
 from raywalk.slides.layout import Box
 from raywalk.slides.palette import Palette
+from raywalk.slides.pptx_body import Body
 from raywalk.slides.table_parts import SAMPLE_ROOM
 
 EMU = 12700  # in a point
@@ -49,7 +51,8 @@ def text_body(text: Text, palette: Palette, language: str) -> str:
     paragraphs = text.paragraphs or text.lines
     # As high as our line; PowerPoint counts in shares of the font's own line, 1.15 of the size.
     spacing = round(100_000 * text.leading / 1.15) if len(text.lines) > 1 else 100_000
-    xml = "".join(_paragraph(runs, text, spacing, palette, language) for runs in paragraphs)
+    style = _Style(palette, language, spacing)
+    xml = "".join(_paragraph(runs, text, style) for runs in paragraphs)
     # Its own wrapping may need a line less: what stands below is placed for ours.
     anchor = "ctr" if len(text.lines) == 1 or text.is_title else "t"
     return (
@@ -58,19 +61,46 @@ def text_body(text: Text, palette: Palette, language: str) -> str:
     )
 
 
-def _paragraph(
-    runs: tuple[Run, ...], text: Text, spacing: int, palette: Palette, language: str
-) -> str:
+def body_xml(body: Body, palette: Palette, language: str) -> str:
+    """What the body's placeholder holds, a paragraph each, wrapped by PowerPoint."""
+    xml = ""
+    for text, bullet, before in body.paragraphs:
+        style = _Style(palette, language, round(100_000 * text.leading / 1.15), before, bullet)
+        style = style._replace(indent=text.box.left - body.box.left if bullet else 0.0)
+        for runs in text.paragraphs or text.lines:
+            xml += _paragraph(runs, text, style)
+    return (
+        '<p:txBody><a:bodyPr wrap="square" lIns="0" tIns="0" rIns="0" bIns="0" anchor="t">'
+        f"<a:noAutofit/></a:bodyPr><a:lstStyle/>{xml}</p:txBody>"
+    )
+
+
+class _Style(NamedTuple):
+    palette: Palette
+    language: str
+    spacing: int  # of lines, thousandths of a per cent
+    before: float = 0.0  # points
+    bullet: str = ""
+    indent: float = 0.0  # points
+
+
+def _paragraph(runs: tuple[Run, ...], text: Text, style: _Style) -> str:
     align = ALIGN[text.align]
     backwards = ' rtl="1"' if text.right_to_left else ""
     if text.right_to_left:  # there, "l" is where a line begins
         align = {"l": "r", "r": "l"}.get(align, align)
     kept = runs if text.is_title else tuple(replace(run, text=_kept(run.text)) for run in runs)
-    xml = "".join(run_xml(run, text.size, palette[text.colour], language) for run in kept)
+    is_sign = style.bullet == "•"
+    if style.bullet and not is_sign:  # a number: PowerPoint's own would count by itself
+        kept = (Run(style.bullet + "\t"), *kept)
+    colour = style.palette[text.colour]
+    xml = "".join(run_xml(run, text.size, colour, style.language) for run in kept)
+    mark = f'<a:buFont typeface="{FONT}"/><a:buChar char="•"/>' if is_sign else "<a:buNone/>"
+    edge = emu(style.indent)
     return (
-        f'<a:p><a:pPr algn="{align}"{backwards} marL="0" indent="0"><a:lnSpc>'
-        f'<a:spcPct val="{spacing}"/></a:lnSpc><a:spcBef><a:spcPts val="0"/></a:spcBef>'
-        f"<a:buNone/></a:pPr>{xml}</a:p>"
+        f'<a:p><a:pPr algn="{align}"{backwards} marL="{edge}" indent="{-edge}"><a:lnSpc>'
+        f'<a:spcPct val="{style.spacing}"/></a:lnSpc><a:spcBef>'
+        f'<a:spcPts val="{round(100 * style.before)}"/></a:spcBef>{mark}</a:pPr>{xml}</a:p>'
     )
 
 

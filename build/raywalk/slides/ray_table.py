@@ -1,4 +1,4 @@
-"""The numbers of a pixel's rays as a table beside the figure."""
+"""The numbers of a pixel's rays as tables."""
 
 from __future__ import annotations
 
@@ -8,51 +8,26 @@ from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
 from raywalk.slides.words import columns, numbers, place, say
 
-ROW = 20.0  # points
+ROW = 25.0  # points
 SAMPLE = 26.0  # of a ray's line before its number
-SWATCH = 12.0
-GAP = 6.0  # between columns
+SWATCH = 16.0
+GAP = 18.0  # between columns
 NUMBER_GAP = 3.0  # more, between a ray's number and the name of what it hits
 MOST_DECIMALS = 3
 ROUNDING = 0.01  # points: a column is as wide as its longest name, and a gap added and taken off
 
 
-def ray_table(stop: Stop, box: Box, most_rows: int) -> Table | None:
-    """At most so many rows with the heading; the last may say how many rays are left out.
-
-    None if no pixel is selected or not even one ray fits.
-    """
-    rays = stop.rows
-    if not rays or most_rows < 2:
-        return None
-    shown = rays if len(rays) < most_rows else rays[: most_rows - 2]
-    if not shown:
-        return None
-    for decimals in (MOST_DECIMALS, 2):  # a name that is whole comes before a third decimal
-        body = [_row(ray, decimals) for ray in shown]
+def ray_tables(stop: Stop, box: Box) -> list[Table]:
+    """All rays, one table for each slide that they take; a name that is whole comes before a third
+    decimal."""
+    heading = tuple(Cell(word, bold=True) for word in columns())
+    for decimals in (MOST_DECIMALS, 2):
+        body = [_row(ray, decimals) for ray in stop.rows]
         widths = _widths(body, box.width)
         room = widths[1] - GAP + ROUNDING
         if all(width(row[1].text, SMALLEST) <= room for row in body):
             break
-    heading = tuple(Cell(word, bold=True) for word in columns())
     body = [(row[0], Cell(shortened(row[1].text, SMALLEST, room)), *row[2:]) for row in body]
-    if len(shown) < len(rays):
-        left = Cell(say("slides.moreRays", shown=len(shown), of=len(rays)))
-        body.append((left, *[Cell()] * (len(heading) - 1)))
-    return _table(stop, (heading, *body), widths, box)
-
-
-def is_whole(table: Table, stop: Stop) -> bool:
-    """Does a table hold every ray, with its object's name unshortened?"""
-    names = [_met(ray) for ray in stop.rows]
-    return [row[1].text for row in table.rows[1:]] == names
-
-
-def ray_tables(stop: Stop, box: Box) -> list[Table]:
-    """All rays with whole names and all decimals, one table for each slide they take."""
-    body = [_row(ray, MOST_DECIMALS) for ray in stop.rows]
-    heading = tuple(Cell(word, bold=True) for word in columns())
-    widths = _widths(body, box.width)
     fits = int(box.height / ROW) - 1
     parts = [body[k : k + fits] for k in range(0, len(body), fits)]
     return [_table(stop, (heading, *part), widths, box) for part in parts]

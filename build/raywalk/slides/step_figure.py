@@ -11,22 +11,24 @@ import numpy as np
 from raywalk.scene.model import Scene
 from raywalk.slides.clip import clipped_area, clipped_line
 from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygon, flat, hex_of
-from raywalk.slides.labels import Label, Places
+from raywalk.slides.labels import Inset, Label, Places
 from raywalk.slides.layout import Box
+from raywalk.slides.legend import legend
 from raywalk.slides.pictures import tiles_picture, washed
 from raywalk.slides.stops import ChosenLine, Ends, Ring, Stop, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
 
-CHOSEN_WIDTH = 2.2
-PASSED_WIDTH = 1.4  # of rays that a walk has behind it
-THIN_WIDTH = 0.9
+CHOSEN_WIDTH = 3.0
+PASSED_WIDTH = 1.8  # of rays that a walk has behind it
+THIN_WIDTH = 1.0
 FEW_THIN = 60  # lines that are drawn at that width
 HIDDEN_SHARE = 0.45  # of a line's width where something stands before it
-DOT = 3.2
+DOT = 4.0
 MOST_SQUARES = 15  # tiles across that are drawn one by one; finer grids are a picture
 LEAST_SQUARE = 5.0  # points: below, grid lines would cover the tiles
 MOST_NORMALS = 3
 RING_WIDTH = 2.6
+PLATE = 24.0  # from one line of what is switched to the next
 MOST_NUMBERS = 9
 
 
@@ -56,8 +58,9 @@ class Drawing:
         return (at, inside) if inside else None
 
 
-def step_figure(drawing: Drawing) -> Group:
-    """Everything of a step that is drawn; the group's alt tells it in words."""
+def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
+    """Everything of a step that is drawn; the group's alt tells it in words. insets: what else is
+    drawn, one after the other."""
     stop = drawing.stop
     places = Places(drawing.box)
     rays = _rays(drawing, stop.chosen, CHOSEN_WIDTH, places)
@@ -73,6 +76,9 @@ def step_figure(drawing: Drawing) -> Group:
         *_normals(drawing, places),
     ]
     parts += _switched(drawing, places)
+    for inset in insets:
+        parts += inset(places)
+    parts += legend(parts, places, CHOSEN_WIDTH, CHOSEN_WIDTH * HIDDEN_SHARE * 1.2)
     parts += places.put(_labels(drawing))
     return Group(
         say("slides.figure"), figure_alt(drawing.scene, stop), tuple(parts), is_figure=True
@@ -86,7 +92,8 @@ def _switched(drawing: Drawing, places: Places) -> list[Item]:
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
     items: list[Item] = []
     for k, words in enumerate(settings):
-        items += places.plate(words, drawing.box.left + 2, drawing.box.top + 2 + 18 * k)
+        top = drawing.box.top + 8 + k * PLATE
+        items += places.plate(words, drawing.box.left + 10, top)
     return items
 
 

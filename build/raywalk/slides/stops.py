@@ -128,6 +128,7 @@ class Event(FromNode):
 
     what: str
     ray: int
+    light: int  # of a shadow ray's event, else -1
     says: str
     phrases: tuple[tuple[str, str | None], ...]  # None: plain, "": bold, else a kind of ray
     numbers: str
@@ -180,6 +181,11 @@ class Stop(FromNode):
     bytes: tuple[int, int, int]  # the selected tile's colour
     rows: tuple[Row, ...]  # of the selected pixel's rays; none where they are not walked
     events: tuple[Event, ...]
+
+    @property
+    def walk(self) -> tuple[int, tuple[int, int], Switches]:
+        """Whose rays its rows are: the same of every stop at this pixel, switched alike."""
+        return self.n, self.pixel, self.switches
 
     def text(self, scene: Scene) -> str:
         """Its words in the lesson, Markdown."""

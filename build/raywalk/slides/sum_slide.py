@@ -4,55 +4,39 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, footer, title
-from raywalk.slides.figure import Cell, Run, Slide, Table, hex_of
+from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, title
+from raywalk.slides.figure import Cell, Item, Run, Slide, Table, hex_of
 from raywalk.slides.layout import SMALLEST, Box
 from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.ray_table import SAMPLE, SWATCH
-from raywalk.slides.step_slide import Lesson
+from raywalk.slides.step_slide import Lesson, source_line
 from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
-from raywalk.slides.words import kind_word, numbers, place, say, sum_columns
+from raywalk.slides.words import kind_word, numbers, say, sum_columns
 
-ROW = 22.0
-LITTLE = 0.002  # of a colour, its channels together: three decimals hardly show it
-MOST_RAYS = 5  # a longer sum takes more than one slide
-
-
-def summed_pixel(lesson: Lesson) -> Stop | None:
-    """The stop whose pixel has most to tell of its sum; None if no step walks one pixel's rays."""
-    walked = [
-        stop for stop in lesson.stops
-        if stop.rows and stop.filled and stop.kind != "question" and not stop.is_switched
-    ]  # fmt: skip
-    fitting = [stop for stop in walked if len(stop.rows) <= MOST_RAYS] or walked[:1]
-    return max(fitting, key=_telling, default=None)
+ROW = 25.0
+GAP = 18.0  # between the tables
 
 
-def sum_slides(lesson: Lesson) -> list[Slide]:
-    """How that pixel's colour adds up; none if no step walks one pixel's rays."""
-    stop = summed_pixel(lesson)
-    return [] if stop is None else _slides(lesson, stop)
-
-
-def _slides(lesson: Lesson, stop: Stop) -> list[Slide]:
+def sum_slides(lesson: Lesson, stop: Stop, rays: Table | None = None) -> list[Slide]:
+    """How the colour of a walked pixel adds up. rays: a short table of its rays, above it."""
     layout = lesson.layout
     head = say("slides.sum", x=stop.pixel[0], y=stop.pixel[1])
     says = flow([Paragraph((Run(say("slides.sumSays")),))], BODY_SIZE, layout.title.width)
-    words = Box(layout.title.left, layout.title.bottom + 4, layout.title.width, says.height())
-    top = words.bottom + 12
+    left, top, wide, _ = layout.below_title
     rows = [*map(_row, stop.rows), *_total(stop)]
-    fits = int((layout.footer.top - 10 - top) / ROW) - 1
     slides: list[Slide] = []
     while rows:
+        above: list[Item] = [rays] if rays and not slides else []
+        words = Box(left, rays.box.bottom + GAP if rays and above else top, wide, says.height())
+        place = Box(left, words.bottom + 6, wide, 0)
+        fits = int((layout.footer.top - 10 - place.top) / ROW) - 1
         part, rows = rows[:fits], rows[fits:]
         name = say("slides.continued", title=head) if slides else head
-        table = _table(part, Box(words.left, top, words.width, 0))
-        under = footer(
-            f"{say('slides.brand')} · {lesson.place} · {say('slides.pixelOf', **place(stop))}",
-            "", layout,
+        items = (
+            title(name, layout.title), *above, *flow_texts(says, words), _table(part, place),
+            *source_line(lesson, stop),
         )  # fmt: skip
-        items = (title(name, layout.title), *flow_texts(says, words), table, *under[:1])
         notes = (say("slides.sumSays"), *(" · ".join(_spoken(row)) for row in part))
         slides.append(Slide(name, items, notes, "sum", bool(len(slides))))
     return _with_lights(lesson, stop, slides)
@@ -67,12 +51,8 @@ def _with_lights(lesson: Lesson, stop: Stop, slides: list[Slide]) -> list[Slide]
         if hit.what == "local"
     ]
     *done, last = slides
-    under = last.items[-1]
-    top = next(item.box.bottom for item in last.items if isinstance(item, Table)) + 14
-    room = layout.footer.top - 8 - top
-    rest = flow(sums, SMALLEST + 1, layout.title.width)
-    if rest.height() > room:
-        rest = flow(sums, SMALLEST, layout.title.width)
+    top = max(item.box.bottom for item in last.items if isinstance(item, Table)) + 14
+    rest = flow(sums, SMALLEST, layout.title.width)
     while rest.lines:
         space = layout.footer.top - 8 - top
         if space >= rest.line_height:
@@ -82,14 +62,10 @@ def _with_lights(lesson: Lesson, stop: Stop, slides: list[Slide]) -> list[Slide]
         if rest.lines:
             done.append(last)
             head = say("slides.continued", title=slides[0].title)
-            last = Slide(head, (title(head, layout.title), under), (), "sum", True)
+            items = (title(head, layout.title), *source_line(lesson, stop))
+            last = Slide(head, items, (), "sum", True)
             top = layout.title.bottom + 12
     return [*done, last]
-
-
-def _telling(stop: Stop) -> tuple[int, int]:
-    """How much a sum has to tell: rays that give something, rays in all."""
-    return sum(sum(ray.gives) > LITTLE for ray in stop.rows), len(stop.rows)
 
 
 def _row(ray: Row) -> tuple[Cell, ...]:

@@ -50,7 +50,7 @@ export interface LessonStop {
   picture: { n: number; tiles: string } | null; // the finest grid with the switches set
   bytes: Vec3; // the selected tile's colour
   rows: readonly Row[]; // of the selected pixel; none where it is not walked
-  events: readonly (Worded & { what: RayEvent["what"]; ray: number })[]; // none where a question would be answered
+  events: readonly (Worded & { what: RayEvent["what"]; ray: number; light: number })[]; // none where a question would be answered
 }
 
 export interface Lesson {
@@ -71,7 +71,7 @@ function walk({ kind, state }: Stop, { trace, scene }: Seen): Pick<LessonStop, "
   const rows = walksPixel(state) ? rayRows(trace, scene, index) : [];
   const numbers = new Map(rows.map(({ ray, number }) => [ray, number]));
   const events = kind === "question" || !rows.length ? [] : eventsOf(trace, scene, index);
-  return { numbers, rows: rows.map(rowOf), events: events.map((event) => ({ what: event.what, ray: numbers.get(event.ray)!, ...worded(event) })) };
+  return { numbers, rows: rows.map(rowOf), events: events.map((event) => ({ what: event.what, ray: numbers.get(event.ray)!, light: event.light, ...worded(event) })) };
 }
 
 function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], viewpoint: number, sights: Sights["stops"][number]): LessonStop {

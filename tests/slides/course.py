@@ -1,0 +1,98 @@
+"""The decks of the course's lessons as display lists, from what `make` left in .work."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from raywalk.commands.slides import traced
+from raywalk.pipeline.figures import filled_lessons
+from raywalk.pipeline.scenes import translated
+from raywalk.pipeline.site import in_all_languages
+from raywalk.pipeline.slides import Plan, Source, plans_of, sources_of
+from raywalk.scene.read import read_scenes
+from raywalk.site.scene_data import scene_words
+from raywalk.slides.deck import Sources, lesson_slides, scene_deck
+from raywalk.slides.figure import Deck, Slide
+from raywalk.slides.formats import SIGHTS
+from raywalk.slides.layout import LAYOUTS, WIDE, Layout
+from raywalk.slides.step_slide import Lesson
+from raywalk.slides.words import speaking
+from raywalk.stops.process import Stops
+from raywalk.words import read_words
+from raywalk.words.catalogue import DEFAULT
+from raywalk.work.pool import Workers
+from raywalk.work.store import Store
+
+from .conftest import last
+
+ROOT = Path(__file__).parent.parent.parent
+
+
+@dataclass(frozen=True, eq=False)
+class CourseDeck:
+    """One lesson's deck in one language and aspect."""
+
+    language: str
+    layout: Layout
+    sources: Sources
+    lesson: Lesson
+    slides: list[Slide]  # the lesson's alone
+    deck: Deck
+
+    @property
+    def name(self) -> str:
+        return f"{self.language}/{self.deck.id} {self.layout.name}"
+
+
+@cache
+def course_decks() -> list[CourseDeck]:
+    """Of every scene in every language and aspect."""
+    store = Store(ROOT / ".work")
+    with Workers() as workers:
+        spoken = last(
+            filled_lessons(store, in_all_languages(read_scenes(ROOT / "scenes")), workers)
+        )
+    decks = []
+    with Stops() as stops:
+        for each in spoken[DEFAULT]:
+            source = last(traced(store, each.scene))
+            sources = [
+                Source(scene, code, source.traced, source.page_data)
+                for code, scene in translated(each.scene, spoken).items()
+            ]
+            plans = last(plans_of(store, stops, sources))
+            for plan, of in zip(plans, sources, strict=True):
+                decks += [_deck(stops, plan, of, layout) for layout in LAYOUTS.values()]
+    return decks
+
+
+def _deck(stops: Stops, plan: Plan, of: Source, layout: Layout) -> CourseDeck:
+    with speaking(plan.language), TemporaryDirectory() as folder:
+        sources = sources_of(plan)
+        if layout is not WIDE:
+            sources = _as_if_seen(stops, plan, of, layout, Path(folder))
+        lesson = sources.lesson(layout)
+        slides = lesson_slides(lesson)
+        deck = scene_deck(sources, layout, lesson=lesson, slides=slides)
+    return CourseDeck(plan.language, layout, sources, lesson, slides, deck)
+
+
+def _as_if_seen(stops: Stops, plan: Plan, of: Source, layout: Layout, folder: Path) -> Sources:
+    """In another aspect: the tracer is not asked anew, for what is hidden behind an object and the
+    views alone would differ, and no law here is about them."""
+    where = {
+        "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
+        "size": {"width": layout.figure.width, "height": layout.figure.height},
+    }  # fmt: skip
+    asked, lesson = folder / "asked.json", folder / "lesson.json"
+    asked.write_text(stops.ask({"do": "ask", **where}), encoding="utf-8")
+    words = read_words(plan.language).tree
+    spoken = None if plan.language == DEFAULT else scene_words(of.scene)
+    lesson.write_text(stops.ask({
+        "do": "lesson", **where, "asked": str(asked), "words": words, "spoken": spoken,
+        "sights": str(plan.sights.folder / SIGHTS),
+    }), encoding="utf-8")  # fmt: skip
+    return Sources(plan.scene, plan.traced, plan.sights.folder, lesson)
