@@ -49,7 +49,8 @@ def test_a_ball_seen_straight_on_has_a_circle_as_large_as_it_looks(made):
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     radii = np.hypot(*(points - middle).T)
     box = figure.items[0].box  # the shaded view fills the frame
-    focal = min(box.width, box.height) / 2 / np.tan(np.radians(20))  # an observer's fov is 40
+    [stop] = made(step.replace("OBSERVER", AIMED)).lesson().stops
+    focal = min(box.width, box.height) / 2 / np.tan(np.radians(stop.observer["fov"] / 2))
     assert radii == pytest.approx(focal / np.sqrt(14**2 - 1) + 8, abs=1e-6)
     assert middle == pytest.approx([box.left + box.width / 2, box.top + box.height / 2], abs=1e-6)
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from raywalk.slides.figure import Item, Run, Slide, Text
+from raywalk.slides.figure import Item, Run, Text
 from raywalk.slides.layout import SMALLEST, SOURCE, Box, Layout
 from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.typeface import is_right_to_left, shortened, width, wrapped
-from raywalk.slides.words import say
 
 TITLE_SIZES = (30.0, 27.0, 24.0)  # the largest in which it takes one line
 BODY_SIZE = 24.0
@@ -145,17 +143,6 @@ def title(words: str, box: Box) -> Text:
     high = size * 1.2
     place = Box(box.left, box.top + (box.height - high) / 2, box.width, high)
     return text([(Run(cut, bold=True),)], place, size, name="title", is_title=True)
-
-
-def continued(
-    rest: Flow, box: Box, head: str, layout: Layout, kind: str, under: Iterable[Item] = ()
-) -> Iterator[Slide]:
-    """Slides for the words that did not fit on one with this title; `under` stands on each."""
-    again = say("slides.continued", title=head)
-    while rest.lines:
-        part, rest = rest.split(box.height)
-        items = (title(again, layout.title), *flow_texts(part, box), *under)
-        yield Slide(again, items, (), kind, True)
 
 
 def footer(left: str, right: str, layout: Layout) -> list[Item]:

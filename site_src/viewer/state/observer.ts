@@ -21,7 +21,7 @@ const WORLD_UP: Vec3 = [0, 1, 0];
 const radians = (degrees: number) => (degrees * Math.PI) / 180;
 
 /** What the start view must show: the eye, its picture plane, every finite object and every light. */
-function landmarks(scene: SceneData, plane: PicturePlane): Vec3[] {
+export function landmarks(scene: SceneData, plane: PicturePlane): Vec3[] {
   const within = (p: Vec3) => length(sub(p, scene.bounds.center)) < 1.5 * scene.bounds.radius;
   return [
     add(scene.camera.eye, scale(plane.forward, -0.2 * length(plane.across))), // the camera's back

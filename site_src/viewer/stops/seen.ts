@@ -7,6 +7,7 @@ import type { Observer, ViewState } from "../state/types";
 import { goToStep, pixelIndex, startState } from "../state/view-state";
 import { createWhatIf } from "../state/what-if";
 import type { SceneData, Trace } from "../trace/types";
+import { closeUp } from "./close-up";
 
 const MOST_THIN = 450; // lines: more hide one another, and make a slide slow to edit
 const KEPT = { speed: 1, still: true, gl: true };
@@ -55,8 +56,10 @@ export interface Seen {
 export const whatIf = createWhatIf();
 export const walksPixel = ({ rays }: ViewState): boolean => rays.includes("pixel");
 
-export function seenAt(state: ViewState, grid: Trace, { scene: whole, plane, size: { width, height } }: Setting): Seen {
-  const observer = observerOf(state.observer, whole, plane, width / height);
+export function seenAt(state: ViewState, grid: Trace, { scene: whole, plane, size }: Setting): Seen {
+  const { width, height } = size;
+  const from = observerOf(state.observer, whole, plane, width / height);
+  const observer = typeof state.observer === "string" ? from : closeUp(from, whole, plane, size);
   const { trace, scene } = whatIf.of(grid, whole, state.switches);
   const chosen = walksPixel(state) ? linesOf(trace, scene, pixelIndex(state)) : [];
   return { trace, scene, observer, projection: createProjection(observer, width, height), chosen, ...thinned(trace, scene, thinAround(state)) };
