@@ -60,7 +60,7 @@ def course_decks() -> list[CourseDeck]:
         for each in spoken[DEFAULT]:
             source = last(traced(store, each.scene))
             sources = [
-                Source(scene, code, source.traced, source.page_data)
+                Source(scene, code, source.traced, source.page_data, source.base_data)
                 for code, scene in translated(each.scene, spoken).items()
             ]
             plans = last(plans_of(store, stops, sources))
@@ -83,10 +83,12 @@ def _deck(stops: Stops, plan: Plan, of: Source, layout: Layout) -> CourseDeck:
 def _as_if_seen(stops: Stops, plan: Plan, of: Source, layout: Layout, folder: Path) -> Sources:
     """In another aspect: the tracer is not asked anew, for what is hidden behind an object and the
     views alone would differ, and no law here is about them."""
-    where = {
+    where: dict[str, object] = {
         "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
         "size": {"width": layout.figure.width, "height": layout.figure.height},
     }  # fmt: skip
+    if of.base_data:
+        where["base"] = str(of.base_data.folder / "scene.js")
     asked, lesson = folder / "asked.json", folder / "lesson.json"
     asked.write_text(stops.ask({"do": "ask", **where}), encoding="utf-8")
     words = read_words(plan.language).tree

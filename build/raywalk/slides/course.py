@@ -28,7 +28,7 @@ def course_slides(scenes: list[Scene], pictures: list[Path], layout: Layout) -> 
 
 def summary_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
     """What each lesson has taught."""
-    rules = [Paragraph((Run(scene.teaches),), scene.key or "•") for scene in scenes]
+    rules = [Paragraph((Run(scene.teaches),), "•") for scene in scenes]
     return list_slides(say("slides.rules"), rules, layout, "goals")
 
 
@@ -53,13 +53,21 @@ def _title(scenes: list[Scene], pictures: list[Path], layout: Layout) -> Slide:
 
 
 def _agenda(scenes: list[Scene]) -> list[Paragraph]:
-    """The scenes by their numbers, under their chapters where they have some."""
-    points = []
-    for chapter, group in groupby(scenes, key=lambda scene: getattr(scene, "chapter", "")):
+    """The lessons by their places in the course, under their chapters where they have some."""
+    points, count = list[Paragraph](), 0
+    for chapter, group in groupby(scenes, key=lambda scene: scene.chapter):
         if chapter:
-            points.append(Paragraph((Run(chapter, True),)))
-        points += [Paragraph((Run(scene.title),), scene.key or "•") for scene in group]
+            points.append(Paragraph((Run(say(f"pages.chapters.{chapter}"), True),)))
+        for scene in group:
+            count += 1
+            points.append(Paragraph((Run(_called(scene)),), str(count)))
     return points
+
+
+def _called(scene: Scene) -> str:
+    if not scene.key:
+        return scene.title
+    return say("pages.scene.link", key=scene.key, title=scene.title)
 
 
 def _times(scenes: list[Scene]) -> list[Paragraph]:
@@ -68,7 +76,7 @@ def _times(scenes: list[Scene]) -> list[Paragraph]:
     points = [Paragraph((Run(say("slides.timesSay")),))]
     for most in LECTURES:
         lectures = parted(minutes, most)
-        keys = " | ".join(", ".join(scenes[k].key or str(k + 1) for k in each) for each in lectures)
+        places = " | ".join(", ".join(str(k + 1) for k in each) for each in lectures)
         head = say("slides.lectures", minutes=most, count=len(lectures))
-        points.append(Paragraph((Run(head, True), Run(f" {keys}")), "•"))
+        points.append(Paragraph((Run(head, True), Run(f" {places}")), "•"))
     return points
