@@ -1,10 +1,11 @@
 /** On paper: each step of the lesson with its figure, no heading without what it heads, nothing cut. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { launch, newPage, ON_DISK, open, openScene, richScene, keyedScenes, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
@@ -47,7 +48,7 @@ for (const [where, { path, id, come }] of Object.entries(WAYS))
       assert.equal(await page.locator(".step-figure").first().isVisible(), false, "on the screen the stage is the figure");
       const pages = await printed(format);
       const { seen, headings, lesson } = await page.evaluate(() => ({
-        seen: [...document.querySelectorAll(".step-figure")].map((figure) => [figure.closest("li") && figure.naturalWidth > 0, figure.getAttribute("src")]),
+        seen: [...document.querySelectorAll(".step-figure")].map((figure) => [figure.closest("li") && figure.naturalWidth > 0, figure.getAttribute("src"), figure.src]),
         headings: [...document.querySelectorAll("#page :is(h1, h2, summary)")].map((each) => each.textContent),
         lesson: [...document.querySelectorAll(".plain-lesson li")].map((each) => each.textContent),
       }));
@@ -56,7 +57,10 @@ for (const [where, { path, id, come }] of Object.entries(WAYS))
       assert.deepEqual(seen.filter(([isThere]) => !isThere), [], "paper's figures have been loaded");
       assert.equal(new Set(seen.map(([, source]) => source)).size, figures, "each its own");
       const pictures = pages.reduce((sum, each) => sum + each.pictures, 0);
-      assert.equal(pictures, figures + 1, "on paper the scene's picture and all figures");
+      // Of a figure the shaded view, and in its corner the traced picture.
+      const drawn = seen.map(([, , file]) => readFileSync(fileURLToPath(file), "utf8").split("data:image/jpeg").length - 1);
+      assert.ok(drawn.every((count) => count === 1 || count === 2));
+      assert.equal(pictures, drawn.reduce((sum, count) => sum + count, 1), "on paper the scene's picture and all figures");
       for (const [k, { last }] of pages.entries()) assert.ok(!headings.some((heading) => words(heading) === words(last)), `page ${k + 1} ends on the heading "${last}"`);
       const all = words(pages.map(({ text }) => text).join(""));
       for (const step of lesson) for (const sentence of step.split("\n\n")) for (const word of sentence.split(/\s+/)) assert.ok(all.includes(words(word)), word);

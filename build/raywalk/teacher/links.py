@@ -46,11 +46,15 @@ def links_page(lessons: list[Lesson], base: str) -> str:
     return "\n".join([*parts, "</html>\n"])
 
 
+LONGEST = 74  # letters of a link: a longer first sentence is told whole
+
+
 def _head(scene: Scene, step: int) -> str:
     told = scene.lesson[step]
     if told.headline:
         return plain_text(told.headline)
-    head, _ = title_and_body(words_and_pictures(told.text)[0])
+    paragraphs, _ = words_and_pictures(told.text)
+    head, _ = title_and_body(paragraphs, lambda sentence: len(sentence) <= LONGEST)
     return head or plain_text(told.text)
 
 
