@@ -4,14 +4,13 @@ import type { PicturePlane } from "../state/frustum";
 import { createProjection } from "../state/projection";
 import type { Observer } from "../state/types";
 import type { SceneData } from "../trace/types";
-import type { Size } from "./seen";
 
 const FILL = 0.92; // of the figure's half, across or down
 const LARGEST = 1.6;
 
 /** The same place with a smaller field of view, as small as keeps in the frame what is there: eye, picture plane, lamps,
  *  objects. It depends on nothing else, so that stops with one observer share a view. */
-export function closeUp(observer: Observer, scene: SceneData, plane: PicturePlane, { width, height }: Size): Observer {
+export function closeUp(observer: Observer, scene: SceneData, plane: PicturePlane, { width, height }: { width: number; height: number }): Observer {
   const { project } = createProjection(observer, width, height);
   const reaches = landmarks(scene, plane)
     .map(project)
