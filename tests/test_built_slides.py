@@ -21,8 +21,8 @@ SHEETS = {
 }
 MAIL = 1_000_000  # bytes: a lesson can be sent by mail
 COURSE = 4_500_000  # two hundred slides and more, of 21 lessons
-ALL = {"en": 33_000_000, "de": 26_500_000}  # with them the whole site fits a kiosk's 50 MB
-LEAST = 1400  # hundredths of a point, as PPTX counts
+ALL = {"en": 38_500_000, "de": 31_500_000}  # with them the whole site fits a kiosk's 55 MB
+LEAST, SOURCE = 1800, 1200  # hundredths of a point, as PPTX counts; of the source line
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -57,17 +57,18 @@ def test_formats_of_a_lesson_have_the_same_slides(scene, language):
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_no_word_on_any_slide_is_smaller_than_14_points(language):
+def test_no_word_on_any_slide_is_smaller_than_18_points_but_the_source_line(language):
     """In PPTX as set, in HTML as drawn; PDF is drawn from the same lists."""
     folder = LANGUAGES[language]
     with zipfile.ZipFile(folder / "course.pptx") as packed:
         for name in packed.namelist():
             if re.fullmatch(r"ppt/slides/slide\d+\.xml", name):
-                sizes = re.findall(r'<a:rPr[^>]* sz="(\d+)"', packed.read(name).decode())
-                assert min(map(int, sizes), default=LEAST) >= LEAST, name
+                sizes = map(int, re.findall(r'<a:rPr[^>]* sz="(\d+)"', packed.read(name).decode()))
+                assert [size for size in sizes if size < LEAST and size != SOURCE] == [], name
     for scene in SCENES:
         page = (folder / f"{scene.id}.html").read_text(encoding="utf-8")
-        assert min(float(size) for size in re.findall(r'font-size="([\d.]+)"', page)) >= 14
+        sizes = {round(100 * float(size)) for size in re.findall(r'font-size="([\d.]+)"', page)}
+        assert {size for size in sizes if size < LEAST} <= {SOURCE}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

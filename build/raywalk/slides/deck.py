@@ -68,13 +68,14 @@ def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[S
 
 
 def course_of(all_sources: list[Sources], lessons: list[list[Slide]], layout: Layout) -> Deck:
-    """Every scene's lesson after the other, without their backup."""
+    """Every scene's lesson after the other, without their backup and what builds slides up: those
+    are in each lesson's own deck."""
     scenes = [sources.scene for sources in all_sources]
     pictures = [sources.traced / "picture.png" for sources in all_sources]
     slides = course_slides(scenes, pictures, layout)
     for sources, picture, lesson in zip(all_sources, pictures, lessons, strict=True):
         slides.append(title_slide(sources.scene, picture, layout, "section"))
-        slides += lesson
+        slides += [slide for slide in lesson if slide.kind != "build"]
     slides += [*summary_slides(scenes, layout), *credits_slides(scenes, layout)]
     return Deck(
         COURSE, say("slides.course"), layout.width, layout.height, tuple(slides), words().code

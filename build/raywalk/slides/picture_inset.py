@@ -15,6 +15,7 @@ from raywalk.slides.stops import Stop
 from raywalk.slides.words import chosen_tile, say
 
 SIDE = 164.0
+SHARP = 246  # pixels: it is in each figure's file
 CAPTION = 26.0
 EDGE = 10.0  # to the figure's
 MOST_TILES = 21  # across: finer grids are shown in part
@@ -27,8 +28,9 @@ def inset_of(picture: Path, title: str, stop: Stop) -> Inset:
     def draw(places: Places) -> list[Item]:
         box = _corner(places, CAPTION if stop.rows else 0.0)
         places.boxes.append(box)
+        place = Box(box.left, box.top, SIDE, SIDE)
         return [
-            *framed_picture(picture, title, stop, Box(box.left, box.top, SIDE, SIDE)),
+            *framed_picture(picture, title, stop, place, sharp=SHARP),
             *(_caption(stop, box) if stop.rows else []),
         ]
 
@@ -36,15 +38,16 @@ def inset_of(picture: Path, title: str, stop: Stop) -> Inset:
 
 
 def framed_picture(
-    picture: Path, title: str, stop: Stop, frame: Box, window: Window | None = None
-) -> list[Item]:
+    picture: Path, title: str, stop: Stop, frame: Box, window: Window | None = None,
+    sharp: int = PICTURE_SIDE,
+) -> list[Item]:  # fmt: skip
     """The picture, or a part of it, with the selected tile framed. window: None for the part round
     that tile."""
     window = window or window_of(stop.n, stop.pixel)
     if stop.picture:  # with the step's switches set, as the finest grid has it
         data = grid_picture(stop.picture.tiles, stop.picture.n, window)
     else:
-        data = traced_picture(picture, PICTURE_SIDE, window)
+        data = traced_picture(picture, sharp, window)
     items: list[Item] = [
         picture_of(data, frame, say("picture.alt", title=title)),
         Polygon(frame.corners, None, "rule", 1.0, name=say("slides.picture")),
