@@ -50,7 +50,12 @@ for (const [where, { path, id, come }] of Object.entries(WAYS))
       const { seen, headings, lesson } = await page.evaluate(() => ({
         seen: [...document.querySelectorAll(".step-figure")].map((figure) => [figure.closest("li") && figure.naturalWidth > 0, figure.getAttribute("src"), figure.src]),
         headings: [...document.querySelectorAll("#page :is(h1, h2, summary)")].map((each) => each.textContent),
-        lesson: [...document.querySelectorAll(".plain-lesson li")].map((each) => each.textContent),
+        lesson: [...document.querySelectorAll(".plain-lesson li")].map((each) => {
+          const texts = document.createTreeWalker(each, NodeFilter.SHOW_TEXT); // apart: between a sentence and a choice is no space
+          const parts = [];
+          while (texts.nextNode()) parts.push(texts.currentNode.data);
+          return parts.join(" ");
+        }),
       }));
       const figures = figuresOf(readScene(id));
       assert.equal(seen.length, figures);

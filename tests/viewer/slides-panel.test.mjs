@@ -58,7 +58,7 @@ test("every file it names is there, with its size; another scene's after turning
     await page.evaluate((scene) => document.querySelector(`nav.scenes a[data-scene="${scene}"]`).click(), id);
     await until(page, (_state, _stats, scene) => document.querySelector("nav.scenes [aria-current]").dataset.scene === scene, id);
     const files = (await links()).filter(({ href }) => !href.includes("index.html"));
-    assert.ok(files.length >= 8, `${id}: ${files.length} files`);
+    assert.ok(files.length >= 7, `${id}: ${files.length} files`);
     for (const { href, size } of files) {
       assert.match(href, new RegExp(`/slides/${id}[.-]`));
       assert.ok(existsSync(fileURLToPath(href)), href);
