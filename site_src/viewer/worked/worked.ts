@@ -1,6 +1,6 @@
 /** What a lesson's step works out for the selected ray: a panel beside the stage, and what of it is drawn on the stage. The
  *  numbers are the pipeline's; here they are only shown, and a point moves along its ray. */
-import { element } from "../element";
+import { element, named } from "../element";
 import { svg } from "../panels/svg";
 import type { Drawn } from "../stage/renderer";
 import { isAsking, stopOf } from "../state/view-state";
@@ -24,7 +24,7 @@ export interface WorkedPlace {
 export function createWorked({ stage, side, load, changed }: WorkedPlace) {
   const lines = svg("svg", { class: "worked-lines", "aria-hidden": "true" });
   const elsewhere = element("p", "worked-none", say("worked.elsewhere"));
-  const root = element("section", "worked");
+  const root = named(element("section", "worked"), say("worked.region"));
   stage.append(lines);
   side.querySelector(".legend")!.before(root);
   const panels = new Map<string, WorkedPanel>();
