@@ -69,11 +69,11 @@ test("tabs show one panel or none, by click and by arrow key; the choice is part
   const visible = () => page.locator("[role=tabpanel]").evaluateAll((panels) => panels.filter((panel) => panel.checkVisibility()).map((panel) => panel.firstElementChild.className));
   assert.deepEqual(await visible(), []);
   assert.equal(await page.locator(".made-of").isVisible(), true, "at first what the colour is made of");
-  await tab("The tree").click();
+  await tab("The ray tree").click();
   await settled(page);
   assert.deepEqual(await visible(), ["tree"]);
   assert.equal(await page.locator(".made-of").isVisible(), false);
-  await tab("The tree").focus();
+  await tab("The ray tree").focus();
   await press(page, "ArrowRight");
   assert.deepEqual(await visible(), ["sums"]);
   assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows belong to the tabs");

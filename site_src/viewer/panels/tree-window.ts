@@ -4,7 +4,7 @@ import { button, element, setWord } from "../element";
 
 const LEGIBLE = 0.92; // smaller than this a tree is drawn on request only
 const DESK = 13; // px: the type in a node, unscaled
-const GROWS = 8; // px, at most, by which a node that is lit becomes wider and higher
+const GROWS = 18; // px, at most, by which a node becomes wider and higher while it is lit: its outline, its marks of lights
 
 /** shown: the tree is now drawn in another size, and what was looked at is to be seen again. */
 export function createTreeWindow(drawing: SVGElement, shown: () => void) {
