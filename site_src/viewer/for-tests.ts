@@ -41,5 +41,5 @@ export function exposeSession(session: Session, asked: Asked) {
       };
     },
   };
-  Object.defineProperty(window, "raywalk", { value: Object.freeze(read) });
+  Object.assign(window, { raywalk: read });
 }

@@ -60,7 +60,7 @@ export function listenToKeys(acts: Actions & Modes) {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (key.length === 1 && key !== " " && !singleKeys.on()) return;
     const act = /^\d$/.test(key) ? () => pressNumber(key) : table[key];
-    if (!act || (event.repeat && (key === " " || key === "r" || /^[abhvpfjsc?\d]$/.test(key)))) return;
+    if (!act || (event.repeat && /^[ abhvpfjrsc?\d]$/.test(key))) return;
     event.preventDefault();
     act();
     acts.pressed(key);

@@ -121,7 +121,7 @@ for (const [size, query, hash] of ASKED)
 
 test("the wheel over a frame scrolls the page around it until the frame has the focus, then it zooms", async () => {
   const frame = await course("?embed", "still=1&gl=none", FRAMES[0]);
-  const reach = () => frame.evaluate(() => window.raywalk.stats().reach);
+  const reach = () => frame.evaluate(() => (({ eye, target }) => Math.hypot(...eye.map((v, k) => v - target[k])))(window.raywalk.stats()));
   const before = await reach();
   const box = await outer.locator("iframe").boundingBox();
   await outer.mouse.move(box.x + 100, box.y + 60);

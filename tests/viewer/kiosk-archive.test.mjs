@@ -77,7 +77,7 @@ test("a visitor reaches every scene and the pages around them, and nothing else"
   // In one step: between finding links and reading them the kiosk may take an address away.
   const ways = await page.evaluate(() => [...document.querySelectorAll("a[href]")].map((link) => link.getAttribute("href")));
   assert.ok(ways.length > 10);
-  for (const way of ways) assert.match(way, /^(\.\.\/)*(de\/)?(index\.html|model\/index\.html|scenes\/[^/]+\/index\.html)?(#.*)?$/);
+  for (const way of ways) assert.match(way, /^(\.\.\/)*(de\/)?(index\.html|model\/index\.html|glossary\/index\.html|scenes\/[^/]+\/index\.html)?(#.*)?$/);
   assert.deepEqual(page.faults, []);
 });
 

@@ -5,16 +5,17 @@ import type { ChoiceData } from "../trace/types";
 /** A, B, C ... */
 export const letter = (k: number): string => String.fromCharCode(65 + k);
 
-export function createMarks(frame: HTMLElement) {
+/** home: holds the picture, once a scene is shown. */
+export function createMarks(home: HTMLElement) {
   const marks = element("div", "choice-marks");
   marks.setAttribute("aria-hidden", "true"); // the choices say their pixels
-  frame.append(marks);
   let shown: readonly ChoiceData[] = [];
   return {
     /** n: pixels across. */
     show(n: number, choices: readonly ChoiceData[]) {
       if (choices === shown) return;
       shown = choices;
+      home.querySelector(".picture-frame")?.append(marks);
       marks.replaceChildren(
         ...choices.flatMap(({ pixel }, k) => {
           if (!pixel) return [];

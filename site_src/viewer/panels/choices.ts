@@ -106,7 +106,7 @@ export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLEl
   const root = named(element("section", "prediction"), say("choices.name"));
   const predictions = createPredictions();
   const place = createPlace(home, root, changed);
-  const marks = createMarks(home.querySelector<HTMLElement>(".picture-frame")!);
+  const marks = createMarks(home);
   const contentChanged = reachable(root); // in a frame they scroll
   let group: ReturnType<typeof createGroup> | null = null;
   let shown = ""; // which question, asked or answered

@@ -1,4 +1,5 @@
 /** The names on the stage: of the hit, of what blocks a light, of camera and lamps. */
+import { lampsOf } from "../state/switches";
 import { triple } from "../state/vectors";
 import type { Vec3 } from "../trace/types";
 import { say, vector } from "../words";
@@ -6,7 +7,6 @@ import type { Label } from "./labels";
 import type { Drawn, StageView } from "./renderer";
 
 const BLOCKERS = 3; // named at most
-const OF_LAMP = /^(.*?)(?: (\d+)\/\d+)?$/; // an area light's points are named once, at the first
 
 /** Most important first. */
 export function namesOf({ view, projection }: Drawn): Label[] {
@@ -22,10 +22,8 @@ export function namesOf({ view, projection }: Drawn): Label[] {
     ...(hit ? label("hit", vector(hit), hit, "hit") : []),
     ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
     ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign", true)),
-    ...scene.lights.flatMap(({ name, position }, k) => {
-      const [, lamp, point = "1"] = name.match(OF_LAMP)!;
-      return point === "1" ? label(`light ${name}`, switched.lights[k].intensity > 0 ? lamp : say("stage.off", { light: lamp }), position, "sign") : [];
-    }),
+    // An area light's points are named once, at the first.
+    ...lampsOf(scene).flatMap(({ name, lights: [k] }) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), scene.lights[k].position, "sign")),
   ];
 }
 

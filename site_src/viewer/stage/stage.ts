@@ -138,7 +138,6 @@ function takenOn(stage: HTMLElement, over: readonly Element[]): Box[] {
 /** For tests: from where it is drawn, and where on the stage is what. */
 const placesOf = (drawn: Drawn | null) => ({
   ...drawn?.observer,
-  reach: drawn ? length(sub(drawn.observer.eye, drawn.observer.target)) : 0,
   /** Near the end of the k-th of the selected pixel's lines. */
   onLine: (k: number) => drawn!.projection.project(along(drawn!.view.chosen[k].from, drawn!.view.chosen[k].to, 0.8)),
   /** A tile's middle. */

@@ -71,9 +71,8 @@ function createSet(view: StageView) {
       });
     },
     resize(width: number, height: number, ratio: number) {
-      const large = document.body.classList.contains("projector") ? 1.6 : 1; // seen from the last row
-      for (const lines of [chosen, thin]) lines.resize(width / large, height / large);
-      for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio * large);
+      for (const lines of [chosen, thin]) lines.resize(width, height);
+      for (const dots of [lamps, hits, thinHits, stops]) dots.resize(ratio);
     },
   };
 }
