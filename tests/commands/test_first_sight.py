@@ -168,7 +168,7 @@ def test_the_figures_in_its_words_are_there_but_for_those_of_the_whole_picture(t
     assert first_sight(places(tmp_path), tmp_path / "sight")
     script = (tmp_path / "sight" / "scenes" / "01-ball" / "scene.js").read_text("latin-1")
     lesson = json.loads(gzip.decompress(base64.b64decode(script.split('"')[3])))["lesson"]
-    assert re.search(r"It is \d\.\d\d far, … bounce\.", lesson[-1]["html"])
+    assert re.search(r"It is \d\.\d\d far, … (<a [^>]*>)?bounce(</a>)?\.", lesson[-1]["html"])
 
 
 def test_pages_get_it_until_the_build_is_done_or_fails(tmp_path):

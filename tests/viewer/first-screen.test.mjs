@@ -131,7 +131,7 @@ test("the wheel over a frame scrolls the page around it until the frame has the 
   await outer.evaluate(() => scrollTo(0, 0));
   await outer.mouse.click(box.x + 100, box.y + 60);
   await outer.mouse.wheel(0, 40);
-  await frame.waitForFunction((before) => window.raywalk.stats().reach > before, before);
+  await frame.waitForFunction((before) => (({ eye, target }) => Math.hypot(...eye.map((v, k) => v - target[k])))(window.raywalk.stats()) > before, before);
   assert.equal(await outer.evaluate(() => scrollY), 0);
 });
 

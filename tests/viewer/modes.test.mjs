@@ -217,7 +217,7 @@ test("the pseudo-code has a tab of the card, marks the current event's line, als
   await code.waitFor();
   const asking = await page.evaluate(() => window.raywalk.lesson().findIndex((step) => step.answer));
   await open(page, ON_DISK, rich.path, `still=1&gl=none&step=${asking + 1}&tab=code`);
-  assert.equal(await code.isVisible(), true);
+  await code.waitFor();
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -10,7 +10,9 @@ const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/s
 /** A lesson on another scene is laid over that scene, as the viewer does. */
 export function readScene(id) {
   const own = read(`${id}/scene`);
-  return own.of === id ? own : { ...read(`${own.of}/scene`), ...own };
+  if (own.of === id) return own;
+  const base = read(`${own.of}/scene`);
+  return { ...base, ...own, files: base.files };
 }
 /** The id of the scene whose rays it shows. */
 const of = (id) => read(`${id}/scene`).of;

@@ -1,7 +1,7 @@
 /** The approximate look: mirrors and glass show what the pipeline traced round them, and are close to the picture at the camera. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { atRest, launch, newPage, ON_DISK, open, pictureOf, scenesOfSite, until } from "./browser.mjs";
+import { atRest, launch, newPage, ON_DISK, open, pictureOf, keyedScenes, scenesOfSite, until } from "./browser.mjs";
 import { readScene, readSurroundings, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -21,7 +21,7 @@ before(async () => {
 after(() => browser.close());
 
 const surrounded = [];
-for (const scene of scenesOfSite()) if ("surroundings" in readScene(scene.id).files) surrounded.push(scene);
+for (const scene of keyedScenes()) if ("surroundings" in readScene(scene.id).files) surrounded.push(scene); // lessons on them show the same
 
 /** Of each object: is it a mirror, or something to look through, and no wall? */
 const shownIn = ({ objects, materials }) => objects.map(({ type, material }) => type !== "plane" && (isMirror(materials[material]) || isClear(materials[material])));

@@ -75,9 +75,23 @@ def pseudo_scene(scene: Scene, code: str) -> Scene:
         lights=tuple(replace(each, name=change(each.name)) for each in scene.lights),
         materials=tuple(replace(each, name=change(each.name)) for each in scene.materials),
         lesson=tuple(
-            replace(step, text=change(step.text), answer=step.answer and change(step.answer))
+            replace(step, text=_said(step.text, change), answer=_said(step.answer, change))
             for step in scene.lesson
         ),
+    )
+
+
+#: Formulas and slots: no words of a language.
+KEPT = re.compile(r"(\$\$?[^$]+\$\$?|\{[^}]*\})")
+
+
+def _said(text: str, change: Callable[[str], str]) -> str:
+    """A lesson's text with its words changed; a text as a whole where nothing in it is kept."""
+    if not KEPT.search(text):
+        return text and change(text)
+    parts = KEPT.split(text)
+    return "".join(
+        part if k % 2 or not part.strip() else change(part) for k, part in enumerate(parts)
     )
 
 

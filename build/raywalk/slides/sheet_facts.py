@@ -45,7 +45,10 @@ def given(scene: Scene, facts: Facts) -> list[str]:
             spread=exactly(half_width(camera))),
     ]  # fmt: skip
     for k, obj in enumerate(scene.objects):
-        lines.append(f"{obj.name}: {shape_words(obj, facts['boxes'].get(str(k)))}")
+        told = shape_words(obj, facts["boxes"].get(str(k)))
+        if told is None:  # nothing is asked of this scene
+            continue
+        lines.append(f"{obj.name}: {told}")
         glass = scene.materials[obj.material]
         if glass.transmit > 0:
             lines[-1] += say("sheet.glass", ior=exactly(glass.ior))
@@ -76,11 +79,14 @@ def _placed(name: str, lights: list[Light]) -> str:
     )  # fmt: skip
 
 
-def shape_words(obj: SceneObject, box: list[list[float]] | None) -> str:
-    """A shape in the world's coordinates. box: corners, of what no formula here is for."""
+def shape_words(obj: SceneObject, box: list[list[float]] | None) -> str | None:
+    """A shape in the world's coordinates; None where nothing is known. box: corners, of what no
+    formula here is for."""
     told = equation(obj)
     if told is None:
-        low, high = box or ((np.nan,) * 3,) * 2
+        if box is None:
+            return None
+        low, high = box
         return say(f"sheet.shape.{INSIDE}", low=exact_vector(low), high=exact_vector(high))
     word, slots = told
     return say(f"sheet.shape.{word}", **{

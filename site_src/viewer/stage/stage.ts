@@ -5,7 +5,7 @@ import { onPlane } from "../state/frustum";
 import { observerOf, orbit, pan, zoom, type Moves, type ObserverChoice } from "../state/observer";
 import { createProjection } from "../state/projection";
 import type { Observer } from "../state/types";
-import { along, length, sub } from "../state/vectors";
+import { along, length } from "../state/vectors";
 import { say } from "../words";
 import { createDrawing, type DrawingActs } from "./drawing";
 import { listenToGestures } from "./gestures";
