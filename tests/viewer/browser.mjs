@@ -136,6 +136,8 @@ export async function workOf(page) {
 
 export const state = (page) => page.evaluate(() => window.raywalk.state());
 export const stats = (page) => page.evaluate(() => JSON.parse(JSON.stringify(window.raywalk.stats())));
+/** From the observer to what it looks at, world units. Of stats. */
+export const reach = ({ eye, target }) => Math.hypot(...eye.map((v, k) => v - target[k]));
 export const press = async (page, ...keys) => {
   for (const key of keys) await page.keyboard.press(key);
   await settled(page);

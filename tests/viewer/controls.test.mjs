@@ -1,13 +1,11 @@
 /** Every control of VIEWER.md up to R: by key, by pointer and by its button; what depends on where the page comes from, from a server too. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, pass, pictureOf, press, richScene, scenesOfSite, settled, state, stats, tileOnPage, until, DIST } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, pass, pictureOf, press, reach, richScene, scenesOfSite, settled, state, stats, tileOnPage, until, DIST } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const scenes = scenesOfSite();
 const rich = richScene();
-/** From the observer to what it looks at. */
-const reach = ({ eye, target }) => Math.hypot(...eye.map((v, k) => v - target[k]));
 let browser, server;
 before(async () => {
   browser = await launch();

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, reach, richScene, scenesOfSite, stats } from "./browser.mjs";
 
 const rich = richScene();
 const MOST_CONTROLS = 20; // that can be reached before anything is opened, the skip link among them
@@ -121,13 +121,12 @@ for (const [size, query, hash] of ASKED)
 
 test("the wheel over a frame scrolls the page around it until the frame has the focus, then it zooms", async () => {
   const frame = await course("?embed", "still=1&gl=none", FRAMES[0]);
-  const reach = () => frame.evaluate(() => (({ eye, target }) => Math.hypot(...eye.map((v, k) => v - target[k])))(window.raywalk.stats()));
-  const before = await reach();
+  const before = reach(await stats(frame));
   const box = await outer.locator("iframe").boundingBox();
   await outer.mouse.move(box.x + 100, box.y + 60);
   await outer.mouse.wheel(0, 40);
   await outer.waitForFunction(() => scrollY > 0);
-  assert.equal(await reach(), before);
+  assert.equal(reach(await stats(frame)), before);
   await outer.evaluate(() => scrollTo(0, 0));
   await outer.mouse.click(box.x + 100, box.y + 60);
   await outer.mouse.wheel(0, 40);
