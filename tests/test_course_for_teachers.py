@@ -15,6 +15,7 @@ from raywalk.slides.handout import A4
 from raywalk.slides.layout import WIDE
 from raywalk.slides.sheet_questions import sheet_facts
 from raywalk.slides.step_slide import Lesson
+from raywalk.slides.times import LECTURES
 from raywalk.slides.typeface import width
 from raywalk.slides.words import speaking
 from raywalk.slides.worksheet import worksheet
@@ -24,7 +25,7 @@ from raywalk.teacher.guide import guide
 from raywalk.teacher.qti import item_xml, package
 from raywalk.teacher.quiz import items_of
 from raywalk.teacher.terms import glossary
-from raywalk.teacher.timing import LENGTHS, schedule, shared
+from raywalk.teacher.timing import schedule, shared
 from raywalk.terms.glossary import read_glossary
 
 from .teacher.gift_reader import read
@@ -85,7 +86,7 @@ def test_the_glossary_is_whole_on_its_sheets(language: str) -> None:
     assert all(term.term in " ".join(texts) for term in read_glossary(language).terms)
 
 
-@pytest.mark.parametrize("length", LENGTHS)
+@pytest.mark.parametrize("length", LECTURES)
 def test_a_timing_fills_its_lesson_to_the_minute(length: int) -> None:
     """Every part has a minute at least, and each step has its place."""
     for lesson in course("en"):

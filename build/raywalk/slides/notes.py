@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from raywalk.scene.model import Scene
+from raywalk.slides.addresses import step_address
 from raywalk.slides.choices import in_notes
 from raywalk.slides.lesson_words import plain_text
 from raywalk.slides.stops import Stop
 from raywalk.slides.times import STEP_MINUTES
-from raywalk.slides.words import say, words
-from raywalk.words.catalogue import DEFAULT
+from raywalk.slides.words import say
 
 
 def step_notes(scene: Scene, stops: list[Stop], index: int) -> Iterator[str]:
@@ -28,11 +28,4 @@ def step_notes(scene: Scene, stops: list[Stop], index: int) -> Iterator[str]:
     asked = next((later for later in stops[index + 1 :] if later.kind == "question"), None)
     if asked and stop.kind == "step":
         yield say("slides.ask", question=plain_text(asked.text(scene)))
-    yield say("slides.live", address=live_address(scene, stop))
-
-
-def live_address(scene: Scene, stop: Stop) -> str:
-    """Of the scene's page at a stop, from the site's root."""
-    language = "" if words().code == DEFAULT else f"{words().code}/"
-    answer = "&answer=1" if stop.kind == "answer" else ""
-    return f"{language}scenes/{scene.id}/index.html#step={stop.step + 1}{answer}"
+    yield say("slides.live", address=step_address(scene, stop.step, stop.kind == "answer"))

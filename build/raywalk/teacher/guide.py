@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from raywalk.scene.model import Scene
+from raywalk.slides.addresses import address
 from raywalk.slides.blocks import one_line, text
 from raywalk.slides.choices import choice_words
 from raywalk.slides.figure import Deck, Item, Run, Slide
@@ -13,10 +14,10 @@ from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph, plain_text
 from raywalk.slides.pictures import picture_of, traced_picture
 from raywalk.slides.step_slide import Lesson
+from raywalk.slides.times import LECTURES
 from raywalk.slides.words import say, words
 from raywalk.slides.worksheet import MARGIN, WIDE, fitting, flowed, moved
-from raywalk.teacher.links import address
-from raywalk.teacher.timing import LENGTHS, schedule
+from raywalk.teacher.timing import schedule
 from raywalk.teacher.topics import prerequisites
 
 HEAD, FOOT = 20.0, 9.5
@@ -83,7 +84,7 @@ def _first_page(lesson: Lesson, course: list[Scene], base: str) -> list[Item]:
     for size in SIZES:
         items, high = flowed(about, wide=beside, size=size)
         top = max(high, SIDE) + size * 1.5
-        tables = [flowed(_timing(scene, length), wide=half, size=size) for length in LENGTHS]
+        tables = [flowed(_timing(scene, length), wide=half, size=size) for length in LECTURES]
         below = top + max(high for _, high in tables) + size * 1.5
         links, more = flowed(_materials(lesson, base), size=size)
         if below + more <= BOTTOM - TOP or size == SIZES[-1]:

@@ -5,22 +5,10 @@ from __future__ import annotations
 from html import escape
 
 from raywalk.scene.model import Scene
+from raywalk.slides.addresses import address, step_address
 from raywalk.slides.lesson_words import plain_text, title_and_body, words_and_pictures
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.words import say, words
-from raywalk.words.catalogue import DEFAULT
-
-
-def address(scene: Scene, file: str = "", base: str = "") -> str:
-    """Of the scene's page in the language that is spoken, or of a file of the site; base: what it
-    begins with. Without one it counts from the site's first folder."""
-    language = "" if words().code == DEFAULT else f"{words().code}/"
-    return f"{base}{language}{file or f'scenes/{scene.id}/index.html'}"
-
-
-def step_address(scene: Scene, step: int, answered: bool, base: str = "") -> str:
-    """Of a step, from 0, or of the answer to it."""
-    return f"{address(scene, base=base)}#step={step + 1}{'&answer=1' if answered else ''}"
 
 
 def links_page(lessons: list[Lesson], base: str) -> str:

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from raywalk.scene.model import Scene
 from raywalk.slides.words import say
 
-LENGTHS = (45, 90)
-# Minutes by what is not the lesson itself; the rest is the lesson's.
+# Minutes by what is not the lesson itself, for each of LECTURES; the rest is the lesson's.
 AROUND = {
     45: {"open": 3, "sheet": 10, "close": 3},
     90: {"open": 5, "sheet": 30, "assignment": 12, "close": 5},
