@@ -3,10 +3,11 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state } from "./browser.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const { path } = scenesOfSite().find(({ id }) => id === "02-shadows"); // its second step has a camera ray's
+const RESTS = 200; // ms: somewhat more than the pointer must rest on a term
 const QUICK = "still=1&gl=none&step=2";
 let browser, page;
 before(async () => {
@@ -20,17 +21,19 @@ const shown = (of = page) => card(of).waitFor({ state: "visible" });
 const gone = (of = page) => card(of).waitFor({ state: "hidden" });
 
 test("the pointer on a term shows its card, which stays while the pointer goes to it, and Escape puts it away", async () => {
-  await open(page, ON_DISK, path, QUICK);
-  await term().hover();
-  await shown();
-  assert.match(await card().innerText(), /camera ray/i);
-  await card().hover();
-  await new Promise((done) => setTimeout(done, 400));
-  assert.ok(await card().isVisible(), "the pointer is on it");
-  await press(page, "Escape");
-  await gone();
-  assert.equal((await state(page)).step, 1, "the lesson goes on");
-  await page.mouse.move(5, 5);
+  const held = await newPage(browser, { held: true });
+  await open(held, ON_DISK, path, QUICK);
+  await term(held).hover();
+  await pass(held, RESTS);
+  await shown(held);
+  assert.match(await card(held).innerText(), /camera ray/i);
+  await card(held).hover();
+  await pass(held, 2 * RESTS);
+  assert.ok(await card(held).isVisible(), "the pointer is on it");
+  await press(held, "Escape");
+  await gone(held);
+  assert.equal((await state(held)).step, 1, "the lesson goes on");
+  await held.close();
 });
 
 test("the focus on a term shows it, and names it to who listens; the next Tab puts it away, Enter leads to the glossary", async () => {

@@ -50,9 +50,7 @@ def parts_of(found: Closure, languages: Iterable[str] | None, sources: Sources =
     read = {
         path: digest_of(path)
         for path in found.read
-        if said is None
-        or (path.parent.name, path.suffix) != ("words", ".json")
-        or path.name in said
+        if said is None or not _is_a_language(path) or path.name in said
     }
     own = {"python": platform.python_version(), "zlib": zlib.ZLIB_RUNTIME_VERSION}
     if scripts:
