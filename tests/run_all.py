@@ -22,8 +22,8 @@ from tests.causes import causes
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
-#: Half an hour for a file: what takes longer hangs, on a busy machine too.
-NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=1800000"]
+#: A quarter of an hour for a file: ten times what the longest takes. What takes longer hangs, on a busy machine too.
+NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=900000"]
 PYTEST_COUNTS = (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")
 NODE_COUNTS = (r"^# pass (\d+)", r"^# fail (\d+)")
 #: Steps that may fail by chance in one run. More have a cause: to try all would take as long again.

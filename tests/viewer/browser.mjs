@@ -48,6 +48,8 @@ export async function newPage(browser, { worker = false, held = false, sharp = f
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: sharp ? 1 : 0.5, ...options });
   if (!worker) await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "serviceWorker", { get: () => undefined }));
   page.setDefaultTimeout(PATIENCE);
+  const evaluate = page.evaluate.bind(page);
+  page.evaluate = (...what) => inTime(evaluate(...what), `the page never answered: ${what[0]}`);
   if (held) {
     await page.clock.install({ time: 0 });
     await page.clock.pauseAt(3_600_000); // it ran until now
@@ -83,6 +85,13 @@ export async function follow(page, hash) {
   }, hash);
   await whilePassing(page, followed);
   await settled(page);
+}
+
+/** What is awaited in a page has no end of its own: a promise that never settles would hold its test for ever. */
+export async function inTime(promise, complaint) {
+  let clock;
+  const never = new Promise((_, fail) => (clock = setTimeout(() => fail(new Error(complaint)), PATIENCE)));
+  return Promise.race([promise, never]).finally(() => clearTimeout(clock));
 }
 
 const rest = (ms) => new Promise((done) => setTimeout(done, ms));

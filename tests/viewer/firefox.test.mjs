@@ -88,6 +88,7 @@ test("every kind of page opens from a disk with an empty console", { skip }, asy
   for (const page of ["index.html", "de/index.html", "model/index.html", "slides/index.html", slides, `de/${rich.path}`, `${rich.path}?embed`, "sizes/index.html"]) {
     await opens(ON_DISK, page);
     assert.ok(await firefox.evaluate("document.title.length > 0"), page);
+    await until("!window.raywalk?.pending().length"); // a script that runs when its page is left is ended, which is said
   }
   assert.deepEqual(await said(ON_DISK), []);
 });

@@ -5,7 +5,7 @@ import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync }
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, open, PATIENCE, press, keyedScenes, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { DIST, inTime, launch, newPage, open, PATIENCE, press, keyedScenes, scenesOfSite, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const [first, second, third] = keyedScenes();
@@ -105,9 +105,9 @@ test("a newer build says so quietly, opens when asked, and leaves nothing of the
   const site = mkdtempSync(join(tmpdir(), "raywalk-newer-"));
   const own = await serve(site, "/");
   try {
-    for (const name of ["index.html", "assets", "de", "model", "offline", "LICENSES.txt", "manifest.webmanifest"]) cpSync(join(DIST, name), join(site, name), { recursive: true });
-    for (const { id } of keyedScenes()) cpSync(join(DIST, `scenes/${id}/thumb.webp`), join(site, `scenes/${id}/thumb.webp`));
     const worker = readFileSync(join(DIST, "sw.js"), "utf8");
+    const { first, version } = JSON.parse(/^const BUILD = (.*);$/m.exec(worker)[1]);
+    for (const path of ["index.html", "manifest.webmanifest", ...first]) cpSync(join(DIST, path), join(site, path));
     writeFileSync(join(site, "sw.js"), worker);
     const page = await newPage(browser, { worker: true });
     await open(page, own.url, "index.html");
@@ -115,7 +115,6 @@ test("a newer build says so quietly, opens when asked, and leaves nothing of the
     await page.locator("#offline button").waitFor();
     const names = await page.evaluate(() => caches.keys());
     assert.equal(names.length, 1);
-    const version = /"version":"(\w+)"/.exec(worker)[1];
     writeFileSync(join(site, "sw.js"), worker.replace(version, "0123456789abcdef"));
     await page.reload();
     await page.locator("#newer").waitFor();
@@ -140,7 +139,7 @@ test("two builds, one after the other, through one worker: pages and data are of
     const older = await context.newPage();
     older.setDefaultTimeout(PATIENCE);
     await older.goto(`${own.url}${first.path}`);
-    await older.evaluate(() => Promise.all([window.raywalk.ready, navigator.serviceWorker.ready]));
+    await inTime(older.evaluate(() => Promise.all([window.raywalk.ready, navigator.serviceWorker.ready])), "no worker");
     await older.waitForFunction(async (id) => (await Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url)))).flat().some((url) => url.endsWith(`${id}/scene.js`)), first.id);
     execFileSync(".venv/bin/python", ["tests/viewer/two_builds.py", site]);
 
