@@ -28,6 +28,8 @@ MAY_IMPORT = {
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "stops": {"words", "trace.tree", "errors"},
+    # An independent check of the tracer: it shares scenes and the names of what is recorded only.
+    "mistakes": {"scene", "trace.tree", "trace.kinds", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "terms", "errors"},
     "teacher": {"slides", "scene", "words", "terms", "errors"},

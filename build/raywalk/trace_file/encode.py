@@ -12,7 +12,7 @@ import numpy as np
 from raywalk.scene.model import Scene
 from raywalk.trace.tree import RayTree
 from raywalk.trace_file.container import pack_texts, write_beside, write_packed
-from raywalk.trace_file.header import begin_header
+from raywalk.trace_file.header import begin_header, picture_vectors
 from raywalk.trace_file.measure import measured_errors
 from raywalk.trace_file.noting import Noting, Ray
 from raywalk.trace_file.patches import split_into_patches
@@ -26,12 +26,20 @@ def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
     return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
 
 
-def written(tree: RayTree, scene: Scene, picture: np.ndarray) -> tuple[dict[str, Any], Ray]:
-    """What the file holds, and the columns as every reader will have them."""
+def written(
+    tree: RayTree, scene: Scene, picture: np.ndarray, frame: dict[str, Any] | None = None
+) -> tuple[dict[str, Any], Ray]:
+    """What the file holds, and the columns as every reader will have them.
+
+    frame: what spans the picture, as `picture_vectors` has it, where that is not the scene's camera
+    (rays of a program with a mistake in it).
+    """
     tile = picture.reshape(-1, 3)[tree.pixel[: tree.cameras]]
     extent = finite_extent(tree, scene)
     patches, patch_of = split_into_patches(tree.object, tree.point, tree.normal, extent)
-    header, symbols = begin_header(tree, scene, extent, patches, patch_of)
+    header, symbols = begin_header(
+        tree, scene, extent, patches, patch_of, frame or picture_vectors(scene)
+    )
     noting = Noting(symbols)
     ray = walk(header, noting, tree, tile)
     header["columns"], header["predictors"] = noting.columns(), noting.predictors

@@ -19,8 +19,9 @@ from raywalk.trace_file.walk import images_along, keys_along
 
 
 def begin_header(
-    tree: RayTree, scene: Scene, extent: float, patches: list[Patch], patch_of: np.ndarray
-) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    tree: RayTree, scene: Scene, extent: float, patches: list[Patch], patch_of: np.ndarray,
+    frame: dict[str, Any],
+) -> tuple[dict[str, Any], dict[str, np.ndarray]]:  # fmt: skip
     """All of the header that the walk needs, and the symbols of every symbol column."""
     n = side_of(tree)
     signature, signature_of = tables.signatures(tree)
@@ -31,7 +32,6 @@ def begin_header(
         **{f"visibility{l}": seen_of[:, l] for l in range(len(scene.lights))},
     }  # fmt: skip
     ended = np.unique(patch_of[tree.cameras :])
-    frame = picture_vectors(scene)
     header: dict[str, Any] = {
         "format": FORMAT, "version": VERSION, "scene": scene.id, "n": n, "size": tree.size,
         "rays": len(tree.pixel), "hits": len(tree.hits_t), "camera": frame,

@@ -1,0 +1,1 @@
+"""A second tracer, small and slow, that can be told to make a student's mistakes."""
