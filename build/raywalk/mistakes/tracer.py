@@ -5,7 +5,7 @@ there, where do mirrors and glass send it on? When none is left, colours are gat
 deepest wave to the camera rays. It is the model of the site's page "The model", once more and
 plainly: it shares no formula with the pipeline's tracer, only scenes and the names of ray kinds.
 
-A mistake is a word (table.py). The line that makes it asks `if "that-mistake" in mistakes`, right
+A mistake is a word (table.py). The line that makes it asks `if "far-root" in mistakes`, right
 behind the line that does it rightly; any may be made together.
 """
 

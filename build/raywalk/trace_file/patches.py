@@ -22,6 +22,7 @@ FACE_SHARE = 0.02  # of an object's rays: smaller flat pieces are left to the re
 SAME_NORMAL = 1e-11  # 1 - cosine below which two normals are one
 SAME_PLANE = 1e-9  # of the scene's extent
 FITS = 1e-8  # difference of unit normals, or of radii of a unit sphere
+VANISHING = 1e-9  # a gradient that is rounding gives no normal: such a rule is a chance find
 SAMPLE = 3000  # rays a fit looks at
 NO_OBJECT = -1
 
@@ -125,7 +126,7 @@ def _curved(index: int, rows: np.ndarray, point: np.ndarray, normal: np.ndarray)
     b = found[6:] - m @ middle
     gradient = point[rows] @ m + b
     length = np.linalg.norm(gradient, axis=1)
-    if length.min() == 0:
+    if length.min() <= VANISHING:  # of 1, as `found` is one long and the points are within 1 each
         return None
     along = gradient / length[:, None]
     sign = np.sign((along * normal[rows]).sum(axis=1))
