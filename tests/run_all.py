@@ -22,7 +22,8 @@ from tests.causes import causes
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
-#: A quarter of an hour for a file: ten times what the longest takes. What takes longer hangs, on a busy machine too.
+#: A quarter of an hour for a file is ten times what the longest takes: what needs more hangs, on a
+#: busy machine too.
 NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=900000"]
 PYTEST_COUNTS = (r"(\d+) passed", r"(\d+) (?:failed|errors?)\b")
 NODE_COUNTS = (r"^# pass (\d+)", r"^# fail (\d+)")
@@ -60,6 +61,8 @@ class Result:
 
     step: Step
     seconds: float
+    #: Its processor time and that of all it started, s: what it costs beside others.
+    worked: float
     broken: bool
     passed: int = 0
     failed: int = 0
@@ -83,8 +86,9 @@ def main(steps: Sequence[Step], once: bool) -> int:
     for result in sorted(
         results, key=lambda result: (result.word != "ok", result.broken, result.seconds)
     ):
-        print(f"{result.word:8} {result.step.name}, {result.seconds:.0f} s")
-    print(f"{sum(result.seconds for result in results):.0f} s of steps")
+        took = f"{result.seconds:.0f} s, {result.worked:.0f} s of work"
+        print(f"{result.word:8} {result.step.name}, {took}")
+    print(f"{sum(result.worked for result in results):.0f} s of work in all")
     for result in results:
         for cause in result.unsteady:
             print(f"{result.step.name}: failed beside others, passed alone: {cause}")
@@ -113,7 +117,11 @@ def second(first: Result) -> Result:
     alone = run(replace(step, command=[*step.command, *step.again]))
     before = first.passed if step.again else 0
     both = replace(
-        alone, step=step, seconds=first.seconds + alone.seconds, passed=before + alone.passed
+        alone,
+        step=step,
+        seconds=first.seconds + alone.seconds,
+        worked=first.worked + alone.worked,
+        passed=before + alone.passed,
     )
     if not alone.broken:
         return replace(both, unsteady=first.causes)
@@ -138,11 +146,14 @@ def run(step: Step) -> Result:
             sys.stdout.write(f"{step.name}: {line}")
             sys.stdout.flush()
             lines.append(line)
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
     output = "".join(lines)
     passed, failed = (count(pattern, output) for pattern in step.counts) if step.counts else (0, 0)
     broken = process.returncode != 0 or (step.counts is not None and not passed)
     said = causes(output) if broken else ()
-    return Result(step, time.monotonic() - started, broken, passed, failed, said)
+    worked = used.ru_utime + used.ru_stime
+    return Result(step, time.monotonic() - started, worked, broken, passed, failed, said)
 
 
 def count(pattern: str, output: str) -> int:

@@ -60,7 +60,7 @@ def steps(tmp_path, monkeypatch):
 
 def closing(capsys) -> list[str]:
     """What is told once all steps have run."""
-    return capsys.readouterr().out.rpartition("s of steps\n")[2].splitlines()
+    return capsys.readouterr().out.rpartition("s of work in all\n")[2].splitlines()
 
 
 def test_what_fails_twice_is_a_failure_told_with_its_cause(steps, capsys):

@@ -53,7 +53,7 @@ const lessonActs = (session: Session, doing: Doing, turnScene: Outside["turnScen
     if (!state || !scene) return;
     const next = state.step === null && by > 0 ? change.goToStep(scene, state, 0) : change.turnStep(scene, state, by);
     if (next !== state) session.set(next);
-    else if (state.step === null || by > 0) turnScene(by, state.step !== null);
+    else turnScene(by, state.step !== null);
   },
 });
 

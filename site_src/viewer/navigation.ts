@@ -15,7 +15,8 @@ const SHOWN_LETTERS = 16;
 
 /** An address's fields; some depend on the scene, which is known by then. */
 type Fields = (scene: SceneData) => ReadonlyMap<string, string>;
-const lessonStart: Fields = ({ lesson }) => new Map(lesson.length ? [["step", "1"]] : []);
+/** A lesson's first step, or its last, answered if it asks. */
+const lessonFrom = (by: 1 | -1): Fields => ({ lesson }) => new Map(lesson.length ? (by > 0 ? [["step", "1"]] : [["step", `${lesson.length}`], ...(lesson.at(-1)!.answer ? [["answer", "1"]] as const : [])]) : null);
 
 /** Puts one scene in the place of another. home: the scene the page is for. */
 function createScenes(session: Session, home: string, loader: Loader, notice: Notice, loadTrace: () => Promise<void>) {
@@ -77,18 +78,16 @@ export function createNavigation(session: Session, { home, onDisk, links, withGl
   const ids = links.map((link) => link.dataset.scene!);
   const scenes = createScenes(session, home, loader, notice, loadTrace);
 
-  /** lesson: at its first step. */
-  async function open(id: string, lesson = false) {
+  /** at: a place in its lesson; none: without it. */
+  async function open(id: string, at?: Fields) {
     const { state } = session;
-    if (id === scenes.heading() && state) return;
+    if (state && id === scenes.heading()) return;
     if (id === state?.scene) return scenes.stay(id);
     bar.write("replace"); // what is left behind, before a new entry is made
-    const isFilled = state && state.tiles !== "empty";
     try {
-      if (await scenes.show(id, lesson ? lessonStart : () => new Map(isFilled ? [["tiles", "filled"]] : []), state ?? { speed: 1, still: false, gl: withGl })) bar.write("push");
+      if (await scenes.show(id, at ?? (() => new Map(state && [["tiles", state.tiles]])), state ?? { speed: 1, still: false, gl: withGl })) bar.write("push");
     } catch {
-      const { title, href } = links[ids.indexOf(id)];
-      notice.say(...troubleOfNextScene(title, href, () => void open(id, lesson)));
+      notice.say(...troubleOfNextScene(links[ids.indexOf(id)], () => void open(id, at)));
     }
   }
 
@@ -96,7 +95,7 @@ export function createNavigation(session: Session, { home, onDisk, links, withGl
   async function begin(id: string): Promise<boolean> {
     const { still = false, gl = withGl } = session.state ?? {};
     try {
-      if (await scenes.show(id, lessonStart, { speed: 1, still, gl })) bar.write("replace");
+      if (await scenes.show(id, lessonFrom(1), { speed: 1, still, gl })) bar.write("replace");
       return true;
     } catch {
       return false;
@@ -126,10 +125,10 @@ export function createNavigation(session: Session, { home, onDisk, links, withGl
     ready: () => ready,
     open,
     begin,
-    /** The next or the previous scene, round and round. */
+    /** The next or the previous scene, round and round; from lesson to lesson, back to where the other one ended. */
     turn(by: 1 | -1, intoLesson = false) {
       const at = ids.indexOf(scenes.heading());
-      void open(ids[(at + by + ids.length) % ids.length], intoLesson);
+      void open(ids[(at + by + ids.length) % ids.length], intoLesson ? lessonFrom(by) : undefined);
     },
     ofKey(key: string) {
       const link = links.find((each) => each.dataset.key === key);

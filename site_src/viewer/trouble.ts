@@ -36,9 +36,9 @@ export const troubleOfScene = (error: unknown, again: () => void): Trouble =>
   troubleOf(error, "scene", { missing: say("trouble.sceneMissing"), damaged: say("trouble.sceneDamaged") }, again);
 
 /** Of the scene that was to come: the one that is shown goes on. page: its own, which says what it can without its data. */
-export const troubleOfNextScene = (title: string, page: string, again: () => void): Trouble => [
+export const troubleOfNextScene = ({ title, href }: HTMLAnchorElement, again: () => void): Trouble => [
   say("trouble.nextScene", { title }),
-  { about: "scene", again, remedies: [{ word: say("trouble.itsPage"), go: () => location.assign(page) }] },
+  { about: "scene", again, remedies: [{ word: say("trouble.itsPage"), go: () => location.assign(href) }] },
 ];
 
 /** Of a part that comes when asked for: the rest goes on. Of an older build it may be gone for good. */

@@ -10,7 +10,7 @@ const LONG = 26; // pixels of sample line
 
 function sample(kind: LineKind): SVGElement {
   const { dash } = LINES[kind];
-  return svg("svg", { width: LONG + 8, height: 12, viewBox: `0 0 ${LONG + 8} 12`, "aria-hidden": "true" },
+  return svg("svg", { width: LONG + 8, height: 12, "aria-hidden": "true" },
     svg("line", { x1: 0, y1: 6, x2: LONG, y2: 6, class: `stroke ${kind}`, "stroke-width": 3, "stroke-dasharray": dash[0] === 1 ? "none" : dash.join(" ") }),
     svg("path", { d: `M${LONG - 4} 1.5 L${LONG + 6} 6 L${LONG - 4} 10.5 Z`, class: `fill ${kind}` }),
   );
