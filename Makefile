@@ -17,6 +17,10 @@ all: site
 	@echo
 	@echo "Open dist/index.html in a browser: it needs no server. Or: make serve"
 
+# Python keeps its bytecode, whatever the shell says: without it each command would compile 560 modules first, for as
+# long again as a check of a scene takes.
+unexport PYTHONDONTWRITEBYTECODE
+
 # With TIMES=1 a command says how long it took, into a file that the build's table begins with.
 TIMES_OF_MAKE := .work/times-of-make.jsonl
 timed = $(if $(TIMES),python3 build/setup/timed.py $(TIMES_OF_MAKE) "$(1)")

@@ -98,6 +98,20 @@ test("begun by a click on its button it has no tools over the picture once the p
   assert.equal(await page.locator(".lesson-steps .next").isVisible(), false);
 });
 
+test("what the lines mean stays in sight, large enough for a hall and beside the sentence, and goes back with the lecture", async () => {
+  await open(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
+  const legend = page.locator(".legend");
+  const shown = await legend.innerText();
+  await press(page, "j");
+  await pass(page, RESTS + 100);
+  assert.equal(await legend.innerText(), shown);
+  await atLeast(20, ".legend li:not([hidden])");
+  const [it, text, below] = await Promise.all([".legend", ".lesson-text", ".below"].map((part) => page.locator(part).boundingBox()));
+  assert.ok(it.x >= text.x + text.width && it.y >= below.y && it.y + it.height <= below.y + below.height, JSON.stringify([it, text, below]));
+  await press(page, "j");
+  assert.ok(await page.locator(".side > .legend").isVisible());
+});
+
 test("B blackens all of it until a key or a click, which does nothing else; outside of a lecture B is no key", async () => {
   await open(page, ON_DISK, rich.path, QUICK);
   const black = page.locator(".blackout");

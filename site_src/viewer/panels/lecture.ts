@@ -4,6 +4,13 @@ import { button } from "../element";
 import { lightColours } from "../light-page";
 
 const RESTS = 2500; // ms without the pointer moving
+const WIDE = "(min-width: 761px)"; // there the legend's place is taken by the stage
+
+/** What the lines mean stays in sight: beside how far the lesson has come. */
+function placeLegend(body: HTMLElement, on: boolean) {
+  const place = on && matchMedia(WIDE).matches ? ".lesson-buttons" : ".side";
+  body.querySelector(place)!.append(body.querySelector(".legend")!);
+}
 
 /** recolour: draws what was drawn in other colours. */
 export function createLecture(body: HTMLElement, recolour: () => void) {
@@ -30,6 +37,7 @@ export function createLecture(body: HTMLElement, recolour: () => void) {
       if (on === isOn) return;
       isOn = on;
       lightColours(on);
+      placeLegend(body, on);
       recolour();
       moved();
       if (!on) light();

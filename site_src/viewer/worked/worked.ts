@@ -26,7 +26,7 @@ export function createWorked({ stage, side, load, changed }: WorkedPlace) {
   const elsewhere = element("p", "worked-none", say("worked.elsewhere"));
   const root = named(element("section", "worked"), say("worked.region"));
   stage.append(lines);
-  side.querySelector(".legend")!.before(root);
+  side.querySelector(".card")!.after(root);
   const panels = new Map<string, WorkedPanel>();
   const come = new Map<string, WorkedData | null>(); // null: on its way, or not to be had
   let shown = ""; // the step
