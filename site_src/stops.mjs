@@ -3,14 +3,15 @@
  * show, what a switch does, how an observer projects is known by the viewer's modules; the pipeline asks them here.
  *
  *   {do: "ask", scene, traces, size}                                     what the tracer is asked: Asked (viewer/stops/asked.ts)
- *   {do: "lesson", scene, traces, size, asked, sights, words, spoken}    what slides and sheets show: Lesson (lesson.ts)
+ *   {do: "lesson", scene, traces, size, asked, sights, words, spoken, worked}   what slides and sheets show: Lesson (lesson.ts)
  *   {do: "events", scene, trace, pixel, words}                           one pixel's events in words (worded.ts)
  *   {do: "columns", trace, id, n}                                        a trace's header and columns; id and n: of which it must be
  *
  * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
- * language's sentences, spoken the scene's words in it or null. Of a lesson on another scene base names that one's file. An answer is {answer}, or {fault: sentence}.
+ * language's sentences, spoken the scene's words in it or null; worked is the file of what the lesson works out, if it does. Of a
+ * lesson on another scene base names that one's file. An answer is {answer}, or {fault: sentence}.
  */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 import { gunzipSync } from "node:zlib";
@@ -18,7 +19,7 @@ import { build } from "esbuild";
 
 const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
 const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { ask, decode, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { ask, boxesFrom, decode, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 
@@ -48,6 +49,12 @@ function tracesIn(folder, scene) {
   return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.of, n })).get(n);
 }
 
+/** What can be drawn of a scene's meshes; a lesson about their tree has it worked out. */
+function drawableOf({ traces, worked }, scene) {
+  const file = `${traces}/boxes.js`;
+  return { boxes: existsSync(file) ? boxesFrom(unpacked(file), scene.of) : null, tree: (worked && unpacked(worked).tree) || null };
+}
+
 function answer({ do: what, size, pixel, words, spoken, id, n, ...files }) {
   if (what === "columns") return columnsOf(unpacked(files.trace), { scene: id, n });
   const scene = { ...(files.base && unpacked(files.base)), ...unpacked(files.scene) };
@@ -55,7 +62,7 @@ function answer({ do: what, size, pixel, words, spoken, id, n, ...files }) {
   if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.of }), pixel);
   const traces = tracesIn(files.traces, scene);
   if (what === "ask") return ask(scene, traces, size);
-  return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights));
+  return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights), drawableOf(files, scene));
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

@@ -70,7 +70,13 @@ def solve(student: Student, kind: str, asked: dict[str, str], answer: str) -> No
         colour = np.array(numbers(asked["colour"]))
         assert np.rint(np.clip(255 * colour, 0, 255)).tolist() == numbers(answer)
         return
+    if kind in ("mean", "tests"):
+        assert numbers(answer) == from_the_lesson(student, kind, asked)
+        return
     d = student.ray(int(asked["x"]), int(asked["y"]), int(asked["n"]))
+    if kind == "equation":
+        equation(student, d, asked["name"], answer)
+        return
     hits = student.all_hits(student.eye, d)
     if kind == "order":
         printed = [(part.strip(), numbers(part)[-1]) for part in answer.split("; ")]
@@ -99,6 +105,36 @@ def solve(student: Student, kind: str, asked: dict[str, str], answer: str) -> No
     met(student, thing, t, p + t * way, answer)
 
 
+def from_the_lesson(student: Student, kind: str, asked: dict[str, str]) -> list[float]:
+    """Worked out of the line that the sheet prints for this ray or tile."""
+    key = {"mean": "sheet.worked.rays", "tests": "sheet.worked.boxes"}[kind]
+    [told] = [
+        found.groupdict() for line in student.lines
+        if (found := pattern(student.words, key).fullmatch(line))
+        and (found["x"], found["y"]) == (asked["x"], asked["y"])
+    ]  # fmt: skip
+    if kind == "mean":
+        rays = np.array(
+            [[int(part) for part in ray.split(",")] for ray in told["listed"].split(";")]
+        )
+        assert rays.shape == (9, 3)
+        mean: list[float] = np.floor(rays.mean(axis=0) + 0.5).tolist()
+        return mean
+    return [float(sum(int(told[part]) for part in ("missed", "entered", "off", "triangles")))]
+
+
+def equation(student: Student, d: np.ndarray, name: str, answer: str) -> None:
+    """b, c and D by the sheet's formula, and the roots where there are some."""
+    ball = student.named(name)
+    away, radius = student.eye - ball.centre, float(np.linalg.norm(ball.linear[0]))
+    b, c = float(away @ d), float(away @ away) - radius**2
+    want = [b, c, b * b - c]
+    if b * b > c:
+        want += [-b - np.sqrt(b * b - c), -b + np.sqrt(b * b - c)]
+    found = numbers(answer.replace("₁", "").replace("₂", ""))
+    assert len(found) == len(want) and np.abs(np.array(found) - want).max() < PRINTED
+
+
 def lamp(student: Student, asked: dict[str, str]) -> np.ndarray:
     the = student.words.the
     return next(at for name, at in student.lights.items() if asked["light"] in (name, the(name)))
@@ -121,6 +157,8 @@ KINDS: dict[str, str] = {
     "nearest": "slides.askNearest", "order": "slides.askOrder", "shadow": "slides.askShadow",
     "lambert": "slides.askLambert", "reflected": "slides.askReflected",
     "refracted": "slides.askRefracted", "bytes": "slides.askBytes",
+    "equation": "sheet.worked.askEquation", "mean": "sheet.worked.askMean",
+    "tests": "sheet.worked.askTests",
 }  # fmt: skip
 
 

@@ -30,6 +30,8 @@ from raywalk.slides.lesson_words import plain_text
         (r"\begin{pmatrix}1&2\\3&4\end{pmatrix}", "(1, 2; 3, 4)"),
         (r"\text{if } x < 0", "if x < 0"),
         (r"\sqrt[3]{x}", "³√x"),
+        (r"k \, I \max(0, n \cdot h)^s", "k I max(0, n·h)ˢ"),
+        (r"0 < t < \text{far away}", "0 < t < far away"),
     ],
 )
 def test_a_formula_is_said_in_one_line(latex, said):

@@ -12,6 +12,7 @@ from raywalk.pipeline.figures import filled_lessons
 from raywalk.pipeline.scenes import translated
 from raywalk.pipeline.site import in_all_languages
 from raywalk.pipeline.slides import Plan, Source, plans_of, sources_of
+from raywalk.pipeline.worked import FILE as WORKED
 from raywalk.scene.read import read_scenes
 from raywalk.site.scene_data import scene_words
 from raywalk.slides.deck import Sources, lesson_slides, scene_deck
@@ -96,5 +97,7 @@ def _as_if_seen(stops: Stops, plan: Plan, of: Source, layout: Layout, folder: Pa
     lesson.write_text(stops.ask({
         "do": "lesson", **where, "asked": str(asked), "words": words, "spoken": spoken,
         "sights": str(plan.sights.folder / SIGHTS),
+        **({"worked": str(plan.worked / WORKED)} if plan.worked else {}),
     }), encoding="utf-8")  # fmt: skip
-    return Sources(plan.scene, plan.traced, plan.sights.folder, lesson)
+    worked = sources_of(plan).worked
+    return Sources(plan.scene, plan.traced, plan.sights.folder, lesson, worked)

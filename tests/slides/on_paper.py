@@ -103,10 +103,11 @@ class Student:
 
     def __init__(self, words: Words, lines: Iterable[str]) -> None:
         self.words = words
+        self.lines = list(lines)
         self.things: list[Thing] = []
         self.lights: dict[str, np.ndarray] = {}
         self.passes = False
-        for line in lines:
+        for line in self.lines:
             self._read(line)
 
     def _read(self, line: str) -> None:

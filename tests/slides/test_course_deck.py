@@ -5,10 +5,13 @@ from __future__ import annotations
 import pytest
 from tests.slides.course import CourseDeck, course_decks
 
+from raywalk.scene.credits import named_models
+from raywalk.scene.model import Scene
+from raywalk.slides.course import chapters
 from raywalk.slides.deck import course_of
 from raywalk.slides.figure import Deck, Text
 from raywalk.slides.layout import LAYOUTS
-from raywalk.slides.times import lesson_minutes, parted
+from raywalk.slides.times import LECTURES, lesson_minutes, parted
 from raywalk.slides.words import say, speaking
 
 
@@ -38,25 +41,70 @@ def test_each_lesson_stands_behind_its_divider_without_its_numbers(course):
     assert not {"backup", "table", "sum"} & {slide.kind for slide in deck.slides}
 
 
-def test_it_begins_with_the_agenda_and_ends_with_the_rules(course):
+def test_it_begins_with_the_agenda_and_each_chapter_ends_with_its_rules(course):
+    """Chapters stay whole in the agenda, under their names."""
     own, deck = course
     with speaking(own[0].language):
         agenda, rules = words_of(deck, say("slides.scenes")), words_of(deck, say("slides.rules"))
-    left = iter(agenda)
-    assert all(any(words.endswith(each.deck.title) for words in left) for each in own)
+        names = [say(f"pages.chapters.{name}") for name, _ in chapters(scenes_of(own))]
+    assert agenda == [
+        text for name, (_, group) in zip(names, chapters(scenes_of(own)), strict=True)
+        for text in (name, *(scene.title for scene in group))
+    ]  # fmt: skip
     taught = " ".join(each.sources.scene.teaches for each in own)
     assert " ".join(rules).split() == taught.split()
+    pages = [s for s in deck.slides if s.title.startswith(agenda_title(own)) and s.kind == "goals"]
+    firsts = [next(t for t in page.items if t.name == "words").words for page in pages]
+    assert set(firsts) <= set(names)
+
+
+def scenes_of(own: list[CourseDeck]) -> list[Scene]:
+    return [each.sources.scene for each in own]
+
+
+def agenda_title(own: list[CourseDeck]) -> str:
+    with speaking(own[0].language):
+        return say("slides.scenes")
+
+
+def test_a_divider_says_where_one_is(course):
+    """Chapter, place and the key of the scene that texts name."""
+    own, deck = course
+    dividers = [slide for slide in deck.slides if slide.kind == "section"]
+    for k, (each, slide) in enumerate(zip(own, dividers, strict=True), start=1):
+        with speaking(each.language):
+            texts = [i for i in slide.items if isinstance(i, Text)]
+            title = next(text for text in texts if text.is_title)
+            said = " ".join(text.words for text in texts if text.box.top < title.box.top)
+            assert say("slides.lessonOf", place=k, of=len(own)) in said
+            key = each.sources.scene.key
+            assert not key or said.endswith(say("slides.sceneKey", key=key))
 
 
 def test_it_says_what_fits_into_a_lecture(course):
-    """Each lesson by its place in the agenda, in order, in lectures of 45 and of 90 minutes."""
+    """Each lesson with its name and place, in order, in lectures of 45 and of 90 minutes."""
     own, deck = course
-    with speaking(own[0].language):
-        said = " ".join(words_of(deck, say("slides.times")))
-    minutes = [lesson_minutes(each.sources.scene) for each in own]
-    for most in (45, 90):
-        lectures = " | ".join(", ".join(str(k + 1) for k in each) for each in parted(minutes, most))
-        assert lectures in said
+    scenes = scenes_of(own)
+    minutes = [lesson_minutes(scene) for scene in scenes]
+    for most in LECTURES:
+        with speaking(own[0].language):
+            _, *said = words_of(deck, say("slides.times", minutes=most))
+        lectures = parted(minutes, most)
+        assert said == [
+            " · ".join(f"{k + 1} {scenes[k].title}" for k in lecture) for lecture in lectures
+        ]
+
+
+def test_credits_take_two_slides_at_most_and_their_notes_say_all(course):
+    own, deck = course
+    slides = [slide for slide in deck.slides if slide.kind == "credits"]
+    assert 1 <= len(slides) <= 2
+    said = " ".join(t.words for s in slides for t in s.items if isinstance(t, Text))
+    notes = " ".join(slides[0].notes)
+    models = [model for scene in scenes_of(own) for model in named_models(scene)]
+    assert models
+    for model in models:
+        assert model.title in said and model.credit in said and model.licence in notes
 
 
 def test_lectures_take_lessons_in_order_as_long_as_they_fit():

@@ -20,6 +20,7 @@ from .course import ROOT
 
 SOURCE_LINE = ("where", "place")
 NUMBERS = ("table", "sum")  # kinds of slides behind the lesson
+SIGNS = ("bullet", "letter")  # before items of lists and choices
 SCENES = [scene.id for scene in read_scenes(ROOT / "scenes")]
 
 
@@ -57,10 +58,11 @@ def where(each: CourseDeck, slide: Slide) -> str:
 
 
 def test_words_are_large_and_nothing_but_the_source_line_is_small(of_scene):
-    """Body 24 points or more, behind the lesson and in figures 18; captions of pictures too."""
+    """Body 24 points or more, behind the lesson, in figures and in credits 18; captions too."""
     for each, slide in spoken(of_scene):
         for text in body(slide):
-            least = 18 if slide.kind in NUMBERS or text.name == "caption" else 24
+            is_small = slide.kind in (*NUMBERS, "credits") or text.name == "caption"
+            least = 18 if is_small else 24
             assert text.size >= least, (where(each, slide), text.words)
         for item in flat(slide.items):
             if isinstance(item, Text | Table) and item.name not in SOURCE_LINE:
@@ -68,10 +70,10 @@ def test_words_are_large_and_nothing_but_the_source_line_is_small(of_scene):
 
 
 def test_a_slide_has_at_most_40_words(of_scene):
-    """Besides its title; tables and sums behind the lesson are numbers."""
+    """Besides its title; tables and sums behind the lesson are numbers, credits are small print."""
     for each, slide in spoken(of_scene):
-        if slide.kind not in NUMBERS:
-            said = [t for t in body(slide) if not t.is_title and t.name != "bullet"]
+        if slide.kind not in (*NUMBERS, "credits"):
+            said = [t for t in body(slide) if not t.is_title and t.name not in SIGNS]
             count = sum(len(t.words.split()) for t in said)
             assert count <= 40, where(each, slide)
 

@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raywalk.pipeline.parts import plain, shut_for
+from raywalk.pipeline.worked import FILE as WORKED
+from raywalk.pipeline.worked import read_worked, worked_chain
 from raywalk.scene.credits import named_models
 from raywalk.scene.lesson_pictures import pictures_of
 from raywalk.scene.model import Scene
@@ -62,6 +64,7 @@ class Plan:
     traced: Path  # the folder of the scene's trace
     sights: Entry  # the same in every language
     lesson: Entry
+    worked: Path | None  # the folder of what the lesson works out; None where it does not
     slides: Parts
 
     @property
@@ -115,13 +118,16 @@ def planned(of: Asking, sources: list[Source]) -> Chain[list[Plan]]:
     that says the same makes no slide anew."""
     asked = yield from _asked(of, sources[0])
     sights = yield from _seen(of.store, sources[0], asked)
+    worked = yield from worked_chain(of.store, sources[0].scene, sources[0].traced)
+    own = {"worked": digest(worked.folder / WORKED)} if worked else {}
     plans = []
     for each in sources:
-        lesson = yield from _lesson(of, each, asked, sights)
-        plans.append(Plan(each.scene, each.language, each.traced.folder, sights, lesson, {
+        lesson = yield from _lesson(of, each, asked, sights, worked)
+        folder = worked.folder if worked else None
+        plans.append(Plan(each.scene, each.language, each.traced.folder, sights, lesson, folder, {
             "what": "slides", "of": _of(each.scene.id, each.language), "layout": of.layout.name,
             "trace": each.traced.folder.name, "sights": sights.folder.name,
-            "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene),
+            "lesson": digest(lesson.folder / LESSON), "scene": plain(each.scene), **own,
             "pictures": {file.name: digest(file) for file in pictures_of(each.scene)},
             "credits": [model.model_dump() for model in named_models(each.scene)],
             **WRITE.parts(languages={DEFAULT, each.language}),
@@ -151,18 +157,22 @@ def _seen(store: Store, source: Source, asked: Entry) -> Chain[Entry]:
     return store.get(key_of(parts))
 
 
-def _lesson(of: Asking, source: Source, asked: Entry, sights: Entry) -> Generator[str, None, Entry]:
+def _lesson(
+    of: Asking, source: Source, asked: Entry, sights: Entry, worked: Entry | None
+) -> Generator[str, None, Entry]:
     """The lesson in a language."""
+    drawn = {"worked": digest(worked.folder / WORKED)} if worked else {}
     spoken = None if source.language == DEFAULT else scene_words(source.scene)
     parts = {
         "what": "lesson", "of": _of(source.scene.id, source.language), "layout": of.layout.name,
         **_data_of(source), "sights": sights.folder.name, "spoken": spoken,
-        **of.code, "read": sentences(source.language),
+        **of.code, "read": sentences(source.language), **drawn,
     }  # fmt: skip
     request = {
         "do": "lesson", **_where(source, of.layout), "asked": str(asked.folder / ASKED),
         "sights": str(sights.folder / SIGHTS), "spoken": spoken,
         "words": read_words(source.language).tree,
+        **({"worked": str(worked.folder / WORKED)} if worked else {}),
     }  # fmt: skip
     return (yield from _kept(of, parts, LESSON, request))
 
@@ -323,4 +333,5 @@ def sources_of(of: Plan) -> Sources:
     """Where its slides come from."""
     from raywalk.slides.deck import Sources
 
-    return Sources(of.scene, of.traced, of.sights.folder, of.lesson.folder / LESSON)
+    worked = read_worked(of.worked) if of.worked else {}
+    return Sources(of.scene, of.traced, of.sights.folder, of.lesson.folder / LESSON, worked)

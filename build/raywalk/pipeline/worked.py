@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from raywalk.pipeline.parts import models_of, shut_for, silent
 from raywalk.scene.model import Scene
+from raywalk.trace_file.container import unpack
 from raywalk.work.chains import Chain
 from raywalk.work.digests import key_of
 from raywalk.work.maker import Maker, Parts
@@ -18,6 +20,7 @@ from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, Stages, note
 
 WORKED = Maker("raywalk.pipeline.worked_products", "write_worked")
+FILE = "worked.js"
 
 
 def asked_of(scene: Scene) -> dict[str, Any]:
@@ -59,3 +62,10 @@ def _make(
     stages = Stages("compiling kernels", seconds_spent)
     made(store, parts, partial(WORKED, scene, traced, asked))
     return stages.spent("what lessons work out")
+
+
+def read_worked(folder: Path) -> dict[str, Any]:
+    """What worked.js in an entry's folder holds (trace/equations.py, trace/mesh_visits.py,
+    trace_file/nested.py)."""
+    found: dict[str, Any] = json.loads(unpack((folder / FILE).read_bytes()))
+    return found

@@ -24,7 +24,7 @@ PARTS = {
 }  # fmt: skip
 KEPT = {"display", "stretchy", "accent", "width", "mathvariant", "linethickness", "fence"}
 SPACED = "=<>≤≥≠≈+−±∈→⇒"
-SUPERSCRIPTS = str.maketrans("0123456789+−-=()n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼⁽⁾ⁿ")
+SUPERSCRIPTS = str.maketrans("0123456789+−-=()ns", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼⁽⁾ⁿˢ")
 SUBSCRIPTS = str.maketrans("0123456789+−-=()", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌₍₎")
 
 
@@ -96,14 +96,17 @@ def line(element: Element) -> str:
 
 
 def _in_a_row(element: Element, parts: list[str]) -> str:
-    """Signs between two values have room, and so have words: a − b, but −a; sin θ."""
-    said = ""
+    """Room round signs between two values, round words, after commas: a − b, but −a; max(0, x)."""
+    said, after_word = "", False
     for part, words in zip(element, parts, strict=True):
         is_sign = part.tag == "mo" and words.strip() in SPACED and words.strip() != ""
-        is_word = part.tag == "mi" and len(words) > 1
+        is_word = part.tag in ("mi", "mo") and len(words) > 1 and words.isalpha()
         if (is_sign and said) or (is_word and said[-1:].isalnum()):
             said += " "
-        said += words + (" " if (is_sign and said) or is_word else "")
+        if after_word and words == "(":
+            said = said.rstrip()
+        has_room = (is_sign and said) or is_word or words == ","
+        said, after_word = said + words + (" " if has_room else ""), is_word
     return re.sub(" {2,}", " ", said).strip()
 
 

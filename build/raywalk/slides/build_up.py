@@ -15,13 +15,16 @@ from raywalk.slides.words import say
 
 MOST = 4  # before the step itself: more keep a class waiting
 #: Each of these begins a slide: a ray has ended. What else happens is said with the one before.
-ENDS = ("meets", "background", "reached", "blocked")
+HITS, LIGHTS = ("meets", "background"), ("reached", "blocked")
+ENDS = HITS + LIGHTS
 GATHERED = ("gather", "pixel")  # the sum has slides of its own
 
 
 def build_up(lesson: Lesson, stop: Stop) -> list[Slide]:
     """[] where there is but one ray to be seen; the last one is the step's own slide."""
     shown = _slides_of(stop)
+    if len(shown) - 1 > MOST:
+        shown = _without_shadow_rays(shown)
     count = min(MOST, len(shown) - 1)
     return [_slide(lesson, stop, shown[: k + 1], len(shown)) for k in range(count)]
 
@@ -43,13 +46,27 @@ def _slides_of(stop: Stop) -> list[list[Event]]:
     return slides
 
 
+def _without_shadow_rays(slides: list[list[Event]]) -> list[list[Event]]:
+    """Where they would be too many, a hit has its shadow rays at once: what a step is about, a ray
+    that is bent or mirrored, would never come."""
+    fewer: list[list[Event]] = []
+    for events in slides:
+        if fewer and any(event.what in LIGHTS for event in events):
+            fewer[-1] = [*fewer[-1], *events]
+        else:
+            fewer.append(events)
+    return fewer
+
+
 def _slide(lesson: Lesson, whole: Stop, slides: list[list[Event]], of: int) -> Slide:
     layout, events = lesson.layout, slides[-1]
     reached = {(event.ray, event.light) for slide in slides for event in slide}
     chosen = tuple(line for line in whole.chosen if (line.ray, line.light) in reached)
     stop = replace(whole, chosen=chosen, thin=(), one_in=1)
     head, _ = head_and_body(lesson, whole)
-    words = [Paragraph(tuple(Run(t, mark is not None) for t, mark in e.phrases)) for e in events]
+    has_hit = any(event.what in HITS for event in events)
+    told = [event for event in events if event.light < 0 or not has_hit]
+    words = [Paragraph(tuple(Run(t, mark is not None) for t, mark in e.phrases)) for e in told]
     part = word_parts(_as_one(words), layout.words, BODY_SIZE)[0]
     here = say("slides.buildOf", part=len(slides), of=of)
     items = (

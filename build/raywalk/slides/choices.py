@@ -98,7 +98,8 @@ def _one(choice: ChoiceWords, box: Box, size: float, revealed: bool) -> tuple[li
         items += [Line(*ends, "ink", 0.14 * size, name=name) for ends in pairwise(at)]
     bold = not revealed or choice.right
     line = size * LEADING
-    items.append(one_line(choice.letter, Box(left, box.top, size, line), size, bold=bold))
+    place = Box(left, box.top, size, line)
+    items.append(one_line(choice.letter, place, size, bold=bold, name="letter"))
     left += 1.2 * size
     if choice.swatch:
         swatch = Box(left, frame.top - 1, side + 2, side + 2)
@@ -179,8 +180,8 @@ def _fitting(choices: list[ChoiceWords], box: Box, revealed: bool) -> int:
 
 
 def count_words(choices: list[ChoiceWords], revealed: bool) -> int:
-    """With their letters."""
-    said = (f"{each.lettered} {each.because if revealed else ''}" for each in choices)
+    """Without their letters."""
+    said = (f"{each.label} {each.because if revealed else ''}" for each in choices)
     return sum(len(words.split()) for words in said)
 
 

@@ -14,22 +14,42 @@ from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.pictures import TITLE_SIDE, picture_of, traced_picture
 from raywalk.slides.times import LECTURES, lesson_minutes, parted
 from raywalk.slides.typeface import wrapped
+from raywalk.slides.word_parts import word_parts
 from raywalk.slides.words import say
 
 
 def course_slides(scenes: list[Scene], pictures: list[Path], layout: Layout) -> list[Slide]:
     """The course's title, its agenda, and how it fits into lectures."""
-    return [
-        _title(scenes, pictures, layout),
-        *list_slides(say("slides.scenes"), _agenda(scenes), layout, "goals"),
-        *list_slides(say("slides.times"), _times(scenes), layout, "goals"),
-    ]
+    slides = [_title(scenes, pictures, layout), *_agenda(scenes, layout)]
+    for most in LECTURES:
+        head = say("slides.times", minutes=most)
+        slides += list_slides(head, _lectures(scenes, most), layout, "goals")
+    return slides
 
 
-def summary_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
-    """What each lesson has taught."""
+def rules_slides(chapter: str, scenes: list[Scene], layout: Layout) -> list[Slide]:
+    """What the lessons of a chapter have taught."""
     rules = [Paragraph((Run(scene.teaches),), "•") for scene in scenes]
-    return list_slides(say("slides.rules"), rules, layout, "goals")
+    name = _chapter_name(chapter)
+    head = say("slides.rulesOf", chapter=name) if name else say("slides.rules")
+    return list_slides(head, rules, layout, "goals")
+
+
+def lesson_place(scene: Scene, place: int, count: int) -> str:
+    """Of a divider: where in the course one is. place: from 1."""
+    parts = [_chapter_name(scene.chapter), say("slides.lessonOf", place=place, of=count)]
+    if scene.key:
+        parts.append(say("slides.sceneKey", key=scene.key))
+    return " · ".join(part for part in parts if part)
+
+
+def chapters(scenes: list[Scene]) -> list[tuple[str, list[Scene]]]:
+    """Neighbours of one chapter, in order."""
+    return [(name, list(group)) for name, group in groupby(scenes, key=lambda each: each.chapter)]
+
+
+def _chapter_name(chapter: str) -> str:
+    return say(f"pages.chapters.{chapter}") if chapter else ""
 
 
 def _title(scenes: list[Scene], pictures: list[Path], layout: Layout) -> Slide:
@@ -52,31 +72,39 @@ def _title(scenes: list[Scene], pictures: list[Path], layout: Layout) -> Slide:
     )
 
 
-def _agenda(scenes: list[Scene]) -> list[Paragraph]:
-    """The lessons by their places in the course, under their chapters where they have some."""
-    points, count = list[Paragraph](), 0
-    for chapter, group in groupby(scenes, key=lambda scene: scene.chapter):
-        if chapter:
-            points.append(Paragraph((Run(say(f"pages.chapters.{chapter}"), True),)))
+def _agenda(scenes: list[Scene], layout: Layout) -> list[Slide]:
+    """The lessons by their places in the course, whole chapters on a slide as long as they fit."""
+    parts, count = list[list[Paragraph]](), 0
+    for chapter, group in chapters(scenes):
+        name = _chapter_name(chapter)
+        points = [Paragraph((Run(name, True),))] if name else []
         for scene in group:
             count += 1
-            points.append(Paragraph((Run(_called(scene)),), str(count)))
-    return points
+            points.append(Paragraph((Run(scene.title),), str(count)))
+        parts.append(points)
+    slides = list[Slide]()
+    for page in _packed(parts, layout):
+        made = list_slides(say("slides.scenes"), page, layout, "goals", bool(slides))
+        slides += made
+    return slides
 
 
-def _called(scene: Scene) -> str:
-    if not scene.key:
-        return scene.title
-    return say("pages.scene.link", key=scene.key, title=scene.title)
+def _packed(parts: list[list[Paragraph]], layout: Layout) -> list[list[Paragraph]]:
+    """Parts on as few pages as keep each of them whole; one that is too long has its own."""
+    pages: list[list[Paragraph]] = []
+    for part in parts:
+        whole = [*(pages[-1] if pages else []), *part]
+        if pages and len(word_parts(whole, layout.below_title, BODY_SIZE)) == 1:
+            pages[-1] = whole
+        else:
+            pages.append(part)
+    return pages
 
 
-def _times(scenes: list[Scene]) -> list[Paragraph]:
-    """For each length of a lecture which lessons go into one, lecture by lecture."""
+def _lectures(scenes: list[Scene], most: int) -> list[Paragraph]:
+    """Which lessons go into each lecture of so many minutes."""
     minutes = [lesson_minutes(scene) for scene in scenes]
-    points = [Paragraph((Run(say("slides.timesSay")),))]
-    for most in LECTURES:
-        lectures = parted(minutes, most)
-        places = " | ".join(", ".join(str(k + 1) for k in each) for each in lectures)
-        head = say("slides.lectures", minutes=most, count=len(lectures))
-        points.append(Paragraph((Run(head, True), Run(f" {places}")), "•"))
-    return points
+    return [Paragraph((Run(say("slides.timesSay")),))] + [
+        Paragraph((Run(" · ".join(f"{k + 1} {scenes[k].title}" for k in lecture)),), f"{count}.")
+        for count, lecture in enumerate(parted(minutes, most), start=1)
+    ]

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
+from typing import Any
 
 from raywalk.scene.model import Scene
 from raywalk.slides.backup import backup_slides
 from raywalk.slides.build_up import build_up
-from raywalk.slides.course import course_slides, summary_slides
+from raywalk.slides.course import chapters, course_slides, lesson_place, rules_slides
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.formats import COURSE
 from raywalk.slides.front import credits_slides, goals_slides, title_slide
@@ -27,10 +29,12 @@ class Sources:
     traced: Path  # the folder of picture.png
     sights: Path  # that of view-<k>.png, of the layout's aspect
     stops: Path  # Lesson as JSON, of the layout's aspect
+    worked: dict[str, Any] = field(default_factory=dict)  # what its steps work out (worked.py)
 
     def lesson(self, layout: Layout) -> Lesson:
         stops = read_stops(self.stops)
-        return Lesson(self.scene, stops, self.sights, self.traced / "picture.png", layout)
+        picture = self.traced / "picture.png"
+        return Lesson(self.scene, stops, self.sights, picture, layout, self.worked)
 
 
 def scene_deck(
@@ -68,15 +72,21 @@ def lesson_slides(lesson: Lesson, steps: frozenset[int] | None = None) -> list[S
 
 
 def course_of(all_sources: list[Sources], lessons: list[list[Slide]], layout: Layout) -> Deck:
-    """Every scene's lesson after the other, without their backup and what builds slides up: those
-    are in each lesson's own deck."""
+    """Every scene's lesson after the other, at each chapter's end its rules, without their backup
+    and what builds slides up: those are in each lesson's own deck."""
     scenes = [sources.scene for sources in all_sources]
     pictures = [sources.traced / "picture.png" for sources in all_sources]
     slides = course_slides(scenes, pictures, layout)
-    for sources, picture, lesson in zip(all_sources, pictures, lessons, strict=True):
-        slides.append(title_slide(sources.scene, picture, layout, "section"))
-        slides += [slide for slide in lesson if slide.kind != "build"]
-    slides += [*summary_slides(scenes, layout), *credits_slides(scenes, layout)]
+    rest = zip(scenes, pictures, lessons, strict=True)
+    place = 0
+    for chapter, group in chapters(scenes):
+        for scene, picture, lesson in islice(rest, len(group)):
+            place += 1
+            where = lesson_place(scene, place, len(scenes))
+            slides.append(title_slide(scene, picture, layout, "section", where))
+            slides += [slide for slide in lesson if slide.kind != "build"]
+        slides += rules_slides(chapter, group, layout)
+    slides += credits_slides(scenes, layout)
     return Deck(
         COURSE, say("slides.course"), layout.width, layout.height, tuple(slides), words().code
     )

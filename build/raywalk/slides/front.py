@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
-from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, one_line, text, title
+from raywalk.scene.models import ModelTable
+from raywalk.slides.blocks import BODY_SIZE, flow, flow_texts, text, title
 from raywalk.slides.figure import Item, Run, Slide
-from raywalk.slides.layout import Box, Layout
+from raywalk.slides.layout import SMALLEST, Box, Layout
 from raywalk.slides.lesson_words import Paragraph, paragraphs_of, words_and_pictures
 from raywalk.slides.pictures import TITLE_SIDE, picture_of, traced_picture
 from raywalk.slides.step_slide import headline_and_body
@@ -21,23 +23,29 @@ BIG = 40.0
 GAP = 28.0
 
 
-def title_slide(scene: Scene, picture: Path, layout: Layout, kind: str = "title") -> Slide:
-    """The scene's picture, name and sentence."""
+def title_slide(
+    scene: Scene, picture: Path, layout: Layout, kind: str = "title", where: str = ""
+) -> Slide:
+    """The scene's picture, name and sentence. where: above them; else the brand and its key."""
     frame, box = halves(layout)
     size = BIG if layout.width > 800 else BIG * 0.8
     lines = _at_most(wrapped([Run(scene.title, True)], size, box.width), 3)
     high = size * 1.2 * len(lines)
     says = flow([Paragraph((Run(scene.teaches),))], BODY_SIZE, box.width)
-    says, _ = says.split(box.height - high - 64)
-    top = box.top + max(0.0, (box.height - high - says.height() - 54) / 2)
-    number = " · ".join(part for part in (say("slides.brand"), scene.key) if part)
+    keyed = say("slides.sceneKey", key=scene.key) if scene.key else ""
+    where = where or " · ".join(part for part in (say("slides.brand"), keyed) if part)
+    above = flow([Paragraph((Run(where),))], BODY_SIZE, box.width)
+    says, _ = says.split(box.height - high - above.height() - 34)
+    used = high + says.height() + above.height() + 24
+    top = box.top + max(0.0, (box.height - used) / 2)
+    over, under = Box(box.left, top, box.width, above.height()), top + above.height() + 6
     items: list[Item] = [
         picture_of(
             traced_picture(picture, TITLE_SIDE), frame, say("picture.alt", title=scene.title)
         ),
-        one_line(number, Box(box.left, top, box.width, 30), BODY_SIZE, "soft"),
-        text(lines, Box(box.left, top + 36, box.width, high), size, name="title", is_title=True),
-        *flow_texts(says, Box(box.left, top + 36 + high + 14, box.width, says.height()), "soft"),
+        *(replace(each, name="text") for each in flow_texts(above, over, "soft")),
+        text(lines, Box(box.left, under, box.width, high), size, name="title", is_title=True),
+        *flow_texts(says, Box(box.left, under + high + 14, box.width, says.height()), "soft"),
     ]
     minutes = say("slides.minutes", count=lesson_minutes(scene))
     return Slide(scene.title, tuple(items), (scene.teaches, minutes), kind)
@@ -72,28 +80,42 @@ def _runs(markdown: str) -> tuple[Run, ...]:
 
 
 def credits_slides(scenes: list[Scene], layout: Layout) -> list[Slide]:
+    """Who made what and under which licence: of its conditions the first, all in the notes."""
     entries = [say("slides.madeWith"), say("slides.fontCredit")]
-    for scene in scenes:
-        for table in named_models(scene):
-            credit = say(
-                "pages.figures.modelIs",
-                title=table.title,
-                credit=table.credit,
-                licence=table.licence,
-            )
-            entries += [credit] if credit not in entries else []
-    points = [Paragraph((Run(each),)) for each in entries]
-    return list_slides(say("slides.credits"), points, layout, "credits")
-
-
-def list_slides(head: str, points: list[Paragraph], layout: Layout, kind: str) -> list[Slide]:
-    """Paragraphs over as many slides as they need."""
-    box, slides = layout.below_title, list[Slide]()
-    for part in word_parts(points, box, BODY_SIZE):
+    models = {table.title: table for scene in scenes for table in named_models(scene)}
+    entries += [_credit(table, _first_clause(table.licence)) for table in models.values()]
+    conditions = [_credit(table, table.licence) for table in models.values()]
+    notes = (*entries[:2], *conditions)
+    head, box, slides = say("slides.credits"), layout.below_title, list[Slide]()
+    more = [Paragraph((Run(say("slides.conditions")),))] if conditions else []
+    rest = flow([*(Paragraph((Run(each),)) for each in entries), *more], SMALLEST, box.width)
+    while rest.lines:
+        part, rest = rest.split_between(box.height)
         name = say("slides.continued", title=head) if slides else head
         items = (title(name, layout.title), *flow_texts(part, box))
+        slides.append(Slide(name, items, () if slides else notes, "credits", bool(slides)))
+    return slides
+
+
+def _credit(table: ModelTable, licence: str) -> str:
+    return say("pages.figures.modelIs", title=table.title, credit=table.credit, licence=licence)
+
+
+def _first_clause(licence: str) -> str:
+    return licence.partition(";")[0]
+
+
+def list_slides(
+    head: str, points: list[Paragraph], layout: Layout, kind: str, is_continued: bool = False
+) -> list[Slide]:
+    """Paragraphs over as many slides as they need. is_continued: from other slides of that head."""
+    box, slides = layout.below_title, list[Slide]()
+    for part in word_parts(points, box, BODY_SIZE):
+        goes_on = bool(slides) or is_continued
+        name = say("slides.continued", title=head) if goes_on else head
+        items = (title(name, layout.title), *flow_texts(part, box))
         notes = () if slides else tuple(point.text for point in points)
-        slides.append(Slide(name, items, notes, kind, bool(slides)))
+        slides.append(Slide(name, items, notes, kind, goes_on))
     return slides
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from reportlab.pdfgen.canvas import Canvas
 
-from raywalk.slides.figure import Deck
+from raywalk.slides.figure import Deck, Group
 from raywalk.slides.glossary_sheets import glossary_sheets
 from raywalk.slides.layout import Box
 from raywalk.slides.palette import PRINT
 from raywalk.slides.pdf import draw_slide, finished, font, new_canvas
+from raywalk.slides.repeats import repeated_groups
 from raywalk.slides.words import say
 from raywalk.terms.glossary import Term
 
@@ -28,12 +29,13 @@ def handout_pdf(deck: Deck, per_sheet: int, terms: Sequence[Term] = ()) -> bytes
     canvas, out = new_canvas(say("slides.handout", title=deck.title), deck.language, A4)
     sheets = -(-len(deck.slides) // per_sheet)
     wide, high = A4[0] - 2 * MARGIN, A4[1] - TOP - BOTTOM
+    repeated = repeated_groups(slide.items for slide in deck.slides)
     glossary = list(glossary_sheets(terms, Box(MARGIN, TOP, wide, high)))
     for sheet in range(sheets):
         _heading(canvas, deck, sheet + 1, sheets + len(glossary))
         part = deck.slides[sheet * per_sheet : (sheet + 1) * per_sheet]
         for place, slide in zip(_places(per_sheet), part, strict=False):
-            _slide(canvas, deck, slide.items, place, per_sheet == 3)
+            _slide(canvas, deck, slide.items, place, per_sheet == 3, repeated)
         canvas.showPage()
     for count, items in enumerate(glossary, start=sheets + 1):
         _heading(canvas, deck, count, sheets + len(glossary))
@@ -62,7 +64,10 @@ def _places(per_sheet: int) -> list[Box]:
     ]
 
 
-def _slide(canvas: Canvas, deck: Deck, items: tuple, place: Box, beside: bool) -> None:
+def _slide(
+    canvas: Canvas, deck: Deck, items: tuple, place: Box, beside: bool,
+    repeated: Mapping[Group, str],
+) -> None:  # fmt: skip
     """A slide scaled into its part of the place, lines in the rest."""
     if beside:
         frame_wide, frame_high = place.width * 0.56, place.height
@@ -77,7 +82,7 @@ def _slide(canvas: Canvas, deck: Deck, items: tuple, place: Box, beside: bool) -
     path = canvas.beginPath()
     path.rect(0, 0, deck.width, deck.height)
     canvas.clipPath(path, stroke=0, fill=0)
-    draw_slide(canvas, items, deck, PRINT, SHARP * scale)
+    draw_slide(canvas, items, deck, PRINT, SHARP * scale, repeated)
     canvas.restoreState()
     canvas.setStrokeColor(PRINT["rule"])
     canvas.setLineWidth(0.75)

@@ -6,7 +6,7 @@ import base64
 import hashlib
 from html import escape
 
-from raywalk.slides.figure import Deck, Slide
+from raywalk.slides.figure import Deck, Group, Slide
 from raywalk.slides.palette import PRINT, SCREEN
 from raywalk.slides.svg import inline, picture_store, theme_rules
 from raywalk.slides.words import say
@@ -38,9 +38,10 @@ def deck_html(deck: Deck) -> str:
     sheet, notes_word = _sheet(deck), say("slides.notes")
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode("ascii")
     policy = f"default-src 'none'; img-src data:; style-src 'sha256-{digest}'; base-uri 'none'"
-    shared: dict[bytes, str] = {}
+    shared, groups = dict[bytes, str](), dict[Group, str]()
     slides = "\n".join(
-        _section(deck, slide, k, notes_word, shared) for k, slide in enumerate(deck.slides, start=1)
+        _section(deck, slide, k, notes_word, (shared, groups))
+        for k, slide in enumerate(deck.slides, start=1)
     )
     return (
         f'<!doctype html>\n<html lang="{deck.language}">\n<head>\n<meta charset="utf-8">\n'
@@ -65,10 +66,11 @@ def _plain(colours: dict[str, str]) -> dict[str, str]:
 
 
 def _section(
-    deck: Deck, slide: Slide, number: int, notes_word: str, shared: dict[bytes, str]
-) -> str:
+    deck: Deck, slide: Slide, number: int, notes_word: str,
+    had: tuple[dict[bytes, str], dict[Group, str]],
+) -> str:  # fmt: skip
     paragraphs = "".join(f"<p>{escape(note)}</p>" for note in slide.notes)
     notes = f"<details><summary>{notes_word}</summary>{paragraphs}</details>" if paragraphs else ""
-    drawing = inline(slide.items, deck.width, deck.height, shared)
+    drawing = inline(slide.items, deck.width, deck.height, *had)
     name = escape(f"{number}: {slide.title}")
     return f'<section id="s{number}" aria-label="{name}">{drawing}{notes}</section>'

@@ -20,6 +20,7 @@ BLOCKS = {"p", "li", "h1", "h2", "h3", "h4", "h5", "h6", "pre", "blockquote", "t
 class Paragraph:
     runs: tuple[Run, ...]
     bullet: str = ""  # "•" or "1." for an item of a list
+    is_formula: bool = False  # one that stands by itself
 
     @property
     def text(self) -> str:
@@ -100,7 +101,7 @@ class _Reader(HTMLParser):
         self.bold = self.italic = 0
         self.lists: list[int] = []  # numbers of open lists; 0 for bullets
         self.bullet = ""
-        self.is_formula = False
+        self.is_formula = self.has_formula = False
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag in ("strong", "b", "h1", "h2", "h3", "h4", "h5", "h6"):
@@ -116,8 +117,11 @@ class _Reader(HTMLParser):
                 self.pictures.append(Shown(file, alt))
                 self.is_only_pictures = was
         if tag == "math":
+            stands_alone = dict(attrs).get("display") == "block"
+            self.bold += stands_alone
             self.handle_data(dict(attrs).get("alttext") or "")
-            self.is_formula = True
+            self.bold -= stands_alone
+            self.has_formula, self.is_formula = stands_alone, True
         if tag in ("ul", "ol"):
             self.end_paragraph()
             self.lists.append(int(tag == "ol"))
@@ -157,6 +161,7 @@ class _Reader(HTMLParser):
         if not self.is_only_pictures and "".join(run.text for run in self.runs).strip():
             last = self.runs[-1]
             self.runs[-1] = Run(last.text.rstrip(), last.bold, last.italic)
-            self.paragraphs.append(Paragraph(tuple(self.runs), self.bullet))
-            self.bullet = ""
+            alone = self.has_formula and len(self.runs) == 1
+            self.paragraphs.append(Paragraph(tuple(self.runs), self.bullet, alone))
+            self.bullet, self.has_formula = "", False
         self.runs, self.is_only_pictures = [], True

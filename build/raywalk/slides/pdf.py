@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache, lru_cache
 
 from reportlab import rl_config
@@ -31,6 +31,7 @@ from raywalk.slides.formats import COURSE
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import DASH_LENGTHS, SCREEN, Palette
 from raywalk.slides.pictures import smaller
+from raywalk.slides.repeats import is_large, repeated_groups
 from raywalk.slides.svg import arrow_head
 from raywalk.slides.table_parts import table_parts
 from raywalk.slides.typeface import font_file, is_right_to_left, run_width, width
@@ -49,12 +50,13 @@ class MissingGlyphs(Exception):
 def deck_pdf(deck: Deck, palette: Palette) -> bytes:
     """A page a slide. Raises MissingGlyphs."""
     canvas, out = new_canvas(deck.title, deck.language, (deck.width, deck.height))
+    repeated = repeated_groups(slide.items for slide in deck.slides)
     for k, slide in enumerate(deck.slides):
         if not slide.is_continued:
             canvas.bookmarkPage(f"s{k}")
             level = 1 if deck.id == COURSE and slide.kind not in OUTER else 0
             canvas.addOutlineEntry(slide.title, f"s{k}", level, closed=level == 0)
-        draw_slide(canvas, slide.items, deck, palette)
+        draw_slide(canvas, slide.items, deck, palette, repeated=repeated)
         canvas.showPage()
     return finished(canvas, out)
 
@@ -82,13 +84,13 @@ def finished(canvas: Canvas, out: io.BytesIO) -> bytes:
 
 def draw_slide(
     canvas: Canvas, items: Iterable[Item], deck: Deck, palette: Palette,
-    pixels: float | None = None,
+    pixels: float | None = None, repeated: Mapping[Group, str] | None = None,
 ) -> None:  # fmt: skip
-    """Everything of a slide with its lower left corner at the origin; pixels: as Pen has it."""
+    """Everything of a slide with its lower left corner at the origin; the rest: as Pen has it."""
     refuse_missing(items)
     canvas.setFillColor(palette["ground"])
     canvas.rect(0, 0, deck.width, deck.height, stroke=0, fill=1)
-    pen = Pen(canvas, deck.height, palette, pixels)
+    pen = Pen(canvas, (deck.width, deck.height), palette, pixels, repeated)
     for item in items:
         pen.draw(item)
 
@@ -162,11 +164,14 @@ class Pen:
     """Draws items on a canvas whose y goes up; ours goes down."""
 
     def __init__(
-        self, canvas: Canvas, height: float, palette: Palette, pixels: float | None = None
-    ):
-        """pixels: that a picture has at most for each of the slide's points; None: all it has."""
-        self.canvas, self.height, self.palette = canvas, height, palette
-        self.pixels = pixels
+        self, canvas: Canvas, size: tuple[float, float], palette: Palette,
+        pixels: float | None = None, repeated: Mapping[Group, str] | None = None,
+    ):  # fmt: skip
+        """pixels: that a picture has at most for each of the slide's points; None: all it has.
+        repeated: groups that the file holds once, by name, and refers to."""
+        self.canvas, self.palette = canvas, palette
+        self.width, self.height = size
+        self.pixels, self.repeated = pixels, repeated or {}
 
     def draw(self, item: Item) -> None:
         match item:
@@ -184,11 +189,27 @@ class Pen:
                 for part in table_parts(item):
                     self.draw(part)
             case Group():
-                for piece in gathered(item.items):
-                    if isinstance(piece, list):
-                        self._mosaic(piece)
-                    else:
-                        self.draw(piece)
+                name = self.repeated.get(item) if is_large(item) else None
+                if name:
+                    self._again(name, item)
+                else:
+                    self._group(item)
+
+    def _group(self, group: Group) -> None:
+        for piece in gathered(group.items):
+            if isinstance(piece, list):
+                self._mosaic(piece)
+            else:
+                self.draw(piece)
+
+    def _again(self, name: str, group: Group) -> None:
+        """By its form, which is drawn when it is met first."""
+        c = self.canvas
+        if not c.hasForm(name):
+            c.beginForm(name, 0, 0, self.width, self.height)
+            self._group(group)
+            c.endForm()
+        c.doForm(name)
 
     def _line(self, line: Line) -> None:
         c = self.canvas

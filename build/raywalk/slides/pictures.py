@@ -117,6 +117,16 @@ def grid_picture(tiles: np.ndarray, n: int, window: Window = WHOLE) -> tuple[byt
     return jpeg(tiled, CLEAR), webp(tiled)
 
 
+def squares_picture(colours: np.ndarray) -> bytes:
+    """(k, k, 3) 8-bit as PNG: so few colours are small, and their borders stay sharp."""
+    k = len(colours)
+    palette, places = np.unique(colours.reshape(-1, 3), axis=0, return_inverse=True)
+    image = Image.fromarray(places.reshape(k, k).astype(np.uint8), "P")
+    image.putpalette(palette.tobytes())
+    side = k * max(1, round(GRID_SIDE / k))
+    return png(image.resize((side, side), Image.Resampling.NEAREST))
+
+
 def tiles_picture(
     figure: Figure, colours: np.ndarray, hidden: frozenset[int], box: Box
 ) -> Picture | None:

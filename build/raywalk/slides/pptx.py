@@ -61,7 +61,7 @@ def steady_zip(data: bytes) -> bytes:
             info.external_attr, info.create_system = 0o600 << 16, 3
             packed = name.endswith((".png", ".jpg", ".jpeg"))
             info.compress_type = zipfile.ZIP_STORED if packed else zipfile.ZIP_DEFLATED
-            new.writestr(info, old.read(name), compresslevel=6)
+            new.writestr(info, old.read(name), compresslevel=9)
     return out.getvalue()
 
 

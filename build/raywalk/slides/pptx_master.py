@@ -25,6 +25,7 @@ NAME = "Title, figure and words"
 def new_presentation(deck: Deck, palette: Palette) -> tuple[Any, Any]:
     """Without slides, and the layout for all of them."""
     shown = Presentation()
+    _forget_thumbnail(shown.part.package)
     shown.slide_width, shown.slide_height = Pt(deck.width), Pt(deck.height)
     layout = shown.slide_layouts[WORDS]
     for other in list(shown.slide_layouts):
@@ -35,6 +36,13 @@ def new_presentation(deck: Deck, palette: Palette) -> tuple[Any, Any]:
     _keep_title_and_body(layout)
     _master(shown.slide_master, frames.title, frames.words, palette)
     return shown, layout
+
+
+def _forget_thumbnail(package: Any) -> None:
+    """The template's shows other slides."""
+    for key, relation in list(package._rels.items()):
+        if relation.reltype == RELATIONSHIP_TYPE.THUMBNAIL:
+            package.drop_rel(key)
 
 
 def _keep_title_and_body(of: Any) -> None:

@@ -9,7 +9,7 @@ from raywalk.slides.choices import ChoiceWords
 from raywalk.slides.figure import Item, Polygon
 from raywalk.slides.layout import Box
 from raywalk.slides.pictures import picture_of, traced_picture
-from raywalk.slides.sheet_questions import Question
+from raywalk.slides.sheet_question import Question
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.words import chosen_tile, say
 

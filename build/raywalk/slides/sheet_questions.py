@@ -3,33 +3,23 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from typing import Any
 
 from raywalk.scene.model import Scene
-from raywalk.slides.choices import ChoiceWords, choice_words
+from raywalk.slides.choices import choice_words
 from raywalk.slides.formats import SIGHTS
 from raywalk.slides.lesson_words import plain_text
 from raywalk.slides.sheet_facts import Facts
+from raywalk.slides.sheet_question import Fact, Question
+from raywalk.slides.sheet_worked import worked_questions
 from raywalk.slides.step_slide import Lesson
-from raywalk.slides.stops import Stop
 from raywalk.slides.words import numbers, say, words
 
-Fact = dict[str, Any]
 ASKS = {
     "nearest": "slides.askNearest", "order": "slides.askOrder", "shadow": "slides.askShadow",
     "lambert": "slides.askLambert", "reflected": "slides.askReflected",
     "refracted": "slides.askRefracted", "bytes": "slides.askBytes",
 }  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Question:
-    asks: str
-    answer: str
-    fact: Fact | None = None  # of one that the trace answers
-    choices: tuple[ChoiceWords, ...] = ()
-    stop: Stop | None = None  # of one of the lesson's: what "this pixel" is
 
 
 def sheet_facts(lesson: Lesson) -> Facts:
@@ -39,10 +29,10 @@ def sheet_facts(lesson: Lesson) -> Facts:
 
 
 def questions(lesson: Lesson) -> list[Question]:
-    """From the trace of the lesson's first grid, and the lesson's own."""
+    """From the trace of the lesson's first grid, of what the lesson works out, and its own."""
     facts = sheet_facts(lesson)
     asked = [traced_question(lesson.scene, facts["n"], fact) for fact in facts["asked"]]
-    return asked + own_questions(lesson)
+    return asked + worked_questions(lesson) + own_questions(lesson)
 
 
 def own_questions(lesson: Lesson) -> list[Question]:

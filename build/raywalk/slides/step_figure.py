@@ -30,6 +30,11 @@ MOST_NORMALS = 3
 RING_WIDTH = 2.6
 PLATE = 24.0  # from one line of what is switched to the next
 MOST_NUMBERS = 9
+# Colour and width of a box's edges, by what came of it.
+BOX_LINES = {
+    "level": ("sign", 1.0), "entered": ("accent", 1.4), "missed": ("soft", 0.7),
+    "cutOff": ("sign", 0.9),
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +75,7 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
         *_frustum(drawing, places),
         *_lamps(drawing, places),
         *_rings(drawing),
+        *_boxes(drawing),
         *_thin(drawing, places),
         *rays,
         *_dots(drawing, places),
@@ -210,6 +216,17 @@ def _rings(drawing: Drawing) -> list[Item]:
 def _in_frame(drawing: Drawing, ring: Ring) -> tuple[Point, ...]:
     box = drawing.box
     return tuple(clipped_area([(box.left + x, box.top + y) for x, y in ring.outline], box))
+
+
+def _boxes(drawing: Drawing) -> list[Item]:
+    """A mesh's boxes, edge by edge; nothing hides them: most lie inside of the mesh."""
+    lines: list[Item] = []
+    for edge in drawing.stop.figure.boxes:
+        if found := drawing.line(edge.ends):
+            at, inside = found
+            a, b = (tuple((at[0] + s * (at[1] - at[0])).tolist()) for s in inside)
+            lines.append(Line(a, b, *BOX_LINES[edge.what], name=say("slides.boxEdge")))
+    return [Group(say("slides.boxes"), "", tuple(lines))] if lines else []
 
 
 def _ring_names(drawing: Drawing) -> list[Label]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from raywalk.scene.model import Scene
@@ -18,6 +18,8 @@ from raywalk.slides.step_figure import Drawing, step_figure
 from raywalk.slides.stops import Stop
 from raywalk.slides.word_parts import word_parts
 from raywalk.slides.words import place, say, switched
+from raywalk.slides.worked_figures import Worked
+from raywalk.slides.worked_panel import panel_inset, panel_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +31,7 @@ class Lesson:
     views: Path  # the folder of SIGHTS and view-<k>.png, shaded views
     picture: Path  # the traced picture
     layout: Layout
+    worked: Worked = field(default_factory=dict)  # what its steps work out
 
     def figure(self, stop: Stop, now: int | None = None) -> Group:
         """What is seen at a stop, with the letters of its choices, and the picture in a corner
@@ -38,7 +41,11 @@ class Lesson:
         insets = [choice_marks(asked_choices(self, stop), stop)]
         if stop.kind != "question" or stop.filled:
             insets.append(inset_of(self.picture, self.scene.title, stop))
-        return step_figure(drawing, insets)
+        panel = panel_of(self.scene, self.stops, stop, self.worked) if now is None else None
+        if not panel:
+            return step_figure(drawing, insets)
+        figure = step_figure(drawing, [*insets, panel_inset(panel, stop, self.worked)])
+        return replace(figure, alt=f"{figure.alt} {panel.figures.in_words}")
 
     @property
     def place(self) -> str:

@@ -85,6 +85,14 @@ class Ring(FromNode):
     outline: tuple[Point, ...]
 
 
+@dataclass(frozen=True)
+class BoxLine(FromNode):
+    """An edge of one of a mesh's boxes."""
+
+    what: str  # level, entered, missed, cutOff
+    ends: Ends
+
+
 @dataclass(frozen=True, eq=False)
 class Figure(FromNode):
     """The picture plane, the ray-tracing camera and the lights from where the observer stands."""
@@ -95,6 +103,7 @@ class Figure(FromNode):
     edges: tuple[Ends | None, ...]  # from the eye to the picture plane's corners
     lamps: tuple[Lamp, ...]
     rings: tuple[Ring, ...]
+    boxes: tuple[BoxLine, ...]
 
     def on_plane(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """(..., 3) x, y and depth of the grid's corners."""

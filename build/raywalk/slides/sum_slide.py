@@ -12,7 +12,7 @@ from raywalk.slides.ray_table import SAMPLE, SWATCH
 from raywalk.slides.step_slide import Lesson, source_line
 from raywalk.slides.stops import Row, Stop
 from raywalk.slides.typeface import shortened, width
-from raywalk.slides.words import kind_word, numbers, say, sum_columns
+from raywalk.slides.words import kind_word, numbers, say, sum_columns, switched
 
 ROW = 25.0
 GAP = 18.0  # between the tables
@@ -22,6 +22,7 @@ def sum_slides(lesson: Lesson, stop: Stop, rays: Table | None = None) -> list[Sl
     """How the colour of a walked pixel adds up. rays: a short table of its rays, above it."""
     layout = lesson.layout
     head = say("slides.sum", x=stop.pixel[0], y=stop.pixel[1])
+    head = ", ".join([head, *switched(stop.switches)])  # a pixel may have several
     says = flow([Paragraph((Run(say("slides.sumSays")),))], BODY_SIZE, layout.title.width)
     left, top, wide, _ = layout.below_title
     rows = [*map(_row, stop.rows), *_total(stop)]

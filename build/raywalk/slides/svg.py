@@ -13,6 +13,7 @@ from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygo
 from raywalk.slides.layout import Box
 from raywalk.slides.mosaic import by_fill, gathered
 from raywalk.slides.palette import DASH_LENGTHS, PRINT, SCREEN, Palette
+from raywalk.slides.repeats import is_large
 from raywalk.slides.table_parts import table_parts
 from raywalk.slides.typeface import FAMILY
 
@@ -28,6 +29,7 @@ class Ink:
     palette: Palette
     themed: bool = False
     shared: dict[bytes, str] = field(default_factory=dict)  # pictures of a page, by their id
+    groups: dict[Group, str] = field(default_factory=dict)  # large ones that were drawn, likewise
 
     def fill(self, colour: str | None) -> str:
         return self._paint("fill", "f", colour)
@@ -58,10 +60,14 @@ def standalone(items: Iterable[Item], frame: Box, palette: Palette, title: str, 
     )
 
 
-def inline(items: Iterable[Item], width: float, height: float, shared: dict[bytes, str]) -> str:
+def inline(
+    items: Iterable[Item], width: float, height: float, shared: dict[bytes, str],
+    groups: dict[Group, str],
+) -> str:  # fmt: skip
     """For a page whose style sheet has both palettes: `themed` paper colours. Pictures are only
-    named; `shared` gathers them for `picture_store`."""
-    body = "".join(_item(item, Ink(PRINT, themed=True, shared=shared)) for item in items)
+    named; `shared` gathers them for `picture_store`. groups: those that the page has by now."""
+    ink = Ink(PRINT, themed=True, shared=shared, groups=groups)
+    body = "".join(_item(item, ink) for item in items)
     return f'<svg viewBox="0 0 {_n(width)} {_n(height)}" font-family="{FAMILY}">{body}</svg>'
 
 
@@ -105,11 +111,25 @@ def _item(item: Item, ink: Ink) -> str:
         case Table():
             return _group(item.name, item.alt, "".join(_item(p, ink) for p in table_parts(item)))
         case Group():
-            inner = "".join(
-                _mosaic(part, ink) if isinstance(part, list) else _item(part, ink)
-                for part in gathered(item.items)
+            return (
+                _drawn_or_named(item, ink) if is_large(item) and ink.themed else _drawn(item, ink)
             )
-            return _group(item.name, item.alt if item.is_figure else "", inner)
+
+
+def _drawn(group: Group, ink: Ink) -> str:
+    inner = "".join(
+        _mosaic(part, ink) if isinstance(part, list) else _item(part, ink)
+        for part in gathered(group.items)
+    )
+    return _group(group.name, group.alt if group.is_figure else "", inner)
+
+
+def _drawn_or_named(group: Group, ink: Ink) -> str:
+    """A page has it once."""
+    if group in ink.groups:
+        return f'<use href="#{ink.groups[group]}"/>'
+    name = ink.groups[group] = f"g{len(ink.groups)}"
+    return f'<g id="{name}">{_drawn(group, ink)}</g>'
 
 
 def _group(name: str, alt: str, inner: str) -> str:

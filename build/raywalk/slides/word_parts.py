@@ -36,8 +36,10 @@ def _filled(sentences: list[Sentence], box: Box, size: float, most: int) -> list
     held: list[Sentence] = []
     for sentence in sentences:
         if held and not _fits([*held, sentence], box, size, most):
-            parts.append(flow(_joined(held), size, box.width))
-            held = []
+            # A formula goes on with the sentence that leads to it.
+            along = held[-1:] if sentence[1].is_formula and len(held) > 1 else []
+            parts.append(flow(_joined(held[: len(held) - len(along)]), size, box.width))
+            held = along
         held.append(sentence)
         if not _fits(held, box, size, MOST_WORDS):
             parts += _cut(flow(_joined(held), size, box.width), box)
@@ -77,6 +79,10 @@ def _cut(whole: Flow, box: Box) -> list[Flow]:
 
 def _sentences(paragraphs: list[Paragraph]) -> Iterator[Sentence]:
     for k, paragraph in enumerate(paragraphs):
+        is_short = len(paragraph.text.split()) <= MOST_WORDS
+        if paragraph.is_formula or (paragraph.bullet and is_short):  # what stays whole
+            yield k, paragraph
+            continue
         text = paragraph.text
         starts = [0, *(match.end() for match in SENTENCE_END.finditer(text))]
         for start, end in zip(starts, [*starts[1:], len(text)], strict=True):

@@ -21,7 +21,9 @@ from raywalk.slides.layout import Box
 from raywalk.slides.lesson_words import Paragraph
 from raywalk.slides.sheet_facts import formulas, given
 from raywalk.slides.sheet_figure import HIGH, SIDE, sheet_figure
-from raywalk.slides.sheet_questions import Question, questions, sheet_facts
+from raywalk.slides.sheet_question import Question
+from raywalk.slides.sheet_questions import questions, sheet_facts
+from raywalk.slides.sheet_worked import worked_given
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.typeface import width
 from raywalk.slides.words import say, words
@@ -50,6 +52,7 @@ def worksheet(lesson: Lesson, with_answers: bool) -> Deck:
     title = say(key, title=scene.title)
     blocks = list(listed(say("slides.given"), given(scene, facts)))
     blocks += listed(say("sheet.formulas"), formulas(scene, facts))
+    blocks += listed(say("sheet.worked.head"), worked_given(lesson))
     for k, question in enumerate(questions(lesson), start=1):
         blocks.append(_question(lesson, k, question, with_answers))
     return Deck(scene.id, title, *A4, tuple(numbered(pages(title, blocks))), words().code)

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from raywalk.scene.model import Scene
-from raywalk.slides.sheet_questions import Fact, own_questions, sheet_facts
+from raywalk.slides.sheet_question import Fact
+from raywalk.slides.sheet_questions import own_questions, sheet_facts
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.words import say, words
 

@@ -15,13 +15,13 @@ export interface Boxes {
 
 const ROUND = 48; // segments of a circle
 
-function edges({ low, high }: BoxTested): [Vec3, Vec3][] {
+export function boxEdges({ low, high }: Pick<BoxTested, "low" | "high">): [Vec3, Vec3][] {
   const corner = (k: number): Vec3 => [k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]];
   return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1, 2, 4].filter((bit) => !(k & bit)).map((bit): [Vec3, Vec3] => [corner(k), corner(k | bit)]));
 }
 
 /** Three great circles. */
-function circles({ centre, radius }: { centre: Vec3; radius: number }): [Vec3, Vec3][] {
+export function sphereCircles({ centre, radius }: { centre: Vec3; radius: number }): [Vec3, Vec3][] {
   const on = (axis: number, k: number): Vec3 => {
     const turn = (2 * Math.PI * k) / ROUND;
     const at: [number, number, number] = [...centre];
@@ -43,6 +43,6 @@ export function boxesFrom(json: unknown, scene: string): Boxes {
 }
 
 function boxLines({ spheres, boxes }: RayBoxes): BoxLines {
-  const of = (entered: boolean) => [...spheres.filter((each) => each.entered === entered).flatMap(circles), ...boxes.filter((each) => each.entered === entered).flatMap(edges)];
+  const of = (entered: boolean) => [...spheres.filter((each) => each.entered === entered).flatMap(sphereCircles), ...boxes.filter((each) => each.entered === entered).flatMap(boxEdges)];
   return { entered: of(true), missed: of(false) };
 }

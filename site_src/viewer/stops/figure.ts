@@ -1,6 +1,7 @@
 /** A stop of the lesson as a figure on paper: what is drawn, in points from the figure's top left, y down. Cutting at
  *  the figure's edge is left to whoever draws it. */
 import type { PicturePlane } from "../state/frustum";
+import type { BoxLine } from "./boxes";
 import { planeCorners } from "../state/frustum";
 import type { Line } from "../state/lines";
 import { seenPart, type Projection } from "../state/projection";
@@ -48,6 +49,7 @@ export interface Figure {
   edges: readonly (Ends | null)[]; // from there to the picture plane's corners
   lamps: readonly { name: string; at: Point | null; off: boolean }[];
   rings: readonly { name: string; isLamp: boolean; outline: readonly Point[] }[]; // round what the stop points at
+  boxes: readonly { what: BoxLine["what"]; ends: Ends }[]; // of a mesh, edge by edge
 }
 
 const ROUND = 48; // corners of a circle
@@ -97,7 +99,7 @@ export class Sheet {
     return { ...this.drawn(line, hidden), ray: number, light, leaves, to, whole: this.ends(from, to), end: this.at(to), tip: this.at(tip) };
   }
 
-  figure(plane: PicturePlane, n: number, switches: Switches, pointing: View): Figure {
+  figure(plane: PicturePlane, n: number, switches: Switches, pointing: View, boxes: readonly BoxLine[]): Figure {
     const axes = [scale(plane.across, 1 / n), scale(plane.down, 1 / n), sub(plane.origin, this.eye)].map(this.view.homogeneous);
     const factors = factorsOf(switches, this.scene);
     return {
@@ -106,6 +108,10 @@ export class Sheet {
       eye: this.at(plane.eye),
       edges: planeCorners(plane).map((corner) => this.ends(plane.eye, corner)),
       lamps: this.scene.lights.map(({ name, position }, light) => ({ name, at: this.at(position), off: factors[light] === 0 })),
+      boxes: boxes.flatMap(({ what, from, to }) => {
+        const ends = this.ends(from, to);
+        return ends ? [{ what, ends }] : [];
+      }),
       rings: ringsOf(pointing, this.scene, this.view, this.near).map((ring) => ({ name: ring.name, isLamp: ring.isLamp, outline: outlineOf(ring) })),
     };
   }

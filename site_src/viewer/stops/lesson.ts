@@ -10,6 +10,7 @@ import { pixelIndex, stopOf } from "../state/view-state";
 import type { SceneData } from "../trace/types";
 import { hexOf } from "../words";
 import type { Asked } from "./asked";
+import { boxesAt, type Drawable } from "./boxes";
 import { withExact, type ExactRays } from "./exact";
 import { Sheet, type ChosenLine, type DrawnLine, type Figure, type Stretches } from "./figure";
 import { seenAt, settingOf, stopsOf, walksPixel, whatIf, type Seen, type Setting, type Size, type Stop, type Traces } from "./seen";
@@ -74,7 +75,7 @@ function walk({ kind, state }: Stop, { trace, scene }: Seen): Pick<LessonStop, "
   return { numbers, rows: rows.map(rowOf), events: events.map((event) => ({ what: event.what, ray: numbers.get(event.ray)!, light: event.light, ...worded(event) })) };
 }
 
-function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], viewpoint: number, sights: Sights["stops"][number]): LessonStop {
+function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], viewpoint: number, sights: Sights["stops"][number], drawable: Drawable): LessonStop {
   const { step, kind, state } = stop;
   const { n, pixel, switches, colours } = state;
   const { scene } = setting;
@@ -83,13 +84,14 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
   const sheet = new Sheet(scene, seen.projection, seen.observer.eye);
   const lamps = lampsOf(scene).map(({ name }, lamp) => [name, brightness(switches, lamp)] as const);
   const finest = Math.max(...scene.levels);
+  const { view } = stopOf(scene, state)!;
   return {
     step, kind, viewpoint, n, pixel, colours, observer: seen.observer, oneIn: seen.oneIn, ...walked,
     filled: state.tiles === "filled",
     isCamera: state.observer === "camera",
     switches: { ...switches, lamps: lamps.filter(([, factor]) => factor !== 1) },
     isSwitched: isSwitched(switches),
-    figure: sheet.figure(setting.plane, n, switches, stopOf(scene, state)!.view),
+    figure: sheet.figure(setting.plane, n, switches, view, kind === "question" ? [] : boxesAt(state, scene, view, drawable)),
     chosen: seen.chosen.map((line, k) => sheet.chosen(line, sights.hidden[k], seen.trace, numbers.get(line.ray)!)),
     thin: seen.thin.map((line, k) => sheet.drawn(line, sights.hidden[seen.chosen.length + k])),
     tiles: state.tiles === "filled" ? base64(costsOf(seen.trace, seen.scene, colours).colours) : null,
@@ -100,12 +102,12 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
 }
 
 /** scene: in the language that is spoken; filed: grids as their files have them. */
-export function lessonOf(scene: SceneData, filed: Traces, size: Size, asked: Asked, sights: Sights): Lesson {
+export function lessonOf(scene: SceneData, filed: Traces, size: Size, asked: Asked, sights: Sights, drawable: Drawable): Lesson {
   const setting = settingOf(scene, size);
   const stops = stopsOf(scene);
   const laid = new Map(sights.exact.map((rays) => [rays.n, withExact(filed(rays.n), scene, rays)]));
   const exact = (n: number) => laid.get(n) ?? filed(n);
   return {
-    stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], asked.stops[k].viewpoint, sights.stops[k])),
+    stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], asked.stops[k].viewpoint, sights.stops[k], drawable)),
   };
 }

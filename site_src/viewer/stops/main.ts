@@ -1,4 +1,5 @@
 /** What site_src/stops.mjs answers with. */
+export { boxesFrom } from "../state/box-lines";
 export { decode } from "../trace/decode";
 export { inWords } from "../trace/spoken";
 export { ask } from "./asked";
