@@ -28,6 +28,7 @@ MAY_IMPORT = {
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
     "stops": {"words", "trace.tree", "errors"},
+    "homework": {"trace", "scene", "errors"},
     # An independent check of the tracer: it shares scenes and the names of what is recorded only.
     "mistakes": {"scene", "trace.tree", "trace.kinds", "errors"},
     "work": {"errors"},

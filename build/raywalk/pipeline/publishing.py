@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from raywalk.pipeline.homework import publish_homework
 from raywalk.pipeline.slides import MadeDeck, publish_slides
 from raywalk.scene.lesson_pictures import pictures_of
 from raywalk.scene.lesson_text import PICTURES
@@ -47,6 +48,7 @@ class Made:
     data: dict[str, Entry]
     pictures: dict[str, Entry]  # of some: pages do without
     worked: dict[str, Entry]  # of scenes whose lessons work something out
+    homework: dict[str, Entry]  # vectors for graders; pages do without
     decks: list[MadeDeck]
 
     @property
@@ -67,6 +69,7 @@ class Made:
         yield self.viewer
         for id in self.traces:
             yield from self.of_scene(id)
+        yield from self.homework.values()
         yield from (deck.entry for deck in self.decks)
 
 
@@ -82,6 +85,7 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
         if scenes:
             assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
         published = publish_slides(out, made.decks)
+        publish_homework(out, site_source, made.homework.values())
         publish_reports(out, templates, assets, scenes, chosen.work)
         for code, translated in made.spoken.items():
             said = [each.scene for each in translated]

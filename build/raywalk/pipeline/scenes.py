@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
+from raywalk.pipeline.homework import homework_chain
 from raywalk.pipeline.parts import (
     PAGE_DATA,
     PAGE_PICTURES,
@@ -53,6 +54,7 @@ class SceneMade:
     data: Entry
     pictures: Entry | None  # for pages; None where these do not wait for them
     worked: Entry | None  # what its lesson works out; None where it does not
+    homework: Entry | None  # its vectors; None where pages do not wait for them
     sources: list[Source]  # by language, as are plans and decks
     plans: list[Plan]
     decks: list[MadeDeck]
@@ -119,13 +121,16 @@ def scene_chain(
         store, page_data_parts(scene, name, picture, worked),
         partial(PAGE_DATA, scene, folder, picture=picture, worked=worked and worked.folder),
     )  # fmt: skip
+    homework = None
+    if making.asking and not base:
+        homework = yield from homework_chain(store, scene)
     under = base.data if base else None
     sources = [Source(each, code, traced, data, under) for code, each in spoken.items()]
     plans, decks = [], []
     if making.asking:
         plans = yield from planned(making.asking, sources)
         decks = yield from drawn(store, plans)
-    return SceneMade(traced, data, pictures, worked, sources, plans, decks)
+    return SceneMade(traced, data, pictures, worked, homework, sources, plans, decks)
 
 
 def _page_pictures(making: Making, scene: Scene, traced: Entry) -> Chain[Entry | None]:

@@ -23,7 +23,8 @@ from raywalk.trace.wavefront import Tracer
 
 TURN = 1e-5  # radians: a hundred roundings of float32, and a fraction of a pixel
 # Where nothing moves more than this, the second tracer (mistakes/) differs by 4e-13 at most in
-# scenes 1 to 5, 8 and 10, and in float32 by 2e-4: others get these bounds, with room for their order.
+# scenes 1 to 5, 8 and 10, and in float32 by 2e-4: others get these bounds, with room for their
+# order.
 STEADY = 2000.0
 WITHIN_FLOAT64, WITHIN_FLOAT32 = 1e-12, 1e-3
 

@@ -30,18 +30,25 @@ def pixel_tree(
 
 def tree_at(tracer: Tracer, pixel: int, width: int, height: int) -> dict[str, Any]:
     """The same of a pixel (row * width + column), by a tracer that is there."""
+    [tree] = trees_at(tracer, np.array([pixel]), width, height)
+    return {"colour": tree["colour"], "tree": tree}
+
+
+def trees_at(tracer: Tracer, pixels: np.ndarray, width: int, height: int) -> list[dict[str, Any]]:
+    """The trees of pixels (p,), in their order."""
     scene = tracer.scene
-    waves = tracer.waves(np.array([pixel]), width, height)
+    waves = tracer.waves(pixels, width, height)
     nodes = [_nodes(tracer, wave) for wave in waves]
     for before, wave, after in zip(nodes, waves[1:], nodes[1:], strict=False):
         for parent, node in zip(wave.parent, after, strict=True):
             before[parent]["children"].append(node)
-    _, t, met = tracer.compiled.crossings(waves[0].rays)
-    root = nodes[0][0]
-    root["hits"] = [
-        {"object": scene.objects[who].name, "t": float(at)} for who, at in zip(met, t, strict=True)
-    ]
-    return {"colour": root["colour"], "tree": root}
+    start, t, met = tracer.compiled.crossings(waves[0].rays)
+    for root, first, last in zip(nodes[0], start, start[1:], strict=False):
+        root["hits"] = [
+            {"object": scene.objects[who].name, "t": float(at)}
+            for who, at in zip(met[first:last], t[first:last], strict=True)
+        ]
+    return nodes[0]
 
 
 def _nodes(tracer: Tracer, wave: Wave) -> list[dict[str, Any]]:
