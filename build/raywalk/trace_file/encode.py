@@ -20,9 +20,11 @@ from raywalk.trace_file.precision import finite_extent
 from raywalk.trace_file.walk import walk
 
 
-def encode(level: RayTree, scene: Scene, picture: np.ndarray) -> bytes:
-    """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8."""
-    header, _ = written(level, scene, picture)
+def encode(
+    level: RayTree, scene: Scene, picture: np.ndarray, frame: dict[str, Any] | None = None
+) -> bytes:
+    """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8; frame: see written."""
+    header, _ = written(level, scene, picture, frame)
     return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
 
 
