@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +13,11 @@ from raywalk.mistakes.features import shows
 from raywalk.mistakes.table import BY_NAME, TABLE
 from raywalk.mistakes.tracer import picture
 from raywalk.mistakes.trees import Walk, walk
+from raywalk.stops.decoded import read_trace
+from raywalk.stops.process import Stops
 from raywalk.trace.tree import LIT, Kind
-from raywalk.trace_file.encode import written
+from raywalk.trace_file.container import pack
+from raywalk.trace_file.encode import encode, written
 from raywalk.trace_file.level import TraceFileError
 
 from .course import NAMES, right, scene
@@ -85,6 +89,29 @@ def test_a_wrong_cameras_rays_go_where_its_frame_says() -> None:
         way = found.tree.point[: N * N][hit] - eye
         off = np.cross(way, along[hit]) / np.linalg.norm(along[hit], axis=1, keepdims=True)
         assert np.abs(off).max() < 1e-12, mistake
+
+
+READ_AGAIN = {
+    "03-two-lights": ("rows-and-columns-swapped", "shadow-darkens-ambient"),
+    "05-many-bounces": ("pixel-corner", "mirror-reversed"),
+    "08-glass": ("normal-not-turned", "fresnel-from-the-other-side"),
+    "10-cornell-box": ("ambient-once-a-light", "index-ratio-inverted"),
+}
+
+
+def test_the_viewer_reads_wrong_rays_as_it_reads_right_ones(tmp_path: Path) -> None:
+    """Two mistakes at once in each of four scenes: the columns that the viewer's own modules
+    decode are those that the encoder measured, bit by bit."""
+    with Stops() as stops:
+        for name, mistakes in READ_AGAIN.items():
+            found, path = wrong_walk(name, *mistakes), tmp_path / f"{name}.json.gz"
+            given = found.tree, found.scene, found.picture, found.frame
+            path.write_bytes(pack(encode(*given)))
+            read, known = read_trace(path, stops, name, N), written(*given)[1]
+            for column, values in vars(read).items():
+                if column not in ("header", "n", "count"):
+                    own = known[column].astype(values.dtype).reshape(values.shape)
+                    assert own.tobytes() == values.tobytes(), (name, column)
 
 
 def test_mistakes_that_change_no_ray_leave_the_tree_as_it_is() -> None:

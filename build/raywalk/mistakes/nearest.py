@@ -51,7 +51,7 @@ def first_ahead(body: Body, rays: Rays, mistakes: Mistakes, habits: Habits) -> n
     if "far-root" in mistakes and body.kind not in FLAT:
         return np.where(far < np.inf, far, near)
     if "inside-hits-lost" in mistakes and body.kind not in FLAT:
-        return np.where(rays.leaving == body.number, np.inf, near)
+        return near
     return np.minimum(near, far)
 
 

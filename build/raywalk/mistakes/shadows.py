@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +11,7 @@ from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.nearest import nearest, roots_ahead
 from raywalk.mistakes.rays import NOTHING, Hits, Rays, rays_off, rays_off_rounded
 from raywalk.mistakes.table import Mistakes
-from raywalk.mistakes.vectors import column, dot
+from raywalk.mistakes.vectors import column, dot, length
 from raywalk.mistakes.world import World
 from raywalk.trace.tree import Visibility
 
@@ -52,6 +53,8 @@ def ask_light(
     facing = np.flatnonzero(dot(hits.normal, l) > 0)
     at, away = hits.take(facing), distance[facing]
     rays, reach = shadow_rays(world, came.take(facing), at, light, l[:, facing], away, mistakes)
+    if "shadow-acne" in mistakes:
+        habits = replace(habits, offset=None)
     t, met, passed = stopped(world, rays, reach, mistakes, habits)
     part = t / reach_of(rays, away)
     if "shadow-from-the-light" in mistakes:
@@ -90,7 +93,7 @@ def shadow_rays(
 
 def reach_of(rays: Rays, distance: np.ndarray) -> np.ndarray:
     """(n,) t of the light itself along its ray."""
-    return distance / np.sqrt(dot(rays.direction, rays.direction))
+    return distance / length(rays.direction)
 
 
 def stopped(

@@ -2,6 +2,9 @@
 
 does    what the program does, one line
 needs   what a scene must have for it to show: features, which features.py finds; all of them
+
+Two that teachers report are not here, as meshes are left out: one normal a triangle where normals
+should be interpolated, and interpolated normals that are not made one long.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ behind the line that does it rightly; any may be made together.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -114,7 +115,8 @@ def from_the_eye(world: World, rays: Rays) -> Sent:
 
 def wave_of(world: World, sent: Sent, mistakes: Mistakes, habits: Habits) -> Wave:
     """Rays that have been sent, traced to their hits."""
-    hits = hits_of(world, sent.rays, mistakes, habits)
+    own = replace(habits, offset=None) if "mirror-acne" in mistakes else habits
+    hits = hits_of(world, sent.rays, mistakes, own)
     lighting = light_hits(world, sent.rays, hits, mistakes, habits)
     background = column(world.scene.background).astype(lighting.local.dtype)
     own = lighting.local_weight * lighting.local
