@@ -23,7 +23,7 @@ from raywalk.trace_file.walk import walk
 def encode(
     level: RayTree, scene: Scene, picture: np.ndarray, frame: dict[str, Any] | None = None
 ) -> bytes:
-    """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8; frame: see written."""
+    """JSON bytes of one level (see level_of); picture: (size, size, 3) uint8; frame: as written."""
     header, _ = written(level, scene, picture, frame)
     return json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False).encode()
 
