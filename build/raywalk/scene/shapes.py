@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import partial
+from functools import cache, partial
 from math import dist, hypot, inf, pi, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -206,11 +206,7 @@ class Cone(Shape):
     @property
     def canonical(self) -> Canonical:
         small, big = sorted((self.radius, self.end_radius))
-        tip = small / big
-        solid, tube = CYLINDER._replace(ends=(tip, 1.0)), TUBE._replace(ends=(tip, 1.0))
-        volume = CYLINDER.volume * (1.0 + tip + tip * tip) / 3.0
-        height = partial(cylinder_height, tip=tip)
-        return solid._replace(volume=volume, height=height) if self.capped else tube
+        return _cut_cone(small / big, self.capped)
 
     def placement(self) -> Placement:
         """The canonical one is wider at z = 1."""
@@ -317,6 +313,17 @@ SHAPES: dict[str, type[Any]] = {each.__name__.lower(): each for each in Shape.__
 def _without_direction(normal: Triple) -> Iterator[Flaw]:
     if not any(normal):
         yield "normal", f"{plain(normal)} has no direction", "a floor has [0, 1, 0]"
+
+
+@cache
+def _cut_cone(tip: float, capped: bool) -> Canonical:
+    """Kept: it is asked for six times an object, of thousands that are alike."""
+    if not capped:
+        return TUBE._replace(ends=(tip, 1.0))
+    volume = CYLINDER.volume * (1.0 + tip + tip * tip) / 3.0
+    return CYLINDER._replace(
+        ends=(tip, 1.0), volume=volume, height=partial(cylinder_height, tip=tip)
+    )
 
 
 def _between(start: Triple, end: Triple, radius: float) -> Placement:
