@@ -18,6 +18,7 @@ function noteOf(look: Look, scene: SceneData): string {
   if (look !== "approximate") return say(`look.${look}.note`);
   const looksUp = (is: (material: MaterialData) => boolean) => "surroundings" in files && materials.some(is);
   const tricks = [...(drawsShadows(scene) ? [say("look.tricks.shadows")] : []), ...(looksUp(isMirror) ? [say("look.tricks.mirrors")] : []), ...(looksUp(isClear) ? [say("look.tricks.glass")] : [])];
+  if (tricks.length) tricks.push(say("look.tricks.everywhere"));
   return tricks.length ? say("look.approximate.note", { tricks: list(tricks) }) : say("look.plain.note");
 }
 

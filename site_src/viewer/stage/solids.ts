@@ -81,7 +81,7 @@ const MOST_LAMPS = 16; // that a graphics card takes, each with its shadow map
 function lightsOf(scene: SceneData, plain: boolean) {
   const group = new Group();
   const lamps: PointLight[] = [];
-  // A little light from everywhere, so that shapes keep their form in the shade.
+  // A little light from everywhere, so that shapes keep their form in the shade: the caption says so (panels/view-switch.ts).
   const everywhere = new AmbientLight(0xffffff, EVERYWHERE);
   group.add(everywhere);
   const every = Math.ceil(scene.lights.length / MOST_LAMPS); // of an area light's many points one stands for so many
