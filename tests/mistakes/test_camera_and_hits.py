@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from tests.geometry.by_hand import CHALK, CLEAR, scene_of
 
 from raywalk.mistakes.camera import camera_directions, picture_span
+from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.tracer import Wave, picture, trace
 from raywalk.scene.model import Light, Scene
 from raywalk.scene.shapes import Ellipsoid, Plane, Shape, Sphere
@@ -117,8 +118,12 @@ def test_which_hit_is_taken() -> None:
 
 def test_what_is_behind_the_eye_is_seen() -> None:
     """A ball 2 behind it at t = -3, before whatever is in front."""
-    wave = first([Sphere((0, 0, 0), 1.0), Sphere((0, 0, 7), 1.0)], "behind-the-eye")
+    balls: list[Shape] = [Sphere((0, 0, 0), 1.0), Sphere((0, 0, 7), 1.0)]
+    wave = first(balls, "behind-the-eye")
     assert (wave.hits.object[0], wave.hits.t[0]) == (1, -3.0)
+    offset = trace(scene_of(balls, lights=[LAMP]), N, np.arange(N * N),
+                   frozenset(["behind-the-eye"]), Habits(offset=1e-3))[1][0]  # fmt: skip
+    assert (offset.lighting.visibility == Visibility.REACHED).any()  # its shadow rays look ahead
 
 
 def test_t_of_another_scale_hides_what_is_flat() -> None:

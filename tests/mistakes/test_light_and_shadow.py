@@ -195,6 +195,8 @@ def test_what_is_behind_the_hit_blocks_the_light_that_comes_from_there() -> None
     cellar = SceneObject("cellar", Plane((0, -3, 0), (0, 1, 0)), 0)
     assert blocked(room(cellar)) == 0
     assert blocked(room(cellar), "shadow-from-the-light") == 1
+    offset = Lit(room(), "shadow-from-the-light", habits=Habits(offset=1e-3))
+    assert not (offset.visibility == Visibility.BLOCKED).any()  # not by the floor itself
 
 
 def test_far_too_large_an_offset_loses_what_is_near() -> None:

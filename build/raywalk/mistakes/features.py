@@ -101,7 +101,7 @@ def seen(test: Test) -> Callable[[Right], float]:
 FEATURES: dict[str, Callable[[Right], float]] = {
     "one thing behind another": seen(sights.is_before_another),
     "nearer things listed later": seen(sights.is_before_listed),
-    "something behind a start": seen(sights.is_before_something),
+    "something behind the eye": seen(sights.is_before_something),
     "a sphere": seen(sights.on_kind("sphere")),
     "a solid": seen(sights.on_kind(*SOLIDS)),
     "a solid with a colour": seen(sights.is_lit_solid),

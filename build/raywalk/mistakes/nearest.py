@@ -14,6 +14,8 @@ from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import dot, length
 from raywalk.mistakes.world import FLAT, Body, World
 
+# Of others it would be the surface that they leave: all of it would be in its own shadow.
+OF_CAMERA_RAYS = frozenset(["behind-the-eye"])
 MET_IN_ITS_OWN = ("ellipsoid", "box", "cylinder", "tube")  # where a ray has another length
 
 

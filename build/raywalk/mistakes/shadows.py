@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raywalk.mistakes.habits import Habits
-from raywalk.mistakes.nearest import nearest, roots_ahead
+from raywalk.mistakes.nearest import OF_CAMERA_RAYS, nearest, roots_ahead
 from raywalk.mistakes.rays import NOTHING, Hits, Rays, rays_off, rays_off_rounded
 from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import column, dot, length
@@ -17,6 +17,8 @@ from raywalk.trace.tree import Visibility
 
 SHORT_OF_LIGHT = 1 - 1e-12  # share of its way that a shadow ray goes: a light may lie on a surface
 FAR_TOO_LARGE = 0.2  # an offset in scenes that are a few units wide
+# Of the first the offset is what is missing; a ray of the second starts on no surface.
+WITHOUT_OFFSET = frozenset(["shadow-acne", "shadow-from-the-light"])
 
 
 class Answer(NamedTuple):
@@ -53,7 +55,8 @@ def ask_light(
     facing = np.flatnonzero(dot(hits.normal, l) > 0)
     at, away = hits.take(facing), distance[facing]
     rays, reach = shadow_rays(world, came.take(facing), at, light, l[:, facing], away, mistakes)
-    if "shadow-acne" in mistakes:
+    mistakes = mistakes - OF_CAMERA_RAYS
+    if mistakes & WITHOUT_OFFSET:
         habits = replace(habits, offset=None)
     t, met, passed = stopped(world, rays, reach, mistakes, habits)
     part = t / reach_of(rays, away)

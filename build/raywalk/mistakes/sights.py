@@ -178,20 +178,11 @@ def would_meet(world: World, wave: Wave, which: Callable[[int], Any]) -> np.ndar
 
 
 def is_before_something(world: World, wave: Wave) -> np.ndarray:
-    """Rays, or shadow rays of lit hits, that have something behind their start."""
+    """Camera rays that have something behind the eye."""
     rays = wave.sent.rays
-    back = rays._replace(direction=-rays.direction, inwards=np.zeros(len(rays.leaving), bool))
-    found = nearest(world.bodies, back, frozenset(), EXACT)[1] != NOTHING
-    if not world.scene.render.shadows:
-        return found
-    lit = lit_by(world, wave)
-    for k, light in enumerate(world.scene.lights):
-        rows = np.flatnonzero(lit[k])
-        at = wave.hits.take(rows)
-        away = unit(at.point - column(light.position))
-        back = rays_off(at, away)._replace(inwards=np.zeros(len(rows), bool))
-        found[rows] |= nearest(world.bodies, back, frozenset(), EXACT)[1] != NOTHING
-    return found
+    back = rays._replace(direction=-rays.direction)
+    is_behind = nearest(world.bodies, back, frozenset(), EXACT)[1] != NOTHING
+    return np.asarray(is_behind & (wave.sent.kind == Kind.CAMERA))
 
 
 def asked_along(rays_to: Callable[[Hits, np.ndarray, np.ndarray], Rays]) -> Test:

@@ -1,7 +1,10 @@
 """The mistakes, as data: mistakes.json, by families in the order of a ray's way.
 
-does    what the program does, one line
-needs   what a scene must have for it to show: features, which features.py finds; all of them
+    does      what the program does, one line
+    needs     what a scene must have for it to show: features (features.py), all of them
+    speckles  true where rounding decides pixel by pixel. Another program's speckles lie elsewhere:
+              what tells is that each pixel is as without the mistake, or as with its own surface in
+              the way, and not which of the two
 
 Two that teachers report are not here, as meshes are left out: one normal a triangle where normals
 should be interpolated, and interpolated normals that are not made one long.
@@ -26,12 +29,13 @@ class Mistake:
     family: str
     does: str
     needs: tuple[str, ...]
+    speckles: bool
 
 
 _FAMILIES = json.loads((Path(__file__).parent / "mistakes.json").read_text(encoding="utf-8"))
 FAMILIES: tuple[str, ...] = tuple(_FAMILIES)
 TABLE = tuple(
-    Mistake(name, family, row["does"], tuple(row["needs"]))
+    Mistake(name, family, row["does"], tuple(row["needs"]), row.get("speckles", False))
     for family, rows in _FAMILIES.items()
     for name, row in rows.items()
 )

@@ -23,7 +23,7 @@ from raywalk.mistakes.colour import to_bytes
 from raywalk.mistakes.glass import stacks_holding
 from raywalk.mistakes.habits import EXACT, Habits
 from raywalk.mistakes.lighting import Lighting, light_hits
-from raywalk.mistakes.nearest import hits_of
+from raywalk.mistakes.nearest import OF_CAMERA_RAYS, hits_of
 from raywalk.mistakes.rays import NOTHING, Hits, Rays, free_rays
 from raywalk.mistakes.table import Mistakes, checked
 from raywalk.mistakes.vectors import column
@@ -116,7 +116,8 @@ def from_the_eye(world: World, rays: Rays) -> Sent:
 def wave_of(world: World, sent: Sent, mistakes: Mistakes, habits: Habits) -> Wave:
     """Rays that have been sent, traced to their hits."""
     own = replace(habits, offset=None) if "mirror-acne" in mistakes else habits
-    hits = hits_of(world, sent.rays, mistakes, own)
+    is_camera = sent.parent[0] < 0
+    hits = hits_of(world, sent.rays, mistakes if is_camera else mistakes - OF_CAMERA_RAYS, own)
     lighting = light_hits(world, sent.rays, hits, mistakes, habits)
     background = column(world.scene.background).astype(lighting.local.dtype)
     own = lighting.local_weight * lighting.local
