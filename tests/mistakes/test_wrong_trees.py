@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from raywalk.mistakes.colour import to_bytes
 from raywalk.mistakes.features import shows
 from raywalk.mistakes.table import BY_NAME, TABLE
 from raywalk.mistakes.tracer import picture
@@ -69,7 +70,9 @@ def test_trees_of_every_mistake_add_up_and_are_written(name: str) -> None:
             assert_adds_up(found)
         if (name, mistake) in TOO_BRIGHT:  # as it happens to be seen
             continue
-        if mistake in NOT_IN_A_FILE - {"behind-the-eye"}:
+        sums = to_bytes(found.tree.colour[: N * N]).reshape(N, N, 3)
+        is_sum = (sums == found.picture).all() and mistake != "white-at-the-limit"
+        if mistake in NOT_IN_A_FILE - {"behind-the-eye"} and not is_sum:
             with pytest.raises(TraceFileError):
                 written(found.tree, found.scene, found.picture, found.frame)
             continue
