@@ -105,6 +105,6 @@ def _lectures(scenes: list[Scene], most: int) -> list[Paragraph]:
     """Which lessons go into each lecture of so many minutes."""
     minutes = [lesson_minutes(scene) for scene in scenes]
     return [Paragraph((Run(say("slides.timesSay")),))] + [
-        Paragraph((Run(" · ".join(f"{k + 1} {scenes[k].title}" for k in lecture)),), f"{count}.")
+        Paragraph((Run(" · ".join(scenes[k].title for k in lecture)),), str(count))
         for count, lecture in enumerate(parted(minutes, most), start=1)
     ]

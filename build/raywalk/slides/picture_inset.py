@@ -39,10 +39,10 @@ def inset_of(picture: Path, title: str, stop: Stop) -> Inset:
 
 def framed_picture(
     picture: Path, title: str, stop: Stop, frame: Box, window: Window | None = None,
-    sharp: int = PICTURE_SIDE,
+    sharp: int = PICTURE_SIDE, is_marked: bool = True,
 ) -> list[Item]:  # fmt: skip
-    """The picture, or a part of it, with the selected tile framed. window: None for the part round
-    that tile."""
+    """The picture, or a part of it; is_marked: with the selected tile framed. window: None for the
+    part round that tile."""
     window = window or window_of(stop.n, stop.pixel)
     if stop.picture:  # with the step's switches set, as the finest grid has it
         data = grid_picture(stop.picture.tiles, stop.picture.n, window)
@@ -52,13 +52,16 @@ def framed_picture(
         picture_of(data, frame, say("picture.alt", title=title)),
         Polygon(frame.corners, None, "rule", 1.0, name=say("slides.picture")),
     ]
+    return [*items, *(_frame_of_tile(stop, frame, window) if is_marked else [])]
+
+
+def _frame_of_tile(stop: Stop, frame: Box, window: Window) -> list[Item]:
     tile = frame.width / stop.n / window.share
     left = frame.left + (stop.pixel[0] / stop.n - window.left) / window.share * frame.width
     top = frame.top + (stop.pixel[1] / stop.n - window.top) / window.share * frame.height
     square = Box(left - 1, top - 1, tile + 2, tile + 2).corners
     name = chosen_tile(stop.pixel)
     return [
-        *items,
         Polygon(square, None, "#000000", 5.0, name=name),
         Polygon(square, None, "#f0e442", 2.6, name=name),
     ]

@@ -99,5 +99,7 @@ def _picture(lesson: Lesson, stop: Stop) -> list[Item]:
     side = _side(box.width)
     frame = Box(box.right - side, box.top, side, side)
     marks = marks_on_picture(asked_choices(lesson, stop), stop.n, frame)
-    window = WHOLE if marks else None
-    return [*framed_picture(lesson.picture, lesson.scene.title, stop, frame, window), *marks]
+    window = WHOLE if marks else None  # with its choices marked, no other tile
+    title = lesson.scene.title
+    shown = framed_picture(lesson.picture, title, stop, frame, window, is_marked=not marks)
+    return [*shown, *marks]

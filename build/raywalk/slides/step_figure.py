@@ -32,7 +32,7 @@ PLATE = 24.0  # from one line of what is switched to the next
 MOST_NUMBERS = 9
 # Colour and width of a box's edges, by what came of it.
 BOX_LINES = {
-    "level": ("sign", 1.0), "entered": ("accent", 1.4), "missed": ("soft", 0.7),
+    "level": ("sign", 1.0), "entered": ("box", 1.4), "missed": ("soft", 0.7),
     "cutOff": ("sign", 0.9),
 }  # fmt: skip
 

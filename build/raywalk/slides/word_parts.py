@@ -57,8 +57,13 @@ def _fits(sentences: list[Sentence], box: Box, size: float, most: int) -> bool:
     return words <= most and high <= box.height + 0.01
 
 
+def count_words(text: str) -> int:
+    """What is read: signs between spaces are none."""
+    return sum(any(char.isalnum() for char in word) for word in text.split())
+
+
 def _count(sentence: Sentence) -> int:
-    return len(sentence[1].text.split())
+    return count_words(sentence[1].text)
 
 
 def _cut(whole: Flow, box: Box) -> list[Flow]:
@@ -68,7 +73,7 @@ def _cut(whole: Flow, box: Box) -> list[Flow]:
         first, _ = whole.split(box.height)
         count, words = 0, 0
         for runs, _, _ in first.lines:
-            words += len("".join(run.text for run in runs).split())
+            words += count_words("".join(run.text for run in runs))
             if words > MOST_WORDS and count:
                 break
             count += 1
@@ -79,7 +84,7 @@ def _cut(whole: Flow, box: Box) -> list[Flow]:
 
 def _sentences(paragraphs: list[Paragraph]) -> Iterator[Sentence]:
     for k, paragraph in enumerate(paragraphs):
-        is_short = len(paragraph.text.split()) <= MOST_WORDS
+        is_short = count_words(paragraph.text) <= MOST_WORDS
         if paragraph.is_formula or (paragraph.bullet and is_short):  # what stays whole
             yield k, paragraph
             continue
