@@ -23,7 +23,8 @@ SCREEN = Palette(
     {
         "ground": "#0d1116", "ink": "#e9edf2", "soft": "#a9b4c1", "rule": "#3a4552",
         "accent": "#f0e442", "lamp": "#ffe9a8", "lamp-edge": "#6b5c1e", "sign": "#e8ecf1",
-        "frustum": "#8b95a3", "box": "#56b4e9", "grid": "#6f7a87", "chosen": "#f0e442", "normal": "#e9edf2",
+        "frustum": "#8b95a3", "grid": "#6f7a87", "chosen": "#f0e442", "normal": "#e9edf2",
+        "box": "#56b4e9",
         **{kind: row["dark"].lower() for kind, row in LINES.items()},
     },
     wash=0.55,
@@ -33,7 +34,8 @@ PRINT = Palette(
     {
         "ground": "#ffffff", "ink": "#111111", "soft": "#4a4a4a", "rule": "#bdbdbd",
         "accent": "#0072b2", "lamp": "#ffcf33", "lamp-edge": "#5c4700", "sign": "#111111",
-        "frustum": "#6a6a6a", "box": "#0072b2", "grid": "#7a7a7a", "chosen": "#111111", "normal": "#333333",
+        "frustum": "#6a6a6a", "grid": "#7a7a7a", "chosen": "#111111", "normal": "#333333",
+        "box": "#0072b2",
         **{kind: row["paper"].lower() for kind, row in SLIDES.items()},
     },
     wash=0.5,
