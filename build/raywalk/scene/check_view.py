@@ -120,6 +120,7 @@ def _check_marks(
 def _check_known(name: str, known: Sequence[str], at: Location, problems: Problems) -> None:
     if name not in known:
         problems.add(
-            at, f"there is no {quoted(name)}", allowed=f"known: {joined(map(quoted, known))}",
+            at, f"there is no {quoted(name)}",
+            allowed=f"known: {joined(map(quoted, known))}" if known else "the scene names nothing",
             hint=did_you_mean(name, known),
         )  # fmt: skip

@@ -24,7 +24,7 @@ from raywalk.scene.fields import (
     one_of,
     refusal,
 )
-from raywalk.scene.schema_choices import Choices, Index, Pixel, flaws_of
+from raywalk.scene.schema_choices import Choices, Index, Pixel
 from raywalk.scene.schema_objects import AnyObject, MaterialTable
 from raywalk.scene.table import SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import plain
@@ -227,14 +227,6 @@ class StepTable(Table):
         "what is shown with the answer; what is left out is as in view"
     )
     choices: Choices = means("of a question: what one chooses from before the answer", ())
-
-    @model_validator(mode="after")
-    def _answers(self) -> Self:
-        if self.answer_view is not None and self.answer is None:
-            raise refusal("there is no answer to show it with", at="answer_view")
-        if flaws := flaws_of(self.choices, self.answer):
-            raise flaws
-        return self
 
 
 def _tables(name: str) -> Allowed:

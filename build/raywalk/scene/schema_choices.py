@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
@@ -19,7 +18,7 @@ from raywalk.scene.fields import (
     refusal,
 )
 from raywalk.scene.table import Table
-from raywalk.scene.wording import counted, quoted
+from raywalk.scene.wording import quoted
 
 FEWEST, MOST = 2, 5
 LONGEST = 90  # letters of a choice: more are not read from the back row
@@ -76,26 +75,3 @@ TranslatedChoices = Annotated[
     tuple[TranslatedChoice, ...],
     Allowed("a list of tables", hint="write [[lesson.choices]], with two brackets, before each"),
 ]
-
-
-def flaws_of(choices: Sequence[ChoiceTable], answer: str | None) -> Any:
-    """What is wrong with a question's choices taken together; None if nothing is."""
-    if not choices:
-        return None
-    if answer is None:
-        return refusal("there is no answer to reveal", at="choices", hint="give the step an answer")
-    if not FEWEST <= len(choices) <= MOST:
-        message = f"a question has more than {counted(len(choices), 'choice')}"
-        if len(choices) > MOST:
-            message = f"{len(choices)} choices are more than one can weigh"
-        return refusal(message, at="choices", allowed=f"allowed: {FEWEST} to {MOST}")
-    right = [each.said for each in choices if each.right]
-    if len(right) != 1:
-        message = f"{' and '.join(right)} are right" if right else "none of them is right"
-        return refusal(message, at="choices", allowed="allowed: right = true for exactly one")
-    seen: set[str] = set()
-    for each in choices:
-        if each.said.casefold() in seen:
-            return refusal(f"{each.said} is there twice", at="choices")
-        seen.add(each.said.casefold())
-    return None
