@@ -12,6 +12,7 @@ import pytest
 from raywalk.errors import SourceErrors
 from raywalk.pipeline.figures import filled_here, wanted_pixels
 from raywalk.pipeline.filling import Figures, filled, value_of, written
+from raywalk.pipeline.lesson_checks import figures_now
 from raywalk.scene.measures import Facts, SlotFault
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.scene.slots import filled_in, read_slot, slots_in
@@ -147,6 +148,51 @@ def test_what_only_rays_tell_is_named_with_file_step_and_slot(
         assert each in message
 
 
+FAR = HALL.replace("[0, 0, 5]", "[0, 0, 6]").replace("size = 105", "size = 315")
+
+
+@pytest.mark.parametrize(
+    ("slot", "words"),
+    [
+        ("{t in 02-far}", "5.00"),
+        ("{t at 0,0 in 02-far}", "10.26"),  # 9 sqrt(1 + 2 (14 / 15 tan 22.5)^2)
+        ("{t at 2,2 of 5 in 02-far : 1}", "5.0"),
+        ("{t in 02-far / t : 2}", "1.25"),
+        ("{lights.refracted.refracted in 02-far}", "2"),
+        ("{ior.glass in 02-far}", "1.517"),
+    ],
+)  # fmt: skip
+def test_a_slot_may_ask_another_scene(slot: str, words: str, tmp_path: Path) -> None:
+    """Of the same pixel unless it names one; only scenes beside its own."""
+    beside(tmp_path)
+    assert said(tmp_path, slot) == words
+
+
+@pytest.mark.parametrize(
+    ("slot", "words"),
+    [
+        ("{t in 03-none}", ['there is no scene "03-none" beside this one']),
+        ("{t at 0,15 in 02-far}", ["pixel 0,15 is outside the grid"]),
+        ("{t at 0,0 of 17 in 02-far}", ["17 is not one of the scene's resolutions"]),
+        ("{bouncing.1 in 02-far}", ["counted for the lesson's own scene only"]),
+        ("{lights in 02-far}", ['"ball" has no own colour']),
+        ("{angle.ball in 02-far}", ['no light "ball"', "left lamp"]),
+    ],
+)
+def test_what_another_scene_has_not_is_named(slot: str, words: list[str], tmp_path: Path) -> None:
+    beside(tmp_path)
+    with pytest.raises(SourceErrors) as raised:
+        said(tmp_path, slot)
+    for each in words:
+        assert each in str(raised.value)
+
+
+def beside(folder: Path) -> None:
+    """A second hall, whose camera stands a unit farther away."""
+    (folder / "02-far").mkdir()
+    (folder / "02-far" / "scene.toml").write_text(FAR.replace("TEXT", "x"), encoding="utf-8")
+
+
 def test_all_slots_that_are_wrong_are_named_at_once(tmp_path: Path) -> None:
     with pytest.raises(SourceErrors) as raised:
         said(tmp_path, "{t.total} {departure}")
@@ -183,14 +229,11 @@ def figures_in(folder: Path) -> Figures:
     return Figures({tuple(at): ray for at, ray in found["pixels"]}, Facts(found["meshes"], None))
 
 
-@pytest.fixture(scope="module", params=[path.name for path in sorted(SCENES.glob("[01]*"))])
-def lesson(request, tmp_path_factory):
+@pytest.fixture(scope="module", params=[path.name for path in sorted(SCENES.glob("[0-9]*"))])
+def lesson(request):
     """One of our scenes and the figures of its lesson."""
-    folder = tmp_path_factory.mktemp("figures")
     scene = read_scene(SCENES / request.param)
-    wanted = wanted_pixels([scene])
-    write_figures(scene, wanted[0] if wanted else [], folder)
-    return scene, figures_in(folder)
+    return scene, figures_now(scene, [scene])
 
 
 def test_figures_are_what_raywalk_pixel_prints(lesson) -> None:

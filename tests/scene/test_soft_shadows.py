@@ -7,7 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from raywalk.pipeline.filling import filled
+from raywalk.pipeline.lesson_checks import figures_now
 from raywalk.scene.read import read_scene
+from raywalk.scene.translation import Spoken, read_spoken
 from raywalk.trace.pixel_tree import pixel_tree
 
 SCENES = Path(__file__).parents[2] / "scenes"
@@ -40,6 +43,27 @@ def test_two_pixels_see_as_much_of_the_lamp_as_is_said(lamp, right, left):
     assert (seen(lamp, RIGHT), seen(lamp, LEFT)) == (right, left)
 
 
+@pytest.mark.parametrize(("lamp", "share"), [("1", 1), ("4", 4), ("16", 15), ("64", 61)])
+def test_a_third_pixel_sees_nearly_all_of_it(lamp, share):
+    """The lesson asks how much sixty-four points change what sixteen say: a sixty-fourth."""
+    assert seen(lamp, (11, 11)) == share
+
+
+def test_a_few_points_of_the_floor_are_in_the_large_lamps_full_shadow():
+    """The lesson says "hardly any of it": fewer than half of those of the small lamp's."""
+    dark = {
+        lamp: sum(
+            not any(light["visible"] for light in tree["lights"])
+            for column in range(15)
+            for row in range(9, 15)
+            if (tree := pixel_tree(scene_of(lamp), 15, 15, column, row)["tree"])["object"]
+            == "floor"
+        )
+        for lamp in ("64", "large")
+    }
+    assert dark["large"] < dark["64"] / 2
+
+
 def test_a_point_below_the_ball_is_in_full_shadow_of_the_small_lamp():
     """The lesson calls it umbra; the large lamp lights it a little."""
     assert seen("16", MIDDLE) == seen("64", MIDDLE) == 0 < seen("large", MIDDLE)
@@ -59,11 +83,31 @@ def test_only_the_lamp_differs():
         assert [v / len(scene.lights) for v in middle] == pytest.approx([0, 2.5, 0], abs=1e-14)
 
 
-@pytest.mark.parametrize("language", ["scene.toml", "lesson.de.toml"])
-def test_the_lessons_fill_these_numbers_in(language):
-    """They stand there as slots; the one fraction in words is that of four points."""
-    of = "of" if language == "scene.toml" else "von"
-    said = {"4": ["3/4"], "16": ["**{lit}", f" {of} 16**"], "64": ["**{lit}", f" {of} 64**"]}
-    for lamp, parts in (said | {"large": said["64"]}).items():
-        text = (SCENES / LESSONS[lamp] / language).read_text(encoding="utf-8")
-        assert all(part in text for part in parts)
+FIGURES = {  # in the order of the steps; of other lessons' lamps too
+    "4": ["3/4"],
+    "16": ["**10 of 16**", "3/4", "**1 of 16**"],
+    "64": ["**39 of 64**", "10 of 16", "40 of 64", "**6 of 64**", "1 of 16", "4 of 64", "saw 15",
+           "from 60/64 to 61/64"],
+    "large": ["6 of 64", "**22 of 64**", "39 of 64", "39 of 64"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("code", ["en", "de"])
+@pytest.mark.parametrize("lamp", FIGURES)
+def test_the_lessons_say_these_numbers_one_lamp_beside_the_other(lamp, code):
+    """Filled from the traces: nothing of it is typed."""
+    own = scene_of(lamp)
+    spoken = {"en": [Spoken(own, True)], "de": read_spoken([own], "de")}
+    figures = figures_now(own, [each.scene for [each] in spoken.values()])
+    [told] = filled(spoken, [figures])[code]
+    said = " ".join(f"{step.text} {step.answer}" for step in told.scene.lesson)
+    said, at = " ".join(said.split()), 0
+    for figure in FIGURES[lamp]:
+        words = figure if code == "en" else german(figure)
+        at = said.index(words, at) + len(words)
+
+
+def german(figure):
+    for english, word in {" of ": " von ", "saw": "Pixel", "from": "von", " to ": " auf "}.items():
+        figure = figure.replace(english, word)
+    return figure

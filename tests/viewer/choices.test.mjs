@@ -80,6 +80,30 @@ test("Page down reveals as before, whatever is chosen, and Page up asks again", 
   assert.equal(await radios().count(), withTexts.choices.length);
 });
 
+test("when all of a lesson's questions are answered its score can be copied; a choice after the answer was seen is no first try", async () => {
+  const asked = questions.filter(({ id }) => id === withTexts.id);
+  const copyOf = (of) => of.getByRole("button", { name: "Copy this score as text" });
+  const reveal = async () => {
+    await page.getByRole("button", { name: "Reveal the answer" }).click();
+    await settled(page);
+  };
+  await ask(page, asked[0]);
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text) => void (window.copied = text) } }));
+  for (const [k, question] of asked.entries()) {
+    await follow(page, `${QUICK}&step=${question.step + 1}`);
+    await radios().nth(k ? rightOf(question) : wrongOf(question)).click();
+    await reveal();
+    assert.equal(await copyOf(page).count(), k + 1 === asked.length ? 1 : 0, `after question ${k + 1} of ${asked.length}`);
+  }
+  await follow(page, `${QUICK}&step=${asked[0].step + 1}`);
+  await radios().nth(rightOf(asked[0])).click(); // now that the answer is known
+  await reveal();
+  await copyOf(page).click();
+  await page.locator(".done-sentence").getByText("The score is copied as text.").waitFor();
+  const { title } = scenes.find(({ id }) => id === withTexts.id);
+  assert.equal(await page.evaluate(() => window.copied), `“${title}”: ${asked.length - 1} of ${asked.length} questions right at the first try`);
+});
+
 test("by keyboard: one stop for Tab, arrows go round and choose, Enter reveals, and the focus goes on", async () => {
   await ask(page, withTexts);
   const count = withTexts.choices.length;

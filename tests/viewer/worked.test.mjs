@@ -79,7 +79,7 @@ test("a question keeps what would answer it", async () => {
 });
 
 test("a ray's boxes are gone through one by one, and a tree that is cut off costs what it says", async () => {
-  await show("17-boxes-in-boxes", 5);
+  await show("17-boxes-in-boxes", 6);
   await page.locator(".worked-steps").waitFor();
   assert.match(await text(".worked-title"), /^49 tests/);
   const next = page.locator(".worked-steps button").nth(1);

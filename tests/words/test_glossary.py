@@ -107,6 +107,18 @@ def test_words_of_the_german_list_are_found(text, says):
                for each in says.split("|")), found  # fmt: skip
 
 
+@pytest.mark.parametrize("code", languages())
+def test_each_wording_to_avoid_is_found_and_what_to_say_instead_is_not(code):
+    """Within a sentence; its own `say` is free of all that is to be avoided."""
+    glossary = read_glossary(code)
+    assert len(glossary.wordings) >= 9
+    for wording in glossary.wordings:
+        example = wording.avoid.replace("*", "")
+        [found] = glossary.avoided_in(f"So: {example}, one and all.")
+        assert found.say == wording.say and found.words in example
+        assert not list(glossary.avoided_in(wording.say)), wording
+
+
 @pytest.mark.parametrize(
     "code, text, ids",
     [

@@ -67,6 +67,18 @@ def test_what_is_kept_is_not_made_again(scene, tmp_path, monkeypatch):
         filled_here(store, scene(radius=2))
 
 
+def test_a_figure_of_another_scene_changes_with_that_scene(scene, tmp_path):
+    """And with nothing else: what it needs is kept under that scene's key."""
+    store, other = Store(tmp_path / "work"), tmp_path / "02-large"
+    other.mkdir()
+    said = []
+    for radius in (2, 3, 2):
+        text = SCENE.format(words="Large.", radius=radius, row=7)
+        (other / "scene.toml").write_text(text, encoding="utf-8")
+        said.append(filled_here(store, scene("{t} and {t in 02-large}")).lesson[0].text)
+    assert said == ["4.00 and 3.00", "4.00 and 2.00", "4.00 and 3.00"]
+
+
 class Refusing:
     """A maker with another function."""
 

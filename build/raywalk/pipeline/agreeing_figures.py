@@ -109,11 +109,13 @@ def _shown(
     of: Operand, name: str, shown: Shown, kinds: tuple[str, ...] | None = None
 ) -> tuple[float | None, int]:
     """What is printed of another quantity of the same ray, or of another ray of the pixel."""
-    wanted = (name, of.kinds if kinds is None else kinds, of.of, of.column, of.row, of.n)
+    place = of.column, of.row, of.n, of.scene
+    wanted = (name, of.kinds if kinds is None else kinds, of.of, *place)
     for each, printed in shown.items():
         if each.quantity is None:
             continue
-        if wanted == (each.quantity.name, each.kinds, each.of, each.column, each.row, each.n):
+        there = each.column, each.row, each.n, each.scene
+        if wanted == (each.quantity.name, each.kinds, each.of, *there):
             return printed
     return None, EXACT
 

@@ -6,7 +6,8 @@ A scene's figures have a key of their own: other words trace nothing, other pixe
 from __future__ import annotations
 
 import json
-from collections.abc import Generator, Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,8 @@ from raywalk.pipeline.filling import Figures, Lessons, filled
 from raywalk.pipeline.parts import models_of, shut_for, silent
 from raywalk.scene.measures import Facts
 from raywalk.scene.model import Scene
-from raywalk.scene.slots import Pixel, Slot, own_pixel, slots_in
+from raywalk.scene.read import SCENE_FILE, read_scene
+from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in
 from raywalk.scene.translation import Spoken
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.chains import Chain, run_chains
@@ -30,6 +32,7 @@ from raywalk.work.times import Spent, Stages, note
 FIGURES = Maker("raywalk.trace.lesson_figures", "write_figures")
 BOUNCES = Maker("raywalk.trace.lesson_figures", "write_bounces")
 FILE = "figures.json"
+Known = Mapping[str, Scene]  # by id
 
 
 def filled_lessons(
@@ -37,8 +40,8 @@ def filled_lessons(
 ) -> Generator[str | Message, None, Lessons]:
     """The scenes with the figures in their words, by language. Raises SourceErrors with all slots
     that ask for what there is not."""
-    scenes = [each.scene for each in spoken[DEFAULT]]
-    chains = [_figures_chain(store, in_languages(spoken, k)) for k in range(len(scenes))]
+    known = {each.scene.id: each.scene for each in spoken[DEFAULT]}
+    chains = [_figures_chain(store, in_languages(spoken, k), known) for k in range(len(known))]
     found = yield from run_chains(chains, workers)
     return filled(spoken, found)
 
@@ -51,10 +54,12 @@ def in_languages(spoken: Lessons, k: int) -> list[Scene]:
 def wanted_pixels(scenes: Iterable[Scene]) -> tuple[list[Pixel], bool] | None:
     """What the slots of a scene's languages need to be traced: pixels, those of all steps, so that
     a slot more in a text needs none; and whether the whole picture. None where there is no slot."""
-    found = list(_asked_pixels(scenes))
+    scenes = list(scenes)
+    found = list(_asked(scenes))
     if not found:
         return None
-    pixels = {pixel for pixel, _ in found if pixel}
+    own = [(operand, pixel) for operand, pixel in found if not operand.scene]
+    pixels = {pixel for _, pixel in own if pixel}
     pixels |= {
         pixel
         for scene in scenes
@@ -62,20 +67,37 @@ def wanted_pixels(scenes: Iterable[Scene]) -> tuple[list[Pixel], bool] | None:
         for _, view in step.stops()
         if (pixel := own_pixel(view))
     }
-    return sorted(pixels), any(name == "bouncing" for _, name in found)
+    return sorted(pixels), any(of.quantity and of.quantity.needs_picture for of, _ in own)
 
 
-def _asked_pixels(scenes: Iterable[Scene]) -> Iterator[tuple[Pixel | None, str]]:
-    """The pixel and the name of each quantity in a slot."""
+def wanted_elsewhere(scenes: Iterable[Scene], known: Known) -> dict[str, list[Pixel]]:
+    """By the id of another scene, the pixels of it that the slots of a scene's languages ask for;
+    without those that it has not, which are named where slots are filled."""
+    found: dict[str, set[Pixel]] = {}
+    for operand, pixel in _asked(scenes):
+        if operand.scene in known:
+            of = found.setdefault(operand.scene, set())
+            if pixel and _has(known[operand.scene], operand, pixel):
+                of.add(pixel)
+    return {id: sorted(pixels) for id, pixels in sorted(found.items())}
+
+
+def _has(scene: Scene, operand: Operand, pixel: Pixel) -> bool:
+    n, column, row = pixel
+    return n in scene.render.resolutions and max(column, row) < n
+
+
+def _asked(scenes: Iterable[Scene]) -> Iterator[tuple[Operand, Pixel | None]]:
+    """Each quantity in a slot with its pixels."""
     for scene in scenes:
         told = [said for step in scene.lesson for said in step.said().values()]
         for text, view in [*told, *((goal, {}) for goal in scene.goals)]:
             for _, slot in slots_in(text):
                 for operand in slot.operands if isinstance(slot, Slot) else []:
                     if operand.quantity:
-                        yield operand.pixel(own_pixel(view)), operand.quantity.name
+                        yield operand, operand.pixel(own_pixel(view))
                         for pixel in operand.inside(own_pixel(view)):
-                            yield pixel, operand.quantity.name
+                            yield operand, pixel
 
 
 def figures_parts(scene: Scene, pixels: list[Pixel]) -> Parts:
@@ -94,20 +116,31 @@ def bounces_parts(scene: Scene) -> Parts:
     }  # fmt: skip
 
 
-def _figures_chain(store: Store, scenes: list[Scene]) -> Chain[Figures]:
+def _figures_chain(store: Store, scenes: list[Scene], known: Known) -> Chain[Figures]:
     """A scene's figures, made where they are not there; scenes: it in all languages."""
     wanted, scene = wanted_pixels(scenes), scenes[0]
     if wanted is None:
         return Figures({}, Facts({}, None))
     pixels, is_whole = wanted
-    works = [(figures_parts(scene, pixels), partial(FIGURES, scene, pixels))]
+    works = [_work(scene, pixels)]
     works += [(bounces_parts(scene), partial(BOUNCES, scene))] if is_whole else []
+    beside = wanted_elsewhere(scenes, known)
+    own, works = len(works), works + [_work(known[id], each) for id, each in beside.items()]
     for parts, _ in works:
         yield from reasons(store, parts)
     missing = [work for work in works if not store.find(key_of(work[0]))]
     if missing:
         note((yield Job(scene.id, partial(_make, store), missing)))
-    return read_figures(*(store.get(key_of(parts)) for parts, _ in works))
+    entries = [store.get(key_of(parts)) for parts, _ in works]
+    others = {
+        id: (known[id], read_figures(entry))
+        for id, entry in zip(beside, entries[own:], strict=True)
+    }
+    return replace(read_figures(*entries[:own]), others=others)
+
+
+def _work(scene: Scene, pixels: list[Pixel]) -> tuple[Parts, Any]:
+    return figures_parts(scene, pixels), partial(FIGURES, scene, pixels)
 
 
 def filled_here(store: Store, scene: Scene, is_quick: bool = False) -> Scene:
@@ -120,12 +153,29 @@ def filled_here(store: Store, scene: Scene, is_quick: bool = False) -> Scene:
     if wanted is None:
         return scene
     pixels, is_whole = wanted
-    entry = made(store, figures_parts(scene, pixels), partial(FIGURES, scene, pixels))
+    entry = made(store, *_work(scene, pixels))
     whole = store.find(key_of(bounces_parts(scene))) if is_whole else None
     if is_whole and not is_quick:
         whole = made(store, bounces_parts(scene), partial(BOUNCES, scene))
-    spoken = filled({DEFAULT: [Spoken(scene, True)]}, [read_figures(entry, whole)])
+    known = scenes_beside([scene])
+    others = {
+        id: (known[id], read_figures(made(store, *_work(known[id], each))))
+        for id, each in wanted_elsewhere([scene], known).items()
+    }
+    figures = replace(read_figures(entry, whole), others=others)
+    spoken = filled({DEFAULT: [Spoken(scene, True)]}, [figures])
     return spoken[DEFAULT][0].scene
+
+
+def scenes_beside(scenes: Iterable[Scene]) -> Known:
+    """Those in the folders beside a scene's own that its slots name. Raises SourceErrors.
+
+    scenes: it in its languages.
+    """
+    scenes = list(scenes)
+    named = sorted({operand.scene for operand, _ in _asked(scenes) if operand.scene})
+    files = {id: scenes[0].path.parent.parent / id / SCENE_FILE for id in named}
+    return {id: read_scene(file) for id, file in files.items() if file.is_file()}
 
 
 def _make(

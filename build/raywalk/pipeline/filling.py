@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from math import isnan, nan
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.scene.check_slots import check_pixel
 from raywalk.scene.measures import Asked, Facts, Ray, SlotFault
 from raywalk.scene.model import Scene
 from raywalk.scene.slots import Operand, Pixel, Slot, filled_in, own_pixel
 from raywalk.scene.translation import Spoken, translation_file
-from raywalk.scene.wording import joined, key_path
+from raywalk.scene.wording import joined, key_path, quoted
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT
 from raywalk.words.numbers import MINUS, Numbers
@@ -25,6 +27,7 @@ class Figures:
 
     trees: dict[Pixel, Ray]
     facts: Facts
+    others: Mapping[str, tuple[Scene, Figures]] = field(default_factory=dict)  # by the scene's id
 
 
 def filled(spoken: Lessons, figures: list[Figures]) -> Lessons:
@@ -117,7 +120,13 @@ def value_of(slot: Slot, scene: Scene, figures: Figures, own: Pixel | None) -> f
 def _operand(operand: Operand, scene: Scene, figures: Figures, own: Pixel | None) -> float:
     if operand.quantity is None:
         return operand.number if operand.number is not None else nan
+    if operand.scene:
+        if operand.scene not in figures.others:
+            raise SlotFault(f"there is no scene {quoted(operand.scene)} beside this one")
+        scene, figures = figures.others[operand.scene]
     pixel = operand.pixel(own) if operand.quantity.of != "scene" else None
+    if pixel:
+        check_pixel(operand, pixel, scene.render)
     path = _path(figures.trees[pixel], operand.kinds, pixel) if pixel else ()
     inside = tuple(figures.trees[each] for each in operand.inside(own))
     return operand.quantity.value(Asked(scene, figures.facts, path, operand.of, inside))

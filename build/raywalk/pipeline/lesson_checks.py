@@ -5,17 +5,18 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from raywalk.errors import shown_path
 from raywalk.pipeline.agreeing_figures import disagreements
-from raywalk.pipeline.figures import FILE, wanted_pixels
+from raywalk.pipeline.figures import FILE, scenes_beside, wanted_elsewhere, wanted_pixels
 from raywalk.pipeline.filling import Figures, filled
 from raywalk.pipeline.shown_names import unseen
 from raywalk.pipeline.typed_figures import typed_figures
 from raywalk.scene.measures import Facts
 from raywalk.scene.model import Scene
-from raywalk.scene.slots import own_pixel
+from raywalk.scene.slots import Pixel, own_pixel
 from raywalk.scene.translation import Spoken, translation_file
 from raywalk.scene.wording import key_path, quoted
 from raywalk.trace.lesson_figures import write_figures
@@ -32,7 +33,7 @@ def lesson_warnings(tracer: Tracer, spoken: dict[str, Spoken]) -> list[str]:
     Raises SourceErrors for slots that ask for what there is not.
     """
     own = spoken[DEFAULT].scene
-    figures = _figures(own, [each.scene for each in spoken.values()])
+    figures = figures_now(own, [each.scene for each in spoken.values()])
     filled({code: [each] for code, each in spoken.items()}, [figures])  # refuses slots
     return [
         line
@@ -64,13 +65,21 @@ def _warnings(
                 yield from (at + said for said in unseen(text, view, scene, tracer, code))
 
 
-def _figures(own: Scene, scenes: list[Scene]) -> Figures:
-    """Traced on the spot; what needs the whole picture stays open."""
+def figures_now(own: Scene, scenes: list[Scene]) -> Figures:
+    """For the slots of a scene's languages, traced on the spot; what needs the whole picture stays
+    open."""
     wanted = wanted_pixels(scenes)
     if wanted is None:
         return Figures({}, Facts({}, None))
+    known = scenes_beside(scenes)
+    beside = wanted_elsewhere(scenes, known)
+    others = {id: (known[id], _traced(known[id], pixels)) for id, pixels in beside.items()}
+    return replace(_traced(own, wanted[0]), others=others)
+
+
+def _traced(scene: Scene, pixels: list[Pixel]) -> Figures:
     with tempfile.TemporaryDirectory() as folder:
-        write_figures(own, wanted[0], Path(folder))
+        write_figures(scene, pixels, Path(folder))
         found = json.loads((Path(folder) / FILE).read_text(encoding="utf-8"))
     trees = {(n, column, row): ray for (n, column, row), ray in found["pixels"]}
     return Figures(trees, Facts(found["meshes"], None))

@@ -41,7 +41,8 @@ def unseen(
     missing = [name for name in missing if name not in (view.get("highlight") or ())]
     found = [f'"{name}" is named, but neither met by the rays shown nor seen' for name in missing]
     boxes = re.search(BOXES.get(language, "(?!)"), text)
-    if boxes and scene.has_mesh and not (view.get("boxes") or view.get("colours") == "tests"):
+    drawn = view.get("boxes") or view.get("colours") == "tests" or view.get("works") == "tree"
+    if boxes and scene.has_mesh and not drawn:
         found.append(f'"{boxes[0]}" are named, but no boxes are drawn: boxes = true')
     return found
 

@@ -10,7 +10,7 @@ from typing import Any
 from raywalk.scene.measures import SlotFault
 from raywalk.scene.model import Render
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.slots import Operand, Slot, own_pixel, slots_in
+from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in
 from raywalk.scene.wording import joined
 
 
@@ -45,14 +45,19 @@ def _check_pixel(operand: Operand, view: Mapping[str, Any], render: Render) -> N
             "of which pixel?" if operand.column is None else "of which grid?",
             hint="give the step's view a resolution and a pixel, or write {t at 4,3 of 15}",
         )
+    if not operand.scene:
+        check_pixel(operand, pixel, render)
+
+
+def check_pixel(operand: Operand, pixel: Pixel, render: Render) -> None:
+    """That the scene has it. render: of the scene that the operand is of. Raises SlotFault."""
     n, column, row = pixel
+    known = f"known: {joined(map(str, render.resolutions))}"
     if n not in render.resolutions:
-        known = f"known: {joined(map(str, render.resolutions))}"
         raise SlotFault(f"{n} is not one of the scene's resolutions", allowed=known)
     if max(column, row) >= n:
         allowed = f"allowed: columns and rows 0 to {n - 1}"
         raise SlotFault(f"pixel {column},{row} is outside the grid", allowed=allowed)
     for finer, _, _ in operand.inside(pixel)[:1]:
         if finer not in render.resolutions:
-            known = f"known: {joined(map(str, render.resolutions))}"
             raise SlotFault(f"the scene has no grid of {finer} to take the mean of", allowed=known)

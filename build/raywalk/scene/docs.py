@@ -129,6 +129,7 @@ So it is right after the scene has changed, and the same on pages, slides and sh
 | `{angle.light 1 : 0}` | with the light's name (or `light1` for the first), without decimals: 32 |
 | `{angle.refracted.refracted}` | of the ray that the refracted ray of the camera ray leads to |
 | `{t at 4,3}`, `{t at 4,3 of 15}` | of another pixel, column and row; of another grid |
+| `{lit in 13-soft-shadows-4}` | of the same pixel in another scene, by its folder's name |
 | `{weight.reflected : 0%}` | in percent: `: 2` says how many decimals, `: %` in percent |
 | `{sine / sine.refracted : 3}` | a ratio; `*` is a product; of these, and of plain numbers |
 | `{1.5}` | a number of the text's own example, in the language's way: 1,5 |

@@ -196,6 +196,13 @@ def lit(asked: Asked) -> float:
     return float(sum(bool(light["visible"]) for light in asked.hit["lights"]))
 
 
+def lights(asked: Asked) -> float:
+    """How many point lights there are for the hit to ask."""
+    if not (of := asked.hit["lights"]):
+        raise SlotFault(f"{quoted(asked.hit['object'])} has no own colour and asks no light")
+    return float(len(of))
+
+
 def triangles(key: str) -> Callable[[Asked], float]:
     """Of a mesh: as "traced", or as "filed"."""
 

@@ -24,6 +24,7 @@ class Quantity:
     may_be_alone: bool = False  # without that
     choices: tuple[str, ...] = ()  # of what follows, where they are the same in every scene
     is_mean: bool = False  # over the rays of a finer grid in the tile
+    needs_picture: bool = False  # all of its rays are counted
 
 
 def _light(name: str, meaning: str, value: Callable[[Asked], float], digits: int) -> Quantity:
@@ -78,6 +79,8 @@ ALL = (
     Quantity("discriminant", "of the quadratic equation for the ray and a sphere; below 0 it "
              "misses", found.discriminant, 2, takes="object"),
     _whole("lit", "lights, or points of area lights, that reach the hit", found.lit, "ray"),
+    _whole("lights", "lights of the scene, points of area lights each, that the hit may ask",
+           found.lights, "ray"),
     _whole("byte", "what the pixel shows, 0 to 255", found.byte, "pixel", "part",
            choices=CHANNELS),
     Quantity("mean", "of what a finer grid's rays in the tile show, 0 to 255, as in mean.red.9",
@@ -100,6 +103,6 @@ ALL = (
     _whole("camera-rays", "of the picture, or of a grid, as in camera-rays.15", found.camera_rays,
            "scene", "number", may_be_alone=True),
     Quantity("bouncing", "share of the picture's camera rays that lead to so many bounces or more",
-             found.bouncing, 1, True, "scene", "number"),
+             found.bouncing, 1, True, "scene", "number", needs_picture=True),
 )  # fmt: skip
 QUANTITIES = {each.name: each for each in ALL}

@@ -1,7 +1,8 @@
 """Slots: figures in a lesson's words that the trace fills in. docs.py has the grammar for authors.
 
 A quantity is a name, the ray it is of and what else it is of, with full stops between:
-{angle.refracted.refracted}, {n.l.reflected.light 2}. Slots stand outside of formulas and code.
+{angle.refracted.refracted}, {n.l.reflected.light 2}. Behind it may stand a pixel and another scene:
+{lit at 10,11 in 13-soft-shadows-4}. Slots stand outside of formulas and code.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ INNER = r"\s*(?:[A-Za-z]|\d+(?:\.\d+)?\s*(?=[}:]|[*/]\s))[^{}]*"
 SLOT = re.compile(rf"(?P<skipped>\\.|{CODE}|{FORMULA.pattern})|\{{(?P<slot>{INNER})\}}", re.DOTALL)
 FORMAT = re.compile(r"\s*(?P<digits>\d?)\s*(?P<percent>%?)")
 PLACE = re.compile(r"(?P<column>\d+)\s*,\s*(?P<row>\d+)(\s+of\s+(?P<n>\d+))?")
+# Folders of scenes have a digit or a hyphen, so that "ball in water" stays a name.
+ELSEWHERE = re.compile(r"\s+in\s+(?P<scene>(?=\S*[-\d])[\w-]+)$")
 NUMBER = re.compile(r"\d+(\.\d+)?")
 OPERATOR = re.compile(r"\s+([*/])\s+")
 Pixel = tuple[int, int, int]  # n, column, row
@@ -39,6 +42,7 @@ class Operand:
     column: int | None = None  # of the pixel that it names, if it names one
     row: int = 0
     n: int | None = None
+    scene: str = ""  # another one, by its folder
 
     def pixel(self, own: Pixel | None) -> Pixel | None:
         """The pixel it is of; own: the step's. None where neither tells one."""
@@ -118,22 +122,27 @@ def read_slot(typed: str) -> Slot:
 def _operand(words: str) -> Operand:
     if NUMBER.fullmatch(words):
         return Operand(number=float(words))
-    named, at, place = words.partition(" at ")
+    elsewhere = ELSEWHERE.search(words)
+    scene = elsewhere["scene"] if elsewhere else ""
+    named, at, place = ELSEWHERE.sub("", words).partition(" at ")
     quantity, rest = _quantity(named)
     kinds: list[str] = []
     while quantity.of == "ray" and rest and rest.partition(".")[0] in KINDS:
         kind, _, rest = rest.partition(".")
         kinds.append(kind)
     _check_subject(quantity, rest, named)
+    if scene and quantity.needs_picture:
+        raise SlotFault(f"{quantity.name} is counted for the lesson's own scene only")
     if not at:
-        return Operand(None, quantity, tuple(kinds), rest)
+        return Operand(None, quantity, tuple(kinds), rest, scene=scene)
     where = PLACE.fullmatch(place.strip())
     if not where:
         raise SlotFault(f'"{place}" is no pixel', hint="write {t at 4,3} or {t at 4,3 of 15}")
     if quantity.of == "scene":
         raise SlotFault(f"{quantity.name} is of the scene, not of a pixel", hint="leave out the at")
     n = int(where["n"]) if where["n"] else None
-    return Operand(None, quantity, tuple(kinds), rest, int(where["column"]), int(where["row"]), n)
+    at_pixel = int(where["column"]), int(where["row"])
+    return Operand(None, quantity, tuple(kinds), rest, *at_pixel, n, scene)
 
 
 def _quantity(named: str) -> tuple[Quantity, str]:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from raywalk.work.snapshot import text_of
 
@@ -21,6 +21,7 @@ FILE = Path(__file__).resolve().parents[3] / "site_src" / "words" / "glossary.to
 ENDINGS = {"en": "(?:s|es)?", "de": "(?:s|es|e|en|n)?"}
 STARRED = r"\w{0,4}"  # what a * stands for: any ending
 LETTER = r"[\w\u00ad]"  # with soft hyphens
+Of = TypeVar("Of")
 
 
 @dataclass(frozen=True)
@@ -49,30 +50,54 @@ class Avoided:
     """What a text says that it should not."""
 
     words: str  # as they stand there
-    term: Term  # what to say instead
+    say: str  # instead
     why: str
 
     def __str__(self) -> str:
         because = f" ({self.why})" if self.why else ""
-        return f'"{self.words}": say "{self.term.term}"{because}'
+        return f'"{self.words}": say "{self.say}"{because}'
+
+
+@dataclass(frozen=True)
+class Wording:
+    """What no text says, though it is of no term."""
+
+    avoid: str  # as in a term; where there is a pattern, an example of it
+    say: str  # instead
+    why: str
+    like: str  # a regular expression without groups of its own, or ""
 
 
 class Glossary:
     """The terms of a language, in the order of their words."""
 
-    def __init__(self, code: str, terms: Sequence[Term]) -> None:
-        self.code = code
+    def __init__(self, code: str, terms: Sequence[Term], wordings: Sequence[Wording] = ()) -> None:
+        self.code, self.wordings = code, wordings
         self.terms = sorted(terms, key=lambda term: term.term.casefold())
         self._forms = _Patterns(
-            code, [(form, (term, "")) for term in terms for form in term.forms or (term.term,)]
+            code,
+            [
+                (_pattern(code, form), len(form), term)
+                for term in terms
+                for form in term.forms or (term.term,)
+            ],
         )
         self._avoided = _Patterns(
-            code, [(form, (term, why)) for term in terms for form, why in term.avoid]
+            code,
+            [
+                (_pattern(code, form), len(form), (term.term, why))
+                for term in terms
+                for form, why in term.avoid
+            ]
+            + [
+                (each.like or _pattern(code, each.avoid), len(each.avoid), (each.say, each.why))
+                for each in wordings
+            ],
         )
 
     def found_in(self, text: str) -> Iterator[Found]:
         """Every place of the text where a term stands, the longest where several would fit."""
-        for start, end, (term, _) in self._forms.found_in(text):
+        for start, end, term in self._forms.found_in(text):
             yield Found(start, end, term)
 
     def first_in(self, text: str) -> Iterator[Found]:
@@ -85,23 +110,23 @@ class Glossary:
 
     def avoided_in(self, text: str) -> Iterator[Avoided]:
         """What should be said otherwise."""
-        for start, end, (term, why) in self._avoided.found_in(text):
-            yield Avoided(" ".join(text[start:end].split()), term, why)
+        for start, end, (say, why) in self._avoided.found_in(text):
+            yield Avoided(" ".join(text[start:end].split()), say, why)
 
 
-class _Patterns:
-    """Words with what they belong to, all looked for at once."""
+class _Patterns(Generic[Of]):
+    """Words, each as a pattern with its length and what it belongs to, all looked for at once."""
 
-    def __init__(self, code: str, forms: Sequence[tuple[str, tuple[Term, str]]]) -> None:
-        longest_first = sorted(forms, key=lambda form: -len(form[0]))
-        self.of = [of for _, of in longest_first]
-        alternatives = "|".join(f"({_pattern(code, form)})" for form, _ in longest_first)
+    def __init__(self, code: str, forms: Sequence[tuple[str, int, Of]]) -> None:
+        longest_first = sorted(forms, key=lambda form: -form[1])
+        self.of = [of for _, _, of in longest_first]
+        alternatives = "|".join(f"({pattern})" for pattern, _, _ in longest_first)
         # English has small and capital letters alike; in German they tell words apart.
         flags = re.IGNORECASE if code != "de" else 0
         whole = rf"(?<!{LETTER})(?:{alternatives})(?!{LETTER})" if forms else "(?!)"
         self.all = re.compile(whole, flags)
 
-    def found_in(self, text: str) -> Iterator[tuple[int, int, tuple[Term, str]]]:
+    def found_in(self, text: str) -> Iterator[tuple[int, int, Of]]:
         for match in self.all.finditer(text):
             assert match.lastindex  # one alternative has matched
             yield match.start(), match.end(), self.of[match.lastindex - 1]
@@ -125,8 +150,13 @@ def read_glossary(code: str = "en") -> Glossary:
 
 @lru_cache(maxsize=8)  # by its text: a file that is saved anew is read anew
 def _glossary(code: str, text: str) -> Glossary:
-    entries = tomllib.loads(text)["terms"]
-    return Glossary(code, [_term(entry, entry[code]) for entry in entries if code in entry])
+    read = tomllib.loads(text)
+    terms = [_term(entry, entry[code]) for entry in read["terms"] if code in entry]
+    return Glossary(code, terms, [_wording(each) for each in read["wordings"].get(code, ())])
+
+
+def _wording(said: dict[str, str]) -> Wording:
+    return Wording(said["avoid"], said["say"], said.get("why", ""), said.get("like", ""))
 
 
 def _term(entry: dict[str, Any], said: dict[str, Any]) -> Term:

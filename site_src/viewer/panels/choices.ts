@@ -1,10 +1,12 @@
 /** A question's choices: one of them is chosen before the answer, and with it each says why it is right or wrong. */
 import type { Actions } from "../actions";
-import { element, named, setWord, swatch } from "../element";
+import { button, element, named, setWord, swatch } from "../element";
 import { isAsking, pixelIndex, type ViewState } from "../state/view-state";
 import type { ChoiceData, SceneData, Trace } from "../trace/types";
 import { hexOf, say } from "../words";
 import { createMarks, letter } from "./choice-marks";
+import { copy } from "./clipboard";
+import { sayDone } from "./done";
 import { createPredictions, type Predictions } from "./predictions";
 import { reachable } from "./scrolls";
 
@@ -67,13 +69,18 @@ function reasons(choices: Choices, scene: SceneData, chosen: number | undefined)
   return named(element("ol", "reasons", ...items), say("choices.reasons"));
 }
 
-/** How many of the questions that one has predicted so far, of this scene's, were right; "" before the second. */
-function score({ id, lesson }: SceneData, predictions: Predictions): string {
-  const made = lesson.flatMap(({ choices = [] }, step) => {
-    const choice = predictions.made(id, step, choices.length);
-    return choice === undefined ? [] : [choices[choice].right];
-  });
-  return made.length < 2 ? "" : say("choices.score", { right: made.filter(Boolean).length, of: made.length });
+/** How many of the scene's questions were right at the first try: of those predicted so far, once there are two; when all are answered, to be copied. */
+function score({ id, title, lesson }: SceneData, predictions: Predictions): HTMLElement {
+  const questions = lesson.flatMap(({ choices }, step) => (choices ? [{ choices, tried: predictions.tried(id, step) }] : []));
+  const predicted = questions.filter(({ choices, tried }) => choices[tried ?? -1]);
+  const right = predicted.filter(({ choices, tried }) => choices[tried!].right).length;
+  const root = element("p", "score numbers", predicted.length < 2 ? "" : say("choices.score", { right, of: predicted.length }));
+  if (questions.every(({ tried }) => tried !== undefined) && root.textContent) {
+    const text = say("choices.copy.text", { title, right, of: questions.length });
+    const made = button(say("choices.copy.word"), say("choices.copy.help"), () => void copy(text, () => sayDone(made, say("choices.copy.done"))));
+    root.append(" ", made);
+  }
+  return root;
 }
 
 /** Where choices stand, and what beside them changes: the way to the answer is by a choice, or says that there is none. */
@@ -129,6 +136,7 @@ export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLEl
       const asking = isAsking(state, scene);
       const chosen = step === null ? undefined : predictions.made(scene.id, step, choices.length);
       place.show(state, choices.length > 0, asking && choices.length > 0 && chosen === undefined);
+      if (step !== null && choices.length && !asking) predictions.settle(scene.id, step);
       marks.show(state.n, choices);
       root.classList.toggle("asking", asking);
       const now = choices.length ? `${scene.id} ${step} ${asking}` : "";
@@ -143,7 +151,7 @@ export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLEl
         shown = now;
         pixel = state.pixel.join();
         group = asking && now ? createGroup(choices, scene, choose, () => acts.turn(1)) : null;
-        root.replaceChildren(...(group ? [group.element] : [reasons(choices, scene, chosen), element("p", "score numbers", score(scene, predictions))]));
+        root.replaceChildren(...(group ? [group.element] : [reasons(choices, scene, chosen), score(scene, predictions)]));
         group?.show(chosen);
         if (had && now && !state.projector) group ? group.focus() : place.next.focus();
       }

@@ -12,23 +12,33 @@ function recall(): Kept {
   }
 }
 
+const NONE = -1; // revealed without a choice
+
 export function createPredictions() {
   const kept = recall();
   const key = (scene: string, step: number) => `${scene} ${step}`;
+  const first = (scene: string, step: number) => `${key(scene, step)} first`;
+  function keep(name: string, choice: number) {
+    kept[name] = choice;
+    try {
+      sessionStorage.setItem(NAME, JSON.stringify(kept));
+    } catch {
+      // refused: then it is known until the page is left
+    }
+  }
   return {
     /** undefined: none was made. of: how many choices there are; a new build may have fewer. */
     made(scene: string, step: number, of: number): number | undefined {
       const choice = kept[key(scene, step)];
       return Number.isInteger(choice) && choice >= 0 && choice < of ? choice : undefined;
     },
-    make(scene: string, step: number, choice: number) {
-      kept[key(scene, step)] = choice;
-      try {
-        sessionStorage.setItem(NAME, JSON.stringify(kept));
-      } catch {
-        // refused: then it is known until the page is left
-      }
+    make: (scene: string, step: number, choice: number) => keep(key(scene, step), choice),
+    /** The answer is shown: what was chosen by now is the first try; another choice, after it, is none. */
+    settle(scene: string, step: number) {
+      if (kept[first(scene, step)] === undefined) keep(first(scene, step), kept[key(scene, step)] ?? NONE);
     },
+    /** The first try, or none though the answer was shown; undefined: it was not. */
+    tried: (scene: string, step: number): number | undefined => kept[first(scene, step)],
   };
 }
 
