@@ -56,13 +56,13 @@ function path({ projection }: Drawn, ends: readonly (readonly [Vec3, Vec3])[], c
   return svg("path", { d: seen.map(([a, b]) => `M${a.x.toFixed(1)} ${a.y.toFixed(1)}L${b.x.toFixed(1)} ${b.y.toFixed(1)}`).join(""), class: `box ${className}` });
 }
 
-/** The level's boxes, of the whole tree those that the ray enters, faint; of those visited so far each as what came of it; the current one strongest. */
+/** The level's boxes, of the whole tree the outermost and those that the ray enters, faint; of those visited so far each as what came of it; the current one strongest. */
 function boxesOn(drawn: Drawn, tree: WorkedTree, cut: Cut, visits: readonly Visit[], all: readonly Visit[]): SVGElement[] {
   if (cut === "none") return [];
   if (cut === "sphere") return [path(drawn, circles(tree.sphere), "level")];
   const done = WHAT.map((what) => path(drawn, visits.slice(0, -1).filter((visit) => visit.what === what).flatMap(({ box }) => edges(box)), what));
   const now = visits.at(-1);
-  const level = cut === "all" ? all.filter(({ what }) => what === "entered").map(({ box }) => box) : tree.boxes.filter((box) => box[6] === last(cut));
+  const level = cut === "all" ? all.filter(({ what }, k) => !k || what === "entered").map(({ box }) => box) : tree.boxes.filter((box) => box[6] === last(cut));
   return [...(visits.length ? [] : [path(drawn, level.flatMap(edges), "level")]), ...done, ...(now ? [path(drawn, edges(now.box), `${now.what} now`)] : [])];
 }
 
@@ -113,8 +113,9 @@ export function createTree(changed: () => void): WorkedPanel {
   says.setAttribute("aria-live", "polite");
   const total = element("p", "worked-title numbers");
   const tiles = named(element("canvas", "worked-tiles"), say("worked.tree.tiles"), "img");
+  const tilesSay = element("p", "worked-note", say("worked.tree.tilesSay"));
   return {
-    element: element("div", "", choice.element, total, steps.element, says, tiles, element("p", "worked-note", say("worked.tree.tilesSay"))),
+    element: element("div", "", choice.element, total, steps.element, says, tiles, tilesSay),
     show({ drawn, data, view, isAsking, isNew }: Worked, lines) {
       const { tree } = data;
       const { state } = drawn.view;
@@ -131,7 +132,7 @@ export function createTree(changed: () => void): WorkedPanel {
       const sofar = done.reduce((sum, visit) => sum + testsOf(visit), 0);
       total.textContent = isAsking ? "" : at ? say("worked.tree.sofar", { done: grouped(sofar), all: grouped(tree.tests[cut][ray]) }) : say("worked.tree.tests", { count: tree.tests[cut][ray], all: grouped(tree.tests[cut][ray]) });
       says.textContent = at ? told(visits[at - 1]) : "";
-      tiles.hidden = isAsking;
+      tiles.hidden = tilesSay.hidden = isAsking;
       if (!isAsking) drawSquare(tiles, tree.n, scaleOf(tree.tests[cut]), state.pixel, SIDE * 2);
       lines.append(...boxesOn(drawn, tree, cut, done, visits));
       return true;
