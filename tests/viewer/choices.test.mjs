@@ -100,7 +100,7 @@ test("when all of a lesson's questions are answered its score can be copied; a c
   await reveal();
   await copyOf(page).click();
   await page.locator(".done-sentence").getByText("The score is copied as text.").waitFor();
-  const { title } = scenes.find(({ id }) => id === withTexts.id);
+  const { title } = readScene(withTexts.id);
   assert.equal(await page.evaluate(() => window.copied), `“${title}”: ${asked.length - 1} of ${asked.length} questions right at the first try`);
 });
 
