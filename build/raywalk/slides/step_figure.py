@@ -14,13 +14,21 @@ from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygo
 from raywalk.slides.labels import Inset, Label, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.legend import legend
-from raywalk.slides.pictures import tiles_picture, washed
+from raywalk.slides.pictures import (
+    PICTURE_SIDE,
+    picture_of,
+    tiles_picture,
+    traced_picture,
+    washed,
+)
+from raywalk.slides.sheet_facts import PART
 from raywalk.slides.stops import ChosenLine, Ends, Ring, Stop, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
 
 CHOSEN_WIDTH = 3.0
 PASSED_WIDTH = 1.8  # of rays that a walk has behind it
 THIN_WIDTH = 1.0
+FRAME = (("#000000", 5.0), ("#f0e442", 2.6))  # of the selected tile on the traced picture
 FEW_THIN = 60  # lines that are drawn at that width
 HIDDEN_SHARE = 0.45  # of a line's width where something stands before it
 DOT = 4.0
@@ -46,6 +54,7 @@ class Drawing:
     view: Path  # the shaded view that lies behind
     box: Box  # on the slide
     now: int | None = None  # the ray that a walk has come to: others are drawn less strongly
+    picture: Path | None = None  # the traced one, where the step shows it in its place
 
     def point(self, at: Point | None) -> Point | None:
         """Where a point of the figure is on the slide; None beyond the frame, or None itself."""
@@ -117,14 +126,24 @@ def _view(drawing: Drawing) -> Picture:
 
 def _tiles(drawing: Drawing) -> list[Item]:
     stop, n = drawing.stop, drawing.stop.n
-    if n > MOST_SQUARES and stop.tiles is not None:
+    if drawing.picture and (outline := _area(drawing, 0, 0, n, n)):
+        parts: list[Item] = [_traced(drawing, drawing.picture, outline)]
+    elif n > MOST_SQUARES and stop.tiles is not None:
         picture = tiles_picture(stop.figure, stop.tiles, stop.hidden_tiles, drawing.box)
-        parts: list[Item] = [picture] if picture else []
+        parts = [picture] if picture else []
     else:
         parts = _squares(drawing)
-    if chosen := _chosen_tile(drawing):
-        parts.append(chosen)
+    parts += _chosen_tile(drawing)
     return [Group(say("slides.tiles", n=n), "", tuple(parts))]
+
+
+def _traced(drawing: Drawing, file: Path, outline: list[Point]) -> Picture:
+    """The traced picture where the tiles are, as the ray-tracing camera sees them: upright."""
+    left, right = (end(x for x, _ in outline) for end in (min, max))
+    top, bottom = (end(y for _, y in outline) for end in (min, max))
+    alt = say("picture.alt", title=drawing.scene.title)
+    frame = Box(left, top, right - left, bottom - top)
+    return picture_of(traced_picture(file, PICTURE_SIDE), frame, alt)
 
 
 def _squares(drawing: Drawing) -> list[Item]:
@@ -163,12 +182,13 @@ def _within(drawing: Drawing, corners: list[list[float]]) -> list[Point]:
     return clipped_area([(box.left + x, box.top + y) for x, y, _ in corners], box)
 
 
-def _chosen_tile(drawing: Drawing) -> Item | None:
+def _chosen_tile(drawing: Drawing) -> list[Item]:
     pixel = drawing.stop.pixel
     points = _area(drawing, *pixel, 1, 1)
     if not points:
-        return None
-    return Polygon(tuple(points), None, "chosen", 1.6, name=chosen_tile(pixel))
+        return []
+    name, pens = chosen_tile(pixel), FRAME if drawing.picture else (("chosen", 1.6),)
+    return [Polygon(tuple(points), None, pen, wide, name=name) for pen, wide in pens]
 
 
 def _frustum(drawing: Drawing, places: Places) -> list[Item]:
@@ -333,8 +353,13 @@ def _labels(drawing: Drawing) -> list[Label]:
 
 
 def _light_names(drawing: Drawing) -> list[Label]:
-    lamps = [(lamp.name, drawing.point(lamp.at)) for lamp in drawing.stop.figure.lamps]
-    return [Label(name, at) for name, at in lamps if at]
+    """A light with an area is named once."""
+    names: dict[str, Point] = {}
+    for lamp in drawing.stop.figure.lamps:
+        part = PART.fullmatch(lamp.name)
+        if at := drawing.point(lamp.at):
+            names.setdefault(part[1] if part else lamp.name, at)
+    return [Label(name, at) for name, at in names.items()]
 
 
 def _middle(drawing: Drawing, line: ChosenLine) -> Point | None:

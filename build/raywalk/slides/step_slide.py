@@ -18,7 +18,7 @@ from raywalk.slides.step_figure import Drawing, step_figure
 from raywalk.slides.stops import Stop
 from raywalk.slides.word_parts import word_parts
 from raywalk.slides.words import place, say, switched
-from raywalk.slides.worked_figures import Worked
+from raywalk.slides.worked_figures import Worked, view_of
 from raywalk.slides.worked_panel import panel_inset, panel_of
 
 
@@ -37,9 +37,11 @@ class Lesson:
         """What is seen at a stop, with the letters of its choices, and the picture in a corner
         unless it gives an answer away. now: the ray that a build-up has come to."""
         view = self.views / f"view-{stop.viewpoint}.png"
-        drawing = Drawing(self.scene, stop, view, self.layout.figure, now)
+        # In its place the picture needs no corner.
+        shown = self.picture if view_of(self.scene, stop).get("look") == "traced" else None
+        drawing = Drawing(self.scene, stop, view, self.layout.figure, now, shown)
         insets = [choice_marks(asked_choices(self, stop), stop)]
-        if stop.kind != "question" or stop.filled:
+        if (stop.kind != "question" or stop.filled) and not shown:
             insets.append(inset_of(self.picture, self.scene.title, stop))
         panel = panel_of(self.scene, self.stops, stop, self.worked) if now is None else None
         if not panel:

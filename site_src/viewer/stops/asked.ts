@@ -3,6 +3,7 @@ import type { Switches } from "../state/switches";
 import type { Vec3 } from "../state/vectors";
 import { pixelIndex } from "../state/view-state";
 import { switchedScene } from "../state/what-if";
+import type { ViewState } from "../state/types";
 import type { SceneData } from "../trace/types";
 import { seenAt, settingOf, stopsOf, walksPixel, type Seen, type Size, type Traces } from "./seen";
 import { worksheetOf, type Worksheet } from "./worksheet";
@@ -33,6 +34,9 @@ export interface Asked {
   worksheet: Worksheet;
 }
 
+/** Rasterised without tricks there are no shadows, and nothing is mirrored or bent. */
+const switchesOf = ({ look, switches }: ViewState): Switches => (look === "plain" ? { ...switches, shadows: false, bounces: 0 } : switches);
+
 const isPaint = (part: string) => part === "ambient" || part === "diffuse" || part === "specular";
 
 /** Which rays are sent on stays: the view is pale, and mirrors are to be known as such. */
@@ -55,7 +59,7 @@ export function ask(scene: SceneData, traces: Traces, size: Size): Asked {
   const want = (n: number, pixel: number) => exact.set(n, (exact.get(n) ?? new Set()).add(pixel));
   const stops = all.map(({ state }) => {
     const seen = seenAt(state, traces(state.n), setting);
-    const viewpoint = JSON.stringify(viewpointOf(seen, litBy(scene, state.switches)));
+    const viewpoint = JSON.stringify(viewpointOf(seen, litBy(scene, switchesOf(state))));
     if (!viewpoints.includes(viewpoint)) viewpoints.push(viewpoint);
     if (walksPixel(state)) want(state.n, pixelIndex(state));
     const lines = [...seen.chosen, ...seen.thin].map(({ from, to }) => [from, to] as const);
