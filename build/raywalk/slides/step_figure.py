@@ -24,6 +24,7 @@ from raywalk.slides.pictures import (
 from raywalk.slides.sheet_facts import PART
 from raywalk.slides.stops import ChosenLine, Ends, Ring, Stop, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
+from raywalk.slides.worked_figures import view_of
 
 CHOSEN_WIDTH = 3.0
 PASSED_WIDTH = 1.8  # of rays that a walk has behind it
@@ -105,6 +106,8 @@ def _switched(drawing: Drawing, places: Places) -> list[Item]:
     settings = switched(drawing.stop.switches)
     if drawing.stop.colours != "picture":
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
+    if view_of(drawing.scene, drawing.stop).get("look") == "approximate":
+        settings.append(say("slides.seeLive"))  # a pale view is traced, and shows no such tricks
     items: list[Item] = []
     for k, words in enumerate(settings):
         top = drawing.box.top + 8 + k * PLATE
