@@ -78,6 +78,22 @@ test("a question keeps what would answer it", async () => {
   await page.locator(".worked-curves").waitFor();
 });
 
+for (const [width, height] of [[1280, 800], [1000, 700], [390, 844]])
+  test(`choices stand above what is worked out and not over it, at ${width} x ${height}`, async () => {
+    const sized = await newPage(browser, { viewport: { width, height } });
+    for (const [id, step] of [["11-what-is-a-ray", 9], ["17-boxes-in-boxes", 8], ["18-jagged-edges", 7]])
+      for (const answer of ["", "&answer=1"]) {
+        await open(sized, ON_DISK, `scenes/${id}/index.html`, `step=${step}&gl=none${answer}`);
+        await sized.locator(".worked").waitFor();
+        await settled(sized);
+        const [choices, worked] = await Promise.all([".prediction", ".worked"].map((part) => sized.locator(part).boundingBox()));
+        const apart = choices.y + choices.height <= worked.y + 0.5 || worked.y + worked.height <= choices.y + 0.5;
+        assert.ok(apart, `${id}: ${JSON.stringify([choices, worked])}`);
+        assert.ok(choices.width > 250, "a choice has the whole width");
+      }
+    await sized.close();
+  });
+
 test("a ray's boxes are gone through one by one, and a tree that is cut off costs what it says", async () => {
   await show("17-boxes-in-boxes", 6);
   await page.locator(".worked-steps").waitFor();
