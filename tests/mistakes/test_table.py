@@ -97,7 +97,7 @@ def test_speckles_lie_elsewhere_in_another_program() -> None:
     dark than in float64."""
     for mistake in TABLE:
         one, other = (
-            picture(scene("08-glass"), 21, frozenset([mistake.name]), Habits(precision)).bytes
+            picture(scene("04-one-bounce"), 33, frozenset([mistake.name]), Habits(precision)).bytes
             for precision in (np.float64, np.float32)
         )
         apart = np.abs(one.astype(int) - other).max(axis=2) > 2
