@@ -17,7 +17,7 @@ from raywalk.slides.sheet_questions import sheet_facts
 from raywalk.slides.step_slide import Lesson
 from raywalk.slides.times import LECTURES
 from raywalk.slides.typeface import width
-from raywalk.slides.words import speaking
+from raywalk.slides.words import say, speaking
 from raywalk.slides.worksheet import worksheet
 from raywalk.teacher.assignment import assignment
 from raywalk.teacher.gift import gift
@@ -64,7 +64,12 @@ def test_the_guide_has_two_pages_a_lesson_and_nothing_is_cut(language: str) -> N
     check_pages(deck)
     for page, lesson in zip(deck.slides[1::2], course(language), strict=True):
         words = " ".join(item.words for item in flat(page.items) if isinstance(item, Text))
-        assert words.count("?") >= sum(bool(step.answer) for step in lesson.scene.lesson)
+        asked = [step for step in lesson.scene.lesson if step.answer]
+        assert words.count("?") >= len(asked)
+        for step in asked:  # "this ray" is of a pixel that is told
+            (x, y), n = step.view["pixel"], step.view["resolution"]
+            with speaking(language):
+                assert say("slides.pixelOf", x=x, y=y, n=n) in words
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from raywalk.scene.model import Scene
+from raywalk.scene.slots import own_pixel
 from raywalk.slides.addresses import address
 from raywalk.slides.blocks import one_line, text
 from raywalk.slides.choices import choice_words
@@ -132,11 +133,14 @@ def _materials(lesson: Lesson, base: str) -> Points:
 
 
 def _questions(lesson: Lesson) -> Points:
-    """Each with the answer that is expected."""
+    """Each with its pixel, which "this ray" is of, and the answer that is expected."""
     points = [Paragraph((Run(say("teacher.keyQuestions"), bold=True),))]
     for k, step in enumerate(lesson.scene.lesson, start=1):
         if step.answer:
             asks, answer = (plain_text(each, on_page=True) for each in (step.text, step.answer))
+            if pixel := own_pixel(step.view):
+                n, x, y = pixel
+                asks += f" ({say('slides.pixelOf', x=x, y=y, n=n)})"
             runs = (Run(asks + " "), Run(say("teacher.expected") + " ", True), Run(answer))
             points.append(Paragraph(runs, f"{k}."))
     return points if len(points) > 1 else []
