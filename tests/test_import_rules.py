@@ -219,6 +219,21 @@ def test_trace_and_state_know_no_browser(folder: str) -> None:
         assert not found, f"viewer/{folder}/{file.name} knows {found[0]}"
 
 
+def test_checks_of_pictures_know_no_browser_and_no_viewer() -> None:
+    """site_src/check runs in pages and in node: it imports itself and what reads PNG and JPEG. That
+    it names nothing of the DOM its own tsconfig.json sees to, which does not have it."""
+    folder = VIEWER.parent / "check"
+    files = sorted(folder.rglob("*.ts"))
+    assert files
+    for file in files:
+        named = re.findall(r"""\bfrom\s*["']([^"']+)["']""", file.read_text("utf-8"))
+        outside = {n for n in named if not (file.parent / n).resolve().is_relative_to(folder)}
+        packages = {n for n in named if not n.startswith(".")}
+        assert not (outside - packages), file
+        assert packages <= {"fast-png", "fflate", "jpeg-js/lib/decoder"}, file
+    assert "DOM" not in (folder / "tsconfig.json").read_text("utf-8")
+
+
 def test_who_reads_a_trace_never_imports_numba() -> None:
     """A build with nothing to trace, and what reads its files, never pays for the compiler."""
     command = (

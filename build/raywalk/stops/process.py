@@ -16,9 +16,13 @@ ANSWER, FAULT = '{"answer":', '{"fault":'
 
 
 class Stops:
-    """Answers requests as long as it is open; node starts with the first of them."""
+    """Answers requests as long as it is open; node starts with the first of them.
 
-    def __init__(self) -> None:
+    script: stops.mjs, or another that answers lines in its way.
+    """
+
+    def __init__(self, script: Path = SCRIPT) -> None:
+        self._script = script
         self._node: subprocess.Popen[str] | None = None
 
     def __enter__(self) -> Stops:
@@ -58,7 +62,7 @@ class Stops:
     def _started(self) -> subprocess.Popen[str]:
         try:
             return subprocess.Popen(
-                ["node", str(SCRIPT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                ["node", str(self._script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE, text=True, encoding="utf-8",
             )  # fmt: skip
         except FileNotFoundError:
