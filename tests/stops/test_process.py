@@ -26,12 +26,11 @@ def test_without_node_it_says_what_is_missing(monkeypatch: pytest.MonkeyPatch):
         stops.ask({})
 
 
-def test_without_its_packages_it_says_so_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_without_its_packages_it_says_so_too(tmp_path: Path):
     """The script where no node_modules are: one sentence, not node's trace."""
     lost = tmp_path / "stops.mjs"
     lost.write_bytes(process.SCRIPT.read_bytes())
-    monkeypatch.setattr(process, "SCRIPT", lost)
-    with Stops() as stops, pytest.raises(SourceErrors) as raised:
+    with Stops(lost) as stops, pytest.raises(SourceErrors) as raised:
         stops.ask({})
     message = str(raised.value)
     assert "Cannot find package 'esbuild'" in message and "npm ci" in message
