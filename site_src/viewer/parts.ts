@@ -47,7 +47,7 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     player: createPlayer(acts),
     whatIf,
     drawer,
-    choices: onDemand.one("choices", ({ createChoices }) => createChoices(acts, home, session.changed)),
+    choices: onDemand.one("choices", ({ createChoices }) => createChoices(acts, home, session.changed, onDemand)),
     guide: onDemand.one("guide", ({ createGuide }) => createGuide(drawer.open)),
     tileColours: onDemand.one("tile-legend", ({ createTileLegend }) => createTileLegend(home.querySelector(".below-row")!)),
     page: createPage(page, onDemand),

@@ -1,11 +1,11 @@
 /** A question's choices: one of them is chosen before the answer, and with it each says why it is right or wrong. */
 import type { Actions } from "../actions";
+import type { OnDemand } from "../on-demand";
 import { button, element, named, setWord, swatch } from "../element";
 import { isAsking, pixelIndex, type ViewState } from "../state/view-state";
 import type { ChoiceData, SceneData, Trace } from "../trace/types";
 import { hexOf, say } from "../words";
 import { createMarks, letter } from "./choice-marks";
-import { copy } from "./clipboard";
 import { sayDone } from "./done";
 import { createPredictions, type Predictions } from "./predictions";
 import { reachable } from "./scrolls";
@@ -70,14 +70,14 @@ function reasons(choices: Choices, scene: SceneData, chosen: number | undefined)
 }
 
 /** How many of the scene's questions were right at the first try: of those predicted so far, once there are two; when all are answered, to be copied. */
-function score({ id, title, lesson }: SceneData, predictions: Predictions): HTMLElement {
+function score({ id, title, lesson }: SceneData, predictions: Predictions, copy: (text: string, done: () => void) => void): HTMLElement {
   const questions = lesson.flatMap(({ choices }, step) => (choices ? [{ choices, tried: predictions.tried(id, step) }] : []));
   const predicted = questions.filter(({ choices, tried }) => choices[tried ?? -1]);
   const right = predicted.filter(({ choices, tried }) => choices[tried!].right).length;
   const root = element("p", "score numbers", predicted.length < 2 ? "" : say("choices.score", { right, of: predicted.length }));
   if (questions.every(({ tried }) => tried !== undefined) && root.textContent) {
     const text = say("choices.copy.text", { title, right, of: questions.length });
-    const made = button(say("choices.copy.word"), say("choices.copy.help"), () => void copy(text, () => sayDone(made, say("choices.copy.done"))));
+    const made = button(say("choices.copy.word"), say("choices.copy.help"), () => copy(text, () => sayDone(made, say("choices.copy.done"))));
     root.append(" ", made);
   }
   return root;
@@ -109,9 +109,11 @@ function createPlace(home: HTMLElement, root: HTMLElement, draw: () => void) {
   };
 }
 
-export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLElement, changed: () => void) {
+export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLElement, changed: () => void, onDemand: OnDemand) {
   const root = named(element("section", "prediction"), say("choices.name"));
   const predictions = createPredictions();
+  const atHand = onDemand.one("at-hand", (part) => part);
+  const copy = (text: string, done: () => void) => atHand.use((part) => void part.copy(text, done));
   const place = createPlace(home, root, changed);
   const marks = createMarks(home);
   const contentChanged = reachable(root); // in a frame they scroll
@@ -151,7 +153,7 @@ export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLEl
         shown = now;
         pixel = state.pixel.join();
         group = asking && now ? createGroup(choices, scene, choose, () => acts.turn(1)) : null;
-        root.replaceChildren(...(group ? [group.element] : [reasons(choices, scene, chosen), score(scene, predictions)]));
+        root.replaceChildren(...(group ? [group.element] : [reasons(choices, scene, chosen), score(scene, predictions, copy)]));
         group?.show(chosen);
         if (had && now && !state.projector) group ? group.focus() : place.next.focus();
       }

@@ -28,7 +28,6 @@ export interface Clear {
 }
 export const NOTHING: Clear = { boxes: [], rounds: [], strokes: [], faint: [] };
 
-const CHAR = { sign: 7.4, hit: 7.8, stop: 7.8 }; // width of a character at most
 const HEIGHT = 22;
 const AWAY = [12, 26, 44, 66, 92, 122, 156, 196]; // from the thing to its word, the nearest first
 const NEAR = 3; // of these, for which faint lines count
@@ -58,9 +57,8 @@ export function isStruck({ left, top, right, bottom }: Box, ends: readonly numbe
 /** Right, left, below, above, then the corners: across and down. */
 const SPOTS = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
 
-/** The nearest place that is inside and clear. large: times as large as on a desk. */
-function place({ text, kind, x, y, below, side }: Label, width: number, height: number, { boxes, rounds, strokes, faint }: Clear, taken: readonly Box[], large: number): Box | null {
-  const [w, h] = [text.length * CHAR[kind] * large + 8, HEIGHT * large];
+/** The nearest place of a word of w x h that is inside and clear. */
+function place({ x, y, below, side }: Label, [w, h]: readonly number[], width: number, height: number, { boxes, rounds, strokes, faint }: Clear, taken: readonly Box[]): Box | null {
   const spots = [...(side ? [side] : []), ...(below ? SPOTS.slice(2, 4) : []), ...SPOTS];
   const all = AWAY.map((away) =>
     spots.map(([across, down]) => {
@@ -86,6 +84,7 @@ export function createLabels() {
   const root = element("div", "labels");
   root.setAttribute("aria-hidden", "true"); // the card says the same in words
   const spans = new Map<string, HTMLSpanElement>();
+  const widths = new Map<string, number>(); // of words that were measured, CSS pixels
 
   function spanOf(label: Label) {
     const known = spans.get(label.key);
@@ -94,6 +93,15 @@ export function createLabels() {
     spans.set(label.key, span);
     root.append(span);
     return span;
+  }
+
+  function widthOf(span: HTMLSpanElement, { text, kind }: Label, large: number): number {
+    const key = kind + large + text;
+    if (!widths.has(key)) {
+      span.hidden = false;
+      widths.set(key, span.offsetWidth);
+    }
+    return widths.get(key)!;
   }
 
   return {
@@ -107,13 +115,11 @@ export function createLabels() {
         const span = spanOf(label);
         if (span.textContent !== label.text) span.textContent = label.text;
         span.className = label.kind;
-        const box = place(label, width, height, clear, taken, large);
+        const box = place(label, [widthOf(span, label, large), HEIGHT * large], width, height, clear, taken);
         span.hidden = !box;
         if (!box) continue;
         taken.push(box);
         span.style.transform = `translate(${Math.round(box.left)}px, ${Math.round(box.top)}px)`;
-        span.style.width = `${Math.round(box.right - box.left)}px`;
-        span.style.textAlign = box.right < label.x ? "right" : box.left > label.x ? "left" : "center";
         lead(span, label, box);
       }
     },

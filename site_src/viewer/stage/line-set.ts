@@ -1,6 +1,6 @@
 /** A set of rays drawn together: thick for the selected pixel, hair-thin for a row, a column or all. */
 import { BufferAttribute, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial } from "three";
-import { LINES, rgb } from "../palette";
+import { LINES, rgb, STAGE } from "../palette";
 import { faintness, worthOf, type Line } from "../state/lines";
 import type { LitLine } from "../state/types";
 import { createLineMaterial } from "./line-shader";
@@ -60,7 +60,7 @@ export function createLineSet(thick: boolean) {
         geometry.instanceCount = lines.length;
       }
       object.visible = lines.length > 0;
-      if (!thick) drawn.uniforms.opacity.value = faintness(lines.length);
+      if (!thick) drawn.uniforms.opacity.value = faintness(lines.length) * (STAGE.onPaper ? 1.6 : 1); // a hall sees less of them
     },
     /** CSS pixels. */
     resize(width: number, height: number) {

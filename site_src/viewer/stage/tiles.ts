@@ -9,7 +9,8 @@ const VERTEX = `
 varying vec2 at;
 void main() { at = uv; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
 
-// Lengths on the tiles are measured in screen pixels, so that lines stay thin at any distance.
+// Lengths on the tiles are measured in screen pixels, so that lines stay thin at any distance. Lines that would merge, seen
+// edge-on, are not drawn; the ring is round a small tile and not in it, for a ray hides its middle.
 const FRAGMENT = `
 uniform sampler2D colours;
 uniform float n;
@@ -24,13 +25,13 @@ void main() {
   bool filled = tile.a > 0.5;
   vec2 toEdge = (0.5 - abs(fract(cell) - 0.5)) / perPixel;
   float tilePixels = 1.0 / max(perPixel.x, perPixel.y);
-  vec2 lines = (1.0 - smoothstep(0.2, 1.1, toEdge)) * smoothstep(2.0, 7.0, 1.0 / perPixel); // seen edge-on they would merge
+  vec2 lines = (1.0 - smoothstep(0.2, 1.1, toEdge)) * smoothstep(2.0, 7.0, 1.0 / perPixel);
   float line = max(lines.x, lines.y);
   vec2 border = min(cell, n - cell) / perPixel;
   float frame = 1.0 - smoothstep(0.6, 1.6, min(border.x, border.y));
   vec2 q = (abs(cell - selected - 0.5) - 0.5) / perPixel;
-  vec2 thick = clamp(0.16 / perPixel, 1.2, 4.0);
-  float outside = tilePixels < 9.0 ? 2.0 : 0.0; // round a tiny tile, not in it
+  float outside = tilePixels < 24.0 ? 3.0 : 0.0;
+  vec2 thick = outside > 0.0 ? vec2(0.0) : clamp(0.16 / perPixel, 1.2, 4.0);
   bool onRing = ringShown > 0.5 && max(q.x, q.y) < outside && (q.x > -thick.x || q.y > -thick.y);
 #ifdef FILLED
   if (!filled && !onRing) discard;
