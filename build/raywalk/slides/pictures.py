@@ -19,6 +19,8 @@ from raywalk.slides.words import say
 PALE = 56  # JPEG's quality of the views: they are pale, nothing of it shows
 CLEAR = 80  # that of the traced picture
 FOR_WEB = 72  # WebP's, which browsers show and PowerPoint and PDF do not
+# Dark sides lie on a dark ground: a power below 1 lifts them off it, and leaves black and white.
+LIFT = 0.6
 WEB_WASH = (SCREEN.wash + PRINT.wash) / 2  # one transparent view for both palettes
 SHARP = 2.0  # pixels a point of a fine grid
 PICTURE_SIDE = 400  # pixels of the traced picture beside a figure
@@ -32,9 +34,10 @@ def washed(view: Path) -> tuple[bytes, bytes, bytes]:
     by itself for browsers, which lay it on either."""
     pixels = np.asarray(Image.open(view), np.float32)
     presence = pixels[..., 3:] / 255
-    pale = np.concatenate([pixels[..., :3], pixels[..., 3:] * WEB_WASH], axis=-1)
+    lifted = 255 * (pixels[..., :3] / 255) ** LIFT
+    pale = np.concatenate([lifted, pixels[..., 3:] * WEB_WASH], axis=-1)
     return (
-        _laid(pixels[..., :3], presence, SCREEN),
+        _laid(lifted, presence, SCREEN),
         _laid(pixels[..., :3], presence, PRINT),
         webp(Image.fromarray(np.rint(pale).astype(np.uint8))),
     )
