@@ -1,6 +1,5 @@
 /** A question's choices: one of them is chosen before the answer, and with it each says why it is right or wrong. */
 import type { Actions } from "../actions";
-import type { OnDemand } from "../on-demand";
 import { button, element, named, setWord, swatch } from "../element";
 import { isAsking, pixelIndex, type ViewState } from "../state/view-state";
 import type { ChoiceData, SceneData, Trace } from "../trace/types";
@@ -69,6 +68,15 @@ function reasons(choices: Choices, scene: SceneData, chosen: number | undefined)
   return named(element("ol", "reasons", ...items), say("choices.reasons"));
 }
 
+interface Clipboard {
+  copy: (text: string, done: () => void) => unknown;
+}
+
+/** Of what comes when asked for: what copies. On-demand itself imports this file. */
+interface Parts {
+  one(name: "at-hand", make: (part: Clipboard) => Clipboard): { use(to: (part: Clipboard) => void): void };
+}
+
 /** How many of the scene's questions were right at the first try: of those predicted so far, once there are two; when all are answered, to be copied. */
 function score({ id, title, lesson }: SceneData, predictions: Predictions, copy: (text: string, done: () => void) => void): HTMLElement {
   const questions = lesson.flatMap(({ choices }, step) => (choices ? [{ choices, tried: predictions.tried(id, step) }] : []));
@@ -109,7 +117,7 @@ function createPlace(home: HTMLElement, root: HTMLElement, draw: () => void) {
   };
 }
 
-export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLElement, changed: () => void, onDemand: OnDemand) {
+export function createChoices(acts: Pick<Actions, "turn" | "pick">, home: HTMLElement, changed: () => void, onDemand: Parts) {
   const root = named(element("section", "prediction"), say("choices.name"));
   const predictions = createPredictions();
   const atHand = onDemand.one("at-hand", (part) => part);
