@@ -48,3 +48,16 @@ test("on a phone they are scrolled through, and none is cut off", async () => {
   assert.ok(wide);
   assert.deepEqual(page.faults, []);
 });
+
+test("the first page leads to each chapter", async () => {
+  const home = await newPage(browser);
+  await home.goto(`${ON_DISK}index.html`);
+  const links = home.locator(".chapter-links a");
+  const names = await links.allInnerTexts();
+  assert.deepEqual(names, await home.locator(".chapter-name").allInnerTexts());
+  await links.last().click();
+  const [heading, seen] = await home.locator(".chapter-name").last().evaluate((each) => [each.getBoundingClientRect(), innerHeight]);
+  assert.ok(heading.top >= 0 && heading.bottom <= seen, `${heading.top} to ${heading.bottom} of ${seen}`);
+  assert.deepEqual(home.faults, []);
+  await home.close();
+});
