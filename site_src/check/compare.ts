@@ -61,14 +61,15 @@ const HEAT = Array.from({ length: STEPS_OF_HEAT }, (_, step) => {
 });
 const heatOf = (deviation: number) => HEAT[Math.min(Math.round(((STEPS_OF_HEAT - 1) * Math.log2(1 + deviation)) / 8), STEPS_OF_HEAT - 1)];
 
-/** The first of FITS that leaves little of the deviation. */
+/** That of FITS which leaves least of the deviation, the earlier of equals, if that is little. */
 function betterFit(student: Picture, right: Picture, mean: number): Comparison["fits"] {
   if (mean < MENDED) return null;
+  let best = { as: FITS[0][0], mean: Infinity };
   for (const [as, changed] of FITS) {
     const left = meanDeviation(student, changed(right));
-    if (left <= MUCH_BETTER * mean) return { as, mean: left };
+    if (left < best.mean) best = { as, mean: left };
   }
-  return null;
+  return best.mean <= MUCH_BETTER * mean ? best : null;
 }
 
 function meanDeviation(a: Picture, values: ArrayLike<number>): number {

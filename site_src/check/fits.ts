@@ -1,4 +1,4 @@
-/** What a student's picture may be in place of the right one: changes of the right picture, in the order in which they are tried. */
+/** What a student's picture may be in place of the right one: changes of the right picture; of two that fit alike the first is told. */
 import type { Picture } from "./formats/picture";
 
 export type Fit =

@@ -16,10 +16,14 @@ const SHIFT = "pixel-corner";
 const LEAST_OF_SHIFT = 0.4;
 /** Few pixels beside edges that look so much like a mistake are one, and no ties. */
 const SURE = 0.8;
-/** What agrees less is none that we know, but for a faint one that agrees, at least so far, so many times better than any other. */
-const [KNOWN, FAINT, AHEAD] = [0.3, 0.12, 3];
+/** What agrees less is none that we know. */
+const KNOWN = 0.5;
+/** But where so few pixels are wrong, noise is much of what is seen: then one that agrees this far, so many times better than any other. */
+const [FEW, FAINT, AHEAD] = [0.02, 0.12, 3];
 /** A second mistake is named if it leaves less than this share of what the first leaves unexplained. */
 const LEFT_BY_SECOND = 0.7;
+/** One that leaves less than this is worth a look: it stands behind the first, though not as one of two. */
+const LEFT_BY_PERHAPS = 0.97;
 /** Two mistakes are not looked for where one explains so much. */
 const EXPLAINED = 0.97;
 const ANSWERS = 3;
@@ -88,7 +92,8 @@ export function recogniserOf(atlas: Atlas) {
       }
       const { seen, singles } = singlesOf(given, expected);
       const pairs = singles[0].agreement < EXPLAINED ? pairsOf(layers, singles, seen) : [];
-      return ranked(singles, pairs, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
+      const isFaint = wrong.length < FEW * expected.width * expected.height;
+      return ranked(singles, pairs, isFaint, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
     },
   };
 }
@@ -133,17 +138,19 @@ function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Deviat
 }
 
 /** One is believed before two: of these the one that explains more comes first. */
-function ranked(singles: Scored[], pairs: Scored[], namesOf: (reference: Reference) => string[]): Recognised {
+function ranked(singles: Scored[], pairs: Scored[], isFaint: boolean, namesOf: (reference: Reference) => string[]): Recognised {
   const [single, pair] = [singles[0], pairs[0]];
   const isPair = !!pair && 1 - pair.agreement < LEFT_BY_SECOND * (1 - single.agreement);
   const alone = new Map(singles.map(({ references: [one], agreement }) => [one, agreement]));
-  const ofPairs = pairs.flatMap(({ references, agreement }) => [...references].sort((a, b) => alone.get(b)! - alone.get(a)!).map((one) => ({ references: [one], agreement })));
+  const better = pairs.filter(({ agreement }) => 1 - agreement < (isPair ? 1 : LEFT_BY_PERHAPS) * (1 - single.agreement));
+  const ofPairs = better.flatMap(({ references, agreement }) => [...references].sort((a, b) => alone.get(b)! - alone.get(a)!).map((one) => ({ references: [one], agreement })));
   const answers: Answer[] = [];
   const names = namesOf(single.references[0]);
   const next = singles.find(({ references: [one] }) => !names.includes(one.name))?.agreement ?? 0;
-  if (single.agreement < KNOWN && single.agreement >= FAINT && single.agreement > AHEAD * next) answers.push({ names, agreement: single.agreement });
-  for (const { references: [one], agreement } of isPair ? [...ofPairs, ...singles] : singles) {
-    if (agreement < KNOWN || answers.length === ANSWERS) break;
+  if (isFaint && single.agreement < KNOWN && single.agreement >= FAINT && single.agreement > AHEAD * next) answers.push({ names, agreement: single.agreement });
+  for (const { references: [one], agreement } of [...(isPair ? [] : [single]), ...ofPairs, ...singles]) {
+    if (answers.length === ANSWERS) break;
+    if (agreement < KNOWN) continue;
     if (!answers.some(({ names }) => names.includes(one.name))) answers.push({ names: namesOf(one), agreement });
   }
   return { isRight: false, answers, isPair };

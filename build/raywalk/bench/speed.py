@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from raywalk.bench import (
     look,
+    recognition,
     speed_cluster,
     speed_cores,
     speed_counters,
@@ -53,6 +54,13 @@ def _memory(chosen: Namespace) -> list[dict[str, Any]]:
     scenes = read_own_scenes(chosen.scenes)
     rows = [speed_memory.memory(each.path) for each in (scenes[2:3] if chosen.quick else scenes)]
     return [*rows, speed_memory.many_objects(1_000 if chosen.quick else 10_000)]
+
+
+def _mistakes(chosen: Namespace) -> dict[str, recognition.Tally]:
+    scenes = recognition.shown_in(read_own_scenes(chosen.scenes))
+    if chosen.quick:
+        return recognition.recognised(scenes[:3], (105,), 12, chosen.seed, 4)
+    return recognition.recognised(scenes, seed=chosen.seed)
 
 
 def _triangles(chosen: Namespace) -> list[dict[str, Any]]:
@@ -109,5 +117,8 @@ PARTS = {
         "Building again after a change",
         lambda c: speed_rebuild.rebuild(c.scenes, c.work),
         speed_rebuild.rebuild_cases, speed_rebuild.as_table,
+    ),
+    "mistakes": Part(
+        "Mistakes in students' pictures, named", _mistakes, recognition.cases, recognition.lines
     ),
 }  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 SEED = 20_260
 PARTS = (
     "skips", "floor", "cores", "memory", "many", "triangles", "primitives", "counters", "cluster",
-    "look", "rebuild",
+    "look", "rebuild", "mistakes",
 )  # fmt: skip
 
 

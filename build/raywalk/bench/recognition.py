@@ -1,0 +1,205 @@
+"""How often the mistakes in students' pictures are named: site_src/check/ asked through node.
+
+Right and wrong pictures of the atlas are made by the numpy tracer, exactly, and once more as most
+programs calculate, in float32 with an offset. Students' are made with other habits, at other sizes.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raywalk.bench.cases import Case
+from raywalk.mistakes.habits import EXACT, Habits
+from raywalk.mistakes.table import BY_NAME, TABLE
+from raywalk.mistakes.tracer import picture
+from raywalk.scene.model import Scene
+from raywalk.stops.process import Stops
+
+SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "check.mjs"
+GRID = 231  # of the atlas
+USUAL = Habits(precision=np.float32, offset=1e-3)
+# What tells nothing: each of them is a right program.
+HABITS = (
+    EXACT,
+    USUAL,
+    Habits(precision=np.float32, offset=1e-3, truncates=True, last_wins=True),
+    Habits(offset=1e-4, truncates=True),
+    Habits(precision=np.float32, offset=3e-3),
+)
+CHANGED = 0.005  # of the pixels, by more than a step: a mistake that changes fewer is not told
+OTHER = 3  # steps of 255 from which on the usual program's picture is another than the exact one's
+SIZES = (105, 231, 512)
+PAIRS = 200
+SCENES = ("01", "02", "03", "04", "05", "08", "10")  # those without meshes and textures
+BOUNDS = {"first": 5.0, "among three": 1.0, "pairs": 20.0, "alarms": 0.0}  # percent that are not
+
+Student = tuple[Scene, int, frozenset[str], Habits]
+
+
+@dataclass
+class Tally:
+    """What became of the pictures of one kind."""
+
+    asked: int = 0
+    first: int = 0
+    among: int = 0
+    missed: list[str] = field(default_factory=list)
+    alike: list[int] = field(default_factory=list)  # names in the first answer
+
+    def missing(self, named: int) -> float:
+        """Percent; NaN of none, which breaks every bound."""
+        return 100 * (1 - named / self.asked) if self.asked else float("nan")
+
+
+class Atlas:
+    """A scene's pictures in a folder, as check.mjs reads them."""
+
+    def __init__(self, scene: Scene, folder: Path):
+        self.scene, self.folder = scene, folder
+        folder.mkdir(parents=True, exist_ok=True)
+        exact = picture(scene, GRID).bytes
+        self.names: list[str] = []
+        rows = [row for mistake in TABLE if (row := self._row(mistake.name, exact))]
+        atlas = {"scene": scene.id, "right": self.written("right", exact), "mistakes": rows}
+        (folder / "atlas.json").write_text(json.dumps(atlas), encoding="utf-8")
+
+    def _row(self, name: str, right: np.ndarray) -> dict[str, Any] | None:
+        """Of a mistake that shows; both pictures where programs that calculate otherwise differ."""
+        wrong = picture(self.scene, GRID, frozenset([name])).bytes
+        usual = picture(self.scene, GRID, frozenset([name]), USUAL).bytes
+        if not max(changed(wrong, right), changed(usual, right)) > CHANGED:
+            return None
+        self.names.append(name)
+        made = [wrong, usual] if changed(usual, wrong, OTHER) > CHANGED else [wrong]
+        files = [self.written(f"{name}-{k}", each - right) for k, each in enumerate(made)]
+        return {"name": name, "family": BY_NAME[name].family, "wrong": files}
+
+    def written(self, name: str, values: np.ndarray) -> str:
+        """(n, n, 3) uint8 as P6; the file's name."""
+        height, width = values.shape[:2]
+        (self.folder / name).write_bytes(b"P6 %d %d 255\n" % (width, height) + values.tobytes())
+        return name
+
+    def ask(self, node: Stops, student: np.ndarray, right: np.ndarray) -> dict[str, Any]:
+        """What is recognised in a picture."""
+        files = {"picture": student, "right": right}
+        named = {
+            key: str(self.folder / self.written(f"asked-{key}", values))
+            for key, values in files.items()
+        }
+        request = {"do": "recognise", "atlas": str(self.folder / "atlas.json"), **named}
+        found: dict[str, Any] = json.loads(node.ask(request))
+        return found
+
+
+def changed(a: np.ndarray, b: np.ndarray, steps: int = 1) -> float:
+    """Share of the pixels that differ by more than so many steps of 255."""
+    return float((np.abs(a.astype(int) - b).max(axis=-1) > steps).mean())
+
+
+def shown_in(scenes: list[Scene]) -> list[Scene]:
+    """Those that the evaluation asks of."""
+    return [scene for scene in scenes if scene.id.split("-")[0] in SCENES]
+
+
+def recognised(
+    scenes: list[Scene], sizes: tuple[int, ...] = SIZES, pairs: int = PAIRS, seed: int = 0,
+    every: int = 1,
+) -> dict[str, Tally]:  # fmt: skip
+    """Tallies of single mistakes (every so-maniest), pairs and right pictures."""
+    tallies = {"single": Tally(), "pairs": Tally(), "right": Tally()}
+    rng = np.random.default_rng(seed)
+    with tempfile.TemporaryDirectory() as folder, Stops(SCRIPT) as node:
+        for place, scene in enumerate(scenes):
+            atlas = Atlas(scene, Path(folder) / scene.id)
+            share = pairs // len(scenes) + (place < pairs % len(scenes))
+            for n in sizes:
+                right = picture(scene, n).bytes
+                tally_right(tallies["right"], node, atlas, right)
+                for name in atlas.names[int(rng.integers(every)) :: every]:
+                    habits = HABITS[rng.integers(len(HABITS))]
+                    tally(tallies["single"], node, atlas, right, {name}, habits)
+            tally_pairs(tallies["pairs"], node, atlas, share, rng)
+    return tallies
+
+
+def tally_right(found: Tally, node: Stops, atlas: Atlas, right: np.ndarray) -> None:
+    """Right pictures of all habits: first counts those that are called right."""
+    for habits in HABITS:
+        own = picture(atlas.scene, len(right), frozenset(), habits).bytes
+        is_right = atlas.ask(node, own, right)["isRight"]
+        found.asked += 1
+        found.first += is_right
+        if not is_right:
+            found.missed.append(f"{atlas.scene.id} at {len(right)}, {habits}")
+
+
+def tally(
+    found: Tally, node: Stops, atlas: Atlas, right: np.ndarray, names: set[str], habits: Habits
+) -> None:
+    """One wrong picture, if it is one; all its mistakes must be among the answers."""
+    student = picture(atlas.scene, len(right), frozenset(names), habits).bytes
+    if not changed(student, right) > CHANGED:
+        return
+    answers = [set(answer["names"]) for answer in atlas.ask(node, student, right)["answers"]]
+    found.asked += 1
+    found.first += bool(answers) and bool(names & answers[0])
+    is_among = names <= set().union(*answers)
+    found.among += is_among
+    found.alike += [len(answers[0])] if answers else []
+    if not is_among or not (names & answers[0]):
+        told = "; ".join(", ".join(sorted(answer)) for answer in answers) or "nothing"
+        found.missed.append(
+            f"{atlas.scene.id} at {len(right)}: {' + '.join(sorted(names))}: {told}"
+        )
+
+
+def tally_pairs(
+    found: Tally, node: Stops, atlas: Atlas, count: int, rng: np.random.Generator
+) -> None:
+    """Random pairs of different families that each change something the other leaves."""
+    right = picture(atlas.scene, GRID).bytes
+    among = [
+        set(pair)
+        for pair in combinations(atlas.names, 2)
+        if BY_NAME[pair[0]].family != BY_NAME[pair[1]].family
+    ]
+    rng.shuffle(among)
+    goal = found.asked + count
+    for pair in among:
+        if found.asked == goal:
+            break
+        habits = HABITS[rng.integers(len(HABITS))]
+        both = picture(atlas.scene, GRID, frozenset(pair), habits).bytes
+        alone = [picture(atlas.scene, GRID, frozenset([name]), habits).bytes for name in pair]
+        # Where one hides the other wholly nobody could name both.
+        if all(changed(both, each) > CHANGED for each in alone):
+            tally(found, node, atlas, right, pair, habits)
+
+
+def cases(tallies: dict[str, Tally], seed: int) -> Iterator[Case]:
+    """The shares that are not named, in percent, with their bounds."""
+    single, pairs, right = (tallies[key] for key in ("single", "pairs", "right"))
+    for subject, metric, key, missing, asked in (
+        ("one mistake", "not first", "first", single.missing(single.first), single.asked),
+        ("one mistake", "not in three", "among three", single.missing(single.among), single.asked),
+        ("two mistakes", "not both in three", "pairs", pairs.missing(pairs.among), pairs.asked),
+        ("right pictures", "called wrong", "alarms", right.missing(right.first), right.asked),
+    ):  # fmt: skip
+        yield Case("recognition", subject, f"{metric}, %", BOUNDS[key], missing, asked, seed)
+
+
+def lines(tallies: dict[str, Tally]) -> Iterator[str]:
+    """How many were asked, and each that was not named."""
+    for kind, found in tallies.items():
+        alike = f", {np.mean(found.alike):.2f} names in the first answer" if found.alike else ""
+        yield f"  {kind}: {found.asked} pictures{alike}"
+        yield from (f"    not named: {each}" for each in found.missed)

@@ -1,0 +1,70 @@
+"""Students' mistakes are named: a small sample of what `raywalk bench --only mistakes` asks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from raywalk.bench import recognition
+from raywalk.bench.recognition import HABITS, SCRIPT, Atlas, Tally, tally, tally_pairs, tally_right
+from raywalk.mistakes.tracer import picture
+from raywalk.scene.read import read_scene
+from raywalk.stops.process import Stops
+
+SEED = 17
+SCENE = Path(__file__).parents[2] / "scenes" / "03-two-lights"
+
+
+@pytest.fixture(scope="module")
+def atlas(tmp_path_factory: pytest.TempPathFactory):
+    return Atlas(read_scene(SCENE), tmp_path_factory.mktemp("atlas"))
+
+
+@pytest.fixture(scope="module")
+def node():
+    with Stops(SCRIPT) as node:
+        yield node
+
+
+@pytest.mark.parametrize("n", [5, 33, 105, 128])
+def test_right_pictures_of_all_habits_are_called_right(atlas, node, n):
+    found = Tally()
+    tally_right(found, node, atlas, picture(atlas.scene, n).bytes)
+    assert found.first == found.asked == len(HABITS), found.missed
+
+
+@pytest.mark.parametrize("n", [105, 128])
+def test_a_single_mistake_is_the_first_answer(n, atlas, node):
+    """Every third that shows, from a seeded one on, with seeded habits."""
+    rng, found = np.random.default_rng(SEED + n), Tally()
+    right = picture(atlas.scene, n).bytes
+    for name in atlas.names[int(rng.integers(3)) :: 3]:
+        habits = HABITS[rng.integers(len(HABITS))]
+        tally(found, node, atlas, right, {name}, habits)
+    assert found.asked > 8
+    assert found.first == found.asked, found.missed
+
+
+def test_of_ten_pairs_seven_are_named(atlas, node):
+    """The bench asks 200 and wants 80 in 100; ten are named by chance once in a while less."""
+    found = Tally()
+    tally_pairs(found, node, atlas, 10, np.random.default_rng(SEED))
+    assert found.asked == 10
+    assert found.among >= 7, found.missed
+
+
+def test_what_is_no_mistake_that_we_know_is_not_named(atlas, node):
+    """Noise, black, white and another scene: no picture of a tracer with one mistake."""
+    right = picture(atlas.scene, 105).bytes
+    noise = np.random.default_rng(SEED).integers(0, 256, right.shape).astype(np.uint8)
+    other = picture(read_scene(SCENE.parent / "08-glass"), 105).bytes
+    for student in (noise, other, np.full_like(right, 255)):
+        found = atlas.ask(node, student, right)
+        assert not found["isRight"] and found["answers"] == []
+
+
+def test_a_tally_without_pictures_breaks_every_bound():
+    empty = {key: Tally() for key in ("single", "pairs", "right")}
+    assert not any(case.holds for case in recognition.cases(empty, SEED))
