@@ -1,6 +1,7 @@
 /** How right a picture is: shares, means, a heat map, and which simple change would make it fit much better. */
 import type { Picture } from "./formats/picture";
 import { FITS, type Fit } from "./fits";
+import { sampled } from "./layer";
 
 /** Steps of 255: what rounding makes, what is hardly seen, what is seen. */
 export const WITHIN = [1, 8, 32] as const;
@@ -64,12 +65,20 @@ const heatOf = (deviation: number) => HEAT[Math.min(Math.round(((STEPS_OF_HEAT -
 /** That of FITS which leaves least of the deviation, the earlier of equals, if that is little. */
 function betterFit(student: Picture, right: Picture, mean: number): Comparison["fits"] {
   if (mean < MENDED) return null;
+  const [own, expected] = [small(student), small(right)];
   let best = { as: FITS[0][0], mean: Infinity };
   for (const [as, changed] of FITS) {
-    const left = meanDeviation(student, changed(right));
+    const left = meanDeviation(own, changed(expected));
     if (left < best.mean) best = { as, mean: left };
   }
   return best.mean <= MUCH_BETTER * mean ? best : null;
+}
+
+/** A fine picture tells no more of its flips and curves than every so-maniest pixel of it. */
+const FINE_ENOUGH = 231;
+function small(picture: Picture): Picture {
+  if (picture.width <= FINE_ENOUGH) return picture;
+  return { ...picture, width: FINE_ENOUGH, height: FINE_ENOUGH, values: sampled(picture.values, picture.width, FINE_ENOUGH) };
 }
 
 function meanDeviation(a: Picture, values: ArrayLike<number>): number {

@@ -8,6 +8,8 @@ import { agreementOfPair } from "./together";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
+/** Blocks whose mean JPEG moves further than NOISE: fewer than this share. */
+const BLOCKS_OF_JPEG = 0.005;
 /** Among so many pixels a single one may hang on a rounding. */
 const ONE_MAY_BE_WRONG = 200;
 /** Of mistakes.json: the one that deviates the less the finer a picture is. */
@@ -91,6 +93,7 @@ export function recogniserOf(atlas: Atlas) {
         given = student;
       }
       const { seen, singles } = singlesOf(given, expected);
+      if (student.isLossy && looksPacked(seen.blocks)) return RIGHT_INDEED;
       const pairs = singles[0].agreement < EXPLAINED ? pairsOf(layers, singles, seen) : [];
       const isFaint = wrong.length < FEW * expected.width * expected.height;
       return ranked(singles, pairs, isFaint, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
@@ -109,6 +112,9 @@ const deviations = (layers: Layered<Layer>, of: Layered<Float32Array>): Layered<
 function areFew({ length }: number[], { width, height }: Picture): boolean {
   return length < RIGHT * width * height || (length === 1 && width * height >= ONE_MAY_BE_WRONG);
 }
+
+/** JPEG moves single pixels, and hardly the mean of a block. */
+const looksPacked = ({ sizes }: Deviation) => sizes.filter((size) => size > 0).length < BLOCKS_OF_JPEG * sizes.length;
 
 /** Of a deviation: what counts of it. */
 const amount = ({ weights }: Layer, { sizes }: Deviation) => sizes.reduce((sum, size, i) => sum + weights[i] * size, 0);

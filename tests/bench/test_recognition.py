@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from raywalk.bench import recognition
 from raywalk.bench.recognition import HABITS, SCRIPT, Atlas, Tally, tally, tally_pairs, tally_right
@@ -14,6 +16,10 @@ from raywalk.scene.read import read_scene
 from raywalk.stops.process import Stops
 
 SEED = 17
+NONE_AND_ONE: tuple[frozenset[str], frozenset[str]] = (
+    frozenset(),
+    frozenset({"shadows-forgotten"}),
+)
 SCENE = Path(__file__).parents[2] / "scenes" / "03-two-lights"
 
 
@@ -63,6 +69,20 @@ def test_what_is_no_mistake_that_we_know_is_not_named(atlas, node):
     for student in (noise, other, np.full_like(right, 255)):
         found = atlas.ask(node, student, right)
         assert not found["isRight"] and found["answers"] == []
+
+
+def test_a_good_jpeg_of_the_right_picture_is_called_right(atlas, node, tmp_path):
+    """Quality 90: single pixels are up to 30 steps away, means of blocks are not."""
+    right, wrong = (picture(atlas.scene, 231, names).bytes for names in NONE_AND_ONE)
+    (tmp_path / "right").write_bytes(b"P6 231 231 255\n" + right.tobytes())
+    found = []
+    for values in (right, wrong):
+        Image.fromarray(values).save(tmp_path / "own.jpg", quality=90)
+        named = {"picture": str(tmp_path / "own.jpg"), "right": str(tmp_path / "right")}
+        atlas_file = str(atlas.folder / "atlas.json")
+        found.append(json.loads(node.ask({"do": "recognise", "atlas": atlas_file, **named})))
+    assert found[0]["isRight"]
+    assert found[1]["answers"][0]["names"] == ["shadows-forgotten"]
 
 
 def test_a_tally_without_pictures_breaks_every_bound():
