@@ -72,12 +72,12 @@ def test_what_is_no_mistake_that_we_know_is_not_named(atlas, node):
 
 
 def test_a_good_jpeg_of_the_right_picture_is_called_right(atlas, node, tmp_path):
-    """Quality 90: single pixels are up to 30 steps away, means of blocks are not."""
+    """Quality 90, colours at full size: single pixels are up to 30 steps away, means of blocks are not."""
     right, wrong = (picture(atlas.scene, 231, names).bytes for names in NONE_AND_ONE)
     (tmp_path / "right").write_bytes(b"P6 231 231 255\n" + right.tobytes())
     found = []
     for values in (right, wrong):
-        Image.fromarray(values).save(tmp_path / "own.jpg", quality=90)
+        Image.fromarray(values).save(tmp_path / "own.jpg", quality=90, subsampling=0)
         named = {"picture": str(tmp_path / "own.jpg"), "right": str(tmp_path / "right")}
         atlas_file = str(atlas.folder / "atlas.json")
         found.append(json.loads(node.ask({"do": "recognise", "atlas": atlas_file, **named})))
