@@ -22,6 +22,8 @@ const SURE = 0.8;
 const KNOWN = 0.5;
 /** But where so few pixels are wrong, noise is much of what is seen: then one that agrees this far, so many times better than any other. */
 const [FEW, FAINT, AHEAD] = [0.02, 0.12, 3];
+/** Speckles of another size fall elsewhere: half of an agreement is lost, but no other agrees half as far. */
+const [SPECKLED, TWICE] = [0.25, 2];
 /** A second mistake is named if it leaves less than this share of what the first leaves unexplained. */
 const LEFT_BY_SECOND = 0.7;
 /** One that leaves less than this is worth a look: it stands behind the first, though not as one of two. */
@@ -153,7 +155,8 @@ function ranked(singles: Scored[], pairs: Scored[], isFaint: boolean, namesOf: (
   const answers: Answer[] = [];
   const names = namesOf(single.references[0]);
   const next = singles.find(({ references: [one] }) => !names.includes(one.name))?.agreement ?? 0;
-  if (isFaint && single.agreement < KNOWN && single.agreement >= FAINT && single.agreement > AHEAD * next) answers.push({ names, agreement: single.agreement });
+  const [least, ahead] = isFaint ? [FAINT, AHEAD] : [SPECKLED, TWICE];
+  if (single.agreement < KNOWN && single.agreement >= least && single.agreement > ahead * next) answers.push({ names, agreement: single.agreement });
   for (const { references: [one], agreement } of [...(isPair ? [] : [single]), ...ofPairs, ...singles]) {
     if (answers.length === ANSWERS) break;
     if (agreement < KNOWN) continue;
