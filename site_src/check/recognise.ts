@@ -27,9 +27,9 @@ const [SPECKLED, TWICE] = [0.25, 2];
 /** A second mistake is named if it leaves less than this share of what the first leaves unexplained. */
 const LEFT_BY_SECOND = 0.7;
 /** One that leaves less than this is worth a look: it stands behind the first, though not as one of two. */
-const LEFT_BY_PERHAPS = 0.97;
-/** Two mistakes are not looked for where one explains so much. */
-const EXPLAINED = 0.97;
+const LEFT_BY_PERHAPS = 0.995;
+/** Where one explains so much no two are told, and from the second figure on none is looked for beside it. */
+const [EXPLAINED, WHOLLY] = [0.97, 0.998];
 const ANSWERS = 3;
 const BLOCK = 7; // pixels along: of the grid's 231, 33 blocks
 const PAIRS_LOOKED_AT = 16; // of all, by all pixels
@@ -96,7 +96,7 @@ export function recogniserOf(atlas: Atlas) {
       }
       const { seen, singles } = singlesOf(given, expected);
       if (student.isLossy && looksPacked(seen.blocks)) return RIGHT_INDEED;
-      const pairs = singles[0].agreement < EXPLAINED ? pairsOf(layers, singles, seen) : [];
+      const pairs = singles[0].agreement < WHOLLY ? pairsOf(layers, singles, seen) : [];
       const isFaint = wrong.length < FEW * expected.width * expected.height;
       return ranked(singles, pairs, isFaint, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
     },
@@ -148,7 +148,7 @@ function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Deviat
 /** One is believed before two: of these the one that explains more comes first. */
 function ranked(singles: Scored[], pairs: Scored[], isFaint: boolean, namesOf: (reference: Reference) => string[]): Recognised {
   const [single, pair] = [singles[0], pairs[0]];
-  const isPair = !!pair && 1 - pair.agreement < LEFT_BY_SECOND * (1 - single.agreement);
+  const isPair = !!pair && single.agreement < EXPLAINED && 1 - pair.agreement < LEFT_BY_SECOND * (1 - single.agreement);
   const alone = new Map(singles.map(({ references: [one], agreement }) => [one, agreement]));
   const better = pairs.filter(({ agreement }) => 1 - agreement < (isPair ? 1 : LEFT_BY_PERHAPS) * (1 - single.agreement));
   const ofPairs = better.flatMap(({ references, agreement }) => [...references].sort((a, b) => alone.get(b)! - alone.get(a)!).map((one) => ({ references: [one], agreement })));
