@@ -214,4 +214,18 @@ test("while a question waits, the card keeps the numbers to itself", async () =>
   assert.equal(await page.locator(".card-body").isVisible(), true);
 });
 
+test("before it is pressed the small picture says what is under the pointer, and keeps it to itself while a question waits", async () => {
+  const { scene, trace } = await readTrace(rich.id, 15);
+  const says = async ([column, row]) => {
+    const { x, y, width, height } = await page.locator(".picture-frame").boundingBox();
+    await page.mouse.move(x + ((column + 0.5) * width) / 15, y + ((row + 0.5) * height) / 15);
+    return page.locator(".picture-frame").getAttribute("title");
+  };
+  await open(page, ON_DISK, rich.path, START);
+  for (const pixel of [[5, 8], [9, 7], [0, 0]]) assert.equal(await says(pixel), scene.objects[trace.object[trace.pixel.indexOf(pixel[1] * 15 + pixel[0])]]?.name ?? "background");
+  const asking = scene.lesson.findIndex((step) => step.answer);
+  await follow(page, `${START}&step=${asking + 1}`);
+  assert.equal(await says([5, 8]), "");
+});
+
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));

@@ -7,6 +7,7 @@ import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { element } from "../element";
+import { createPointed } from "./pointed";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken
 
@@ -32,10 +33,12 @@ export function createSpoken(home: HTMLElement) {
   root.setAttribute("aria-live", "polite");
   home.append(root);
   const spoken = memo<void>();
+  const pointed = createPointed(home);
   let timer = 0;
   return {
     show(state: ViewState, scene: SceneData, trace: Trace | null, isCovered: boolean) {
       const isBusy = !trace || isCovered || state.playing || state.tiles === "filling" || state.event !== null; // an event's sentence is read out where it stands
+      pointed.show(state, scene, isCovered ? null : trace);
       spoken(isBusy ? [] : [trace, pixelIndex(state)], () => {
         clearTimeout(timer);
         if (!isBusy) timer = window.setTimeout(() => (root.textContent = selectionInWords(state, scene, trace)), RESTS);
