@@ -72,7 +72,7 @@ def test_what_is_no_mistake_that_we_know_is_not_named(atlas, node):
 
 
 def test_a_good_jpeg_of_the_right_picture_is_called_right(atlas, node, tmp_path):
-    """Quality 90, colours at full size: single pixels are up to 30 steps away, means of blocks are not."""
+    """Quality 90, colours at full size: single pixels are up to 30 steps away, means are not."""
     right, wrong = (picture(atlas.scene, 231, names).bytes for names in NONE_AND_ONE)
     (tmp_path / "right").write_bytes(b"P6 231 231 255\n" + right.tobytes())
     found = []
