@@ -5,10 +5,12 @@ import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 
 export function createPointed(home: HTMLElement) {
-  const frame = home.querySelector<HTMLElement>(".picture-frame")!;
   let nameAt: (column: number, row: number) => string = () => "";
   let n = 1;
-  frame.addEventListener("pointermove", ({ clientX, clientY }) => {
+  // The picture moves between the card and the stage: its place is asked of the event.
+  home.addEventListener("pointermove", ({ target, clientX, clientY }) => {
+    const frame = target instanceof Element && target.closest<HTMLElement>(".picture-frame");
+    if (!frame) return;
     const { left, top, width, height } = frame.getBoundingClientRect();
     const place = (share: number) => Math.max(0, Math.min(n - 1, Math.floor(n * share)));
     frame.title = nameAt(place((clientX - left) / width), place((clientY - top) / height));
