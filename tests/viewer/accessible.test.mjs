@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, richScene, settled, state, stats, until } from "./browser.mjs";
+import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, reload, richScene, settled, state, stats, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -121,8 +121,7 @@ test("axe finds nothing wrong in a German kiosk", async () => {
   await page.locator(".kiosk-begin").waitFor();
   await look("a kiosk that shows itself");
   await page.evaluate(() => (location.hash = "kiosk=1&visitor=1&still=1&gl=none"));
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
+  await reload(page);
   await look("a kiosk with a visitor");
   await page.evaluate(() => document.querySelector(".kiosk-warning").showModal());
   await look("a kiosk's warning");

@@ -1,7 +1,7 @@
 /** The whole view is in the address. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, openDrawer, press, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openDrawer, press, reload, richScene, scenesOfSite, state, stats, until } from "./browser.mjs";
 
 const rich = richScene();
 const QUICK = "still=1&gl=none";
@@ -29,9 +29,7 @@ test("a moved observer comes back where it was", async () => {
   await page.getByRole("button", { name: "Turn the view left" }).click();
   await hashWith("cam=");
   const eye = (await stats(page)).eye;
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
-  await until(page, (s, t) => t.eye !== null);
+  await reload(page);
   for (const [k, value] of (await stats(page)).eye.entries()) assert.ok(Math.abs(value - eye[k]) < 1e-3);
 });
 

@@ -71,6 +71,16 @@ export async function open(page, base, path, hash = "") {
   await page.goto("about:blank"); // what the page before still asks for is asked from its home
   page.home = base;
   await page.goto(`${base}${path}${hash && `#${hash}`}`);
+  await isWhole(page);
+}
+
+/** Loads the page anew and waits as `open` does: the scene alone is ready before anything of it is drawn. */
+export async function reload(page) {
+  await page.reload();
+  await isWhole(page);
+}
+
+async function isWhole(page) {
   await whilePassing(page, page.evaluate(() => window.raywalk?.ready));
   await whilePassing(page, page.evaluate(() => window.raywalk?.whole), 50); // they wait for idle time
   await settled(page);

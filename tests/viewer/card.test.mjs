@@ -1,7 +1,7 @@
 /** The ray card: its numbers are the trace's; list, tree, sum and copies say the same; a click goes to the ray's event. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseTab, follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { chooseTab, follow, launch, newPage, ON_DISK, open, press, reload, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -78,8 +78,7 @@ test("tabs show one panel or none, by click and by arrow key; the choice is part
   assert.deepEqual(await visible(), ["sums"]);
   assert.deepEqual((await state(page)).pixel, [5, 8], "the arrows belong to the tabs");
   await page.waitForFunction(() => location.hash.includes("tab=sum"));
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
+  await reload(page);
   await page.locator(".sums").waitFor();
   assert.deepEqual(await visible(), ["sums"]);
   await tab("How the pixel").click();

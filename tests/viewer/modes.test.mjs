@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { chooseTab, DIST, launch, newPage, ON_DISK, open, openMenu, press, richScene, settled, state, until } from "./browser.mjs";
+import { chooseTab, DIST, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, settled, state, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -145,8 +145,7 @@ test("a lecture's page is light, large, in the address, and shows pressed keys",
   assert.ok(large >= 1.2 * plain); // how large in a hall: lecture.test.mjs
   assert.match(await page.locator(".key-sign").innerText(), /H\s+rays of the selected row/);
   await page.waitForFunction(() => location.hash.includes("projector=1"));
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
+  await reload(page);
   assert.equal((await state(page)).projector, true);
   await press(page, "2");
   await until(page, (s, t) => t.shown.scene === s.scene && t.shown.scene.startsWith("02"));
@@ -212,8 +211,7 @@ test("the pseudo-code has a tab of the card, marks the current event's line, als
   assert.match(of.get("reflected"), /trace\(reflected\)/);
   assert.match(of.get("pixel"), /^pixel/);
   await page.waitForFunction(() => location.hash.includes("tab=code"));
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
+  await reload(page);
   await code.waitFor();
   const asking = await page.evaluate(() => window.raywalk.lesson().findIndex((step) => step.answer));
   await open(page, ON_DISK, rich.path, `still=1&gl=none&step=${asking + 1}&tab=code`);

@@ -1,7 +1,7 @@
 /** Switches and tile views on the page: by key, by mouse, by finger, from a link; all parts follow at once. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, keyedScenes, settled, state, stats, tileOnPage, until } from "./browser.mjs";
+import { follow, keyedScenes, launch, newPage, ON_DISK, open, openDrawer, press, reload, richScene, settled, state, stats, tileOnPage, until } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -168,8 +168,7 @@ test("switches and tile view are in the address and come back after a reload", a
   await page.waitForFunction(() => location.hash.includes("colours="));
   const before = await state(page);
   assert.match(decodeURIComponent(hash()), /if=b9,l1x0,-shadows/);
-  await page.reload();
-  await page.evaluate(() => window.raywalk.ready);
+  await reload(page);
   await until(page, (s, t) => t.tiles.length > 0);
   assert.deepEqual(await state(page), before);
   await panel().waitFor(); // what is switched is there to be seen; its part comes when asked for
