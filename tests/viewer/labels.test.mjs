@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { follow, launch, newPage, ON_DISK, open, scenesOfSite, settled, stats } from "./browser.mjs";
+import { seenWithin } from "./on-screen.mjs";
 import { pixelOf, randomFrom } from "./random.mjs";
 import { readScene } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
@@ -30,14 +31,8 @@ const labels = () =>
     });
   });
 
-/** Is the line seen within the box? By its points, a third of a pixel or less apart. */
-function passes({ from, to }, { left, top, right, bottom }, project) {
-  for (let k = 0; k <= 6000; k++) {
-    const { x, y, depth } = project(add(from, scale(sub(to, from), k / 6000)));
-    if (depth > 0 && x > left - HALF_LINE && x < right + HALF_LINE && y > top - HALF_LINE && y < bottom + HALF_LINE) return true;
-  }
-  return false;
-}
+/** With the width of a line round it. */
+const widened = ({ left, top, right, bottom }) => ({ left: left - HALF_LINE, top: top - HALF_LINE, right: right + HALF_LINE, bottom: bottom + HALF_LINE });
 
 /** Does the ray from the eye meet the object's unit ball, or its box? In the object's own space. */
 function meets(object, eye, way) {
@@ -91,7 +86,7 @@ for (const [width, height, query] of SIZES)
         all += words.length;
         const where = `${id} ${pixel.join()}`;
         for (const word of words) {
-          for (const line of lines) assert.ok(!passes(line, word, projection.project), `${where}: "${word.text}" lies on a line`);
+          for (const line of lines) assert.ok(!seenWithin(line, widened(word), projection.project), `${where}: "${word.text}" lies on a line`);
           for (let x = word.left; x <= word.right; x += 3)
             for (let y = word.top; y <= word.bottom; y += 3) {
               const way = add(scale(projection.forward, projection.focal), add(scale(projection.right, x - wide / 2), scale(projection.up, high / 2 - y)));
