@@ -67,9 +67,10 @@ for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]]
   for (const home of ["", "de/"])
     test(`at ${width} x ${height} no part of the card lies on another, whichever tab is open (${home || "en"})`, async () => {
       await size(page, width, height);
-      for (const { path } of [rich, scenesOfSite()[0]])
+      for (const { path } of [rich, scenesOfSite()[0]]) {
+        await open(page, ON_DISK, home + path, QUICK);
         for (const tab of ["none", "rays", "sum", "tree", "code"]) {
-          await open(page, ON_DISK, home + path, `${QUICK}&tab=${tab}`);
+          await follow(page, `${QUICK}&tab=${tab}`);
           if (tab !== "none") await page.locator(`#panel-card-${tab} > *`).waitFor();
           const lies = await page.evaluate(() => {
             const parts = [...document.querySelectorAll(".side :is(.card-head > *, .shares-bar, .shares, .tabs, .tab-panel, .legend, .savings)")].filter((e) => e.checkVisibility() && e.offsetHeight);
@@ -79,6 +80,7 @@ for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]]
           });
           assert.deepEqual([...new Set(lies)], [], `${path} ${tab}`);
         }
+      }
     });
 
 test("the pixel's name and colour have room for three digits each: nothing beside them moves", async () => {
