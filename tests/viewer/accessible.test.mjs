@@ -94,8 +94,7 @@ for (const home of ["", "de/"]) {
   test(`axe finds nothing wrong (${language}) on the other pages`, async () => {
     const wrong = [];
     for (const path of [...PAGES.map((each) => home + each), ...(home ? [] : PAGES_OF_ENGLISH)]) {
-      await page.goto(`${server.url}${path}`);
-      await page.evaluate(() => window.raywalk?.ready);
+      await open(page, server.url, path);
       wrong.push(...(await violations(page, !home)).map((each) => `${path}: ${each}`));
     }
     // As a browser without scripts shows them; axe is one itself.
@@ -117,10 +116,10 @@ for (const home of ["", "de/"]) {
 test("axe finds nothing wrong in a German kiosk", async () => {
   const wrong = [];
   const look = async (name) => wrong.push(...(await violations(page, false)).map((each) => `${name}: ${each}`));
-  await open(page, server.url, `de/${rich.path}`, "kiosk=1&attract-pace=60&still=1&gl=none");
+  await open(page, server.url, `de/${rich.path}`, "kiosk=1&attract-pace=600&still=1&gl=none");
   await page.locator(".kiosk-begin").waitFor();
   await look("a kiosk that shows itself");
-  await page.evaluate(() => (location.hash = "kiosk=1&visitor=1&still=1&gl=none"));
+  await page.evaluate(() => (location.hash = "kiosk=1&idle=3600&visitor=1&still=1&gl=none"));
   await reload(page);
   await look("a kiosk with a visitor");
   await page.evaluate(() => document.querySelector(".kiosk-warning").showModal());
@@ -227,7 +226,7 @@ for (const home of ["", "de/"])
       assert.deepEqual([wide, outside], [0, []], hash);
     }
     for (const path of [...PAGES.map((each) => home + each), ...(home ? [] : PAGES_OF_ENGLISH)]) {
-      await page.goto(`${server.url}${path}`);
+      await open(page, server.url, path);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, path);
     }
     await page.setViewportSize({ width: 1280, height: 800 });

@@ -50,7 +50,8 @@ export async function newPage(browser, { worker = false, held = false, sharp = f
   page.setDefaultTimeout(PATIENCE);
   const evaluate = page.evaluate.bind(page);
   page.evaluate = (...what) => inTime(evaluate(...what), `the page never answered: ${what[0]}`);
-  if (held) {
+  if (!held) await page.addInitScript(patient);
+  else {
     await page.clock.install({ time: 0 });
     await page.clock.pauseAt(3_600_000); // it ran until now
     page.isHeld = true;
@@ -64,6 +65,14 @@ export async function newPage(browser, { worker = false, held = false, sharp = f
     if (!url.startsWith(home) && !/^(data|blob):/.test(url)) page.faults.push(`outside request: ${url}`);
   });
   return page;
+}
+
+/** In the page: what ends after seconds (a tick, a sentence, patience with slow data) lasts. How long a machine takes until a
+ *  test looks is nothing that a page is asked about, and time itself is asked of held pages. */
+function patient() {
+  const SECONDS = 1500; // ms: the shortest of those
+  const { setTimeout } = window;
+  window.setTimeout = (act, ms, ...more) => setTimeout(act, ms >= SECONDS ? 3_600_000 : ms, ...more);
 }
 
 /** Goes there and waits until the viewer has drawn and all its parts are here. base: ON_DISK or a server's url. */
@@ -80,10 +89,22 @@ export async function reload(page) {
   await isWhole(page);
 }
 
-async function isWhole(page) {
+/** Of a page that a link or another page has opened: waits as `open` does. page: or a frame. */
+export async function isWhole(page) {
   await whilePassing(page, page.evaluate(() => window.raywalk?.ready));
   await whilePassing(page, page.evaluate(() => window.raywalk?.whole), 50); // they wait for idle time
   await settled(page);
+}
+
+/** The scene's page in a frame of another page, once it is whole. isStranger: of another origin, where without a screen there
+ *  is no idle time; its parts come when they are asked for. */
+export async function framedIn(page, isStranger = false) {
+  const frame = await (await page.locator("iframe").elementHandle()).contentFrame();
+  await frame.waitForFunction(() => window.raywalk);
+  if (!isStranger) await inTime(isWhole(frame), "the frame was never whole");
+  await frame.evaluate(() => window.raywalk.ready);
+  await settled(frame);
+  return frame;
 }
 
 /** Another view in a page that is open, as a link to it would give: quicker than loading it anew. */
@@ -166,6 +187,8 @@ export async function until(page, what, argument) {
   await poll(page, `window.raywalk?.state() ? !!(${what})(window.raywalk.state(), window.raywalk.stats(), ${JSON.stringify(argument) ?? null}) : false`, Boolean, () => `never came true: ${what}`);
   if (page.isHeld) await settled(page);
 }
+/** Until the page shows this scene with its rays. Before them it shows the scene alone, and the address is not written yet. */
+export const showsScene = (page, id) => until(page, (s, t, id) => t.shown.scene === id && t.tiles.length > 0, id);
 /** Asks until the answer is right. On a held page time passes meanwhile, by more and more at once; by single milliseconds
  *  while something is on its way, because what is slow then is this machine and not what the page waits for. */
 async function poll(page, expression, isRight, complaint) {

@@ -1,7 +1,7 @@
 /** The scene chooser: chapters of the course, in them its scenes, at any number of them. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, openChooser, scenesOfSite, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, openChooser, scenesOfSite, settled, until } from "./browser.mjs";
 
 const scenes = scenesOfSite();
 let browser, page;
@@ -56,6 +56,7 @@ test("the first page leads to each chapter", async () => {
   const names = await links.allInnerTexts();
   assert.deepEqual(names, await home.locator(".chapter-name").allInnerTexts());
   await links.last().click();
+  await settled(home); // it is scrolled there with the next frame
   const [heading, seen] = await home.locator(".chapter-name").last().evaluate((each) => [each.getBoundingClientRect(), innerHeight]);
   assert.ok(heading.top >= 0 && heading.bottom <= seen, `${heading.top} to ${heading.bottom} of ${seen}`);
   assert.deepEqual(home.faults, []);

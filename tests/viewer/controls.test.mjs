@@ -1,7 +1,7 @@
 /** Every control of VIEWER.md up to R: by key, by pointer and by its button; what depends on where the page comes from, from a server too. */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, pass, pictureOf, press, reach, richScene, scenesOfSite, settled, state, stats, tileOnPage, until, DIST } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, pass, pictureOf, press, reach, reload, richScene, scenesOfSite, settled, showsScene, state, stats, tileOnPage, until, DIST } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const scenes = scenesOfSite();
@@ -217,39 +217,39 @@ for (const where of ["a disk", "a server, in a folder"]) {
     });
 
     test("scene keys and Page up/down change the scene without loading a page, and Back goes back", async () => {
-      await open(page, base(), rich.path, "still=1");
+      await open(page, base(), rich.path, `still=1&${FLAT}`);
       await page.evaluate(() => (window.sameDocument = true));
       const keyed = scenes.filter((scene) => scene.key && scene.id !== rich.id).slice(0, 2);
       for (const scene of keyed) {
         await press(page, scene.key);
-        await until(page, (s, t, id) => t.shown.scene === id, scene.id);
+        await showsScene(page, scene.id);
         assert.equal(await page.locator("nav.scenes a[aria-current]").getAttribute("data-scene"), scene.id);
         if (where === "a disk") assert.match(page.url(), new RegExp(`scene=${scene.id}`));
         else assert.ok(page.url().includes(scene.path.replace(/index\.html$/, "")));
       }
       await page.goBack();
-      await until(page, (s, t, id) => t.shown.scene === id, keyed[0].id);
+      await showsScene(page, keyed[0].id);
       const at = scenes.findIndex((scene) => scene.id === keyed[0].id);
       const before = scenes.at(at - 1).id;
       await press(page, "PageUp"); // PageDown would begin the lesson
-      await until(page, (s, t, id) => t.shown.scene === id, before);
+      await showsScene(page, before);
       for (const [name, id] of [["Next scene", keyed[0].id], ["Previous scene", before], ["Next scene", keyed[0].id]]) {
         await openChooser(page);
         await page.getByRole("link", { name }).click();
-        await until(page, (s, t, id) => t.shown.scene === id, id);
+        await showsScene(page, id);
         assert.equal(await page.locator("nav.scenes").isVisible(), false, "chosen, it closes");
       }
       await openChooser(page);
       await page.locator(`nav.scenes a[data-scene="${scenes[(at + 1) % scenes.length].id}"]`).click();
-      await until(page, (s, t, id) => t.shown.scene === id, scenes[(at + 1) % scenes.length].id);
+      await showsScene(page, scenes[(at + 1) % scenes.length].id);
       assert.equal(await page.evaluate(() => window.sameDocument), true);
     });
 
     test("that page, loaded anew, is the scene it was left at", async () => {
       const { scene } = await state(page);
-      await page.reload();
-      await until(page, (s, t, id) => t.shown.scene === id, scene);
-      await open(page, base(), rich.path, "still=1");
+      await reload(page);
+      assert.equal((await stats(page)).shown.scene, scene);
+      await open(page, base(), rich.path, `still=1&${FLAT}`);
     });
 
     onDisk("keys leave Ctrl, Alt and text fields alone", async () => {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { atRest, DIST, launch, newPage, open, openMenu, openScene, pass, press, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { atRest, DIST, framedIn, launch, newPage, open, openMenu, openScene, pass, press, richScene, scenesOfSite, settled, showsScene, state, stats, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -192,7 +192,7 @@ const FAULTS = [
     async then() {
       await thePlainPageIsThere();
       await openScene(page, other.id);
-      await until(page, (s, t, id) => t.shown.scene === id, other.id);
+      await showsScene(page, other.id);
       assert.ok(await isQuiet());
     },
   },
@@ -208,7 +208,7 @@ const FAULTS = [
       await theRestWorks();
       await wholeAgain();
       await again();
-      await until(page, (s, t, id) => t.shown.scene === id, other.id);
+      await showsScene(page, other.id);
       assert.ok(await isQuiet());
     },
   },
@@ -321,7 +321,7 @@ for (const fault of FAULTS)
     await fault.make?.();
     await open(page, server.url, `${(fault.scene ?? rich).path}${fault.query ?? ""}`, fault.hash ?? "still=1&gl=none");
     await fault.act?.();
-    await settled(page);
+    await atRest(page); // a picture that does not come is known later than the scene
     if (fault.says) assert.match(await notice(), fault.says);
     else assert.ok(await isQuiet());
     await fault.then();
@@ -457,14 +457,14 @@ test("three scenes in a row while they load slowly: only the last one is shown, 
   });
   await open(page, server.url, rich.path, "still=1&gl=none");
   for (const id of ids.slice(0, 3)) await openScene(page, id);
-  await until(page, (s, t, id) => t.shown.scene === id, ids[2]);
+  await showsScene(page, ids[2]);
   lastIsShown.open();
   await atRest(page); // the others have come
   assert.equal((await state(page)).scene, ids[2]);
   assert.match(page.url(), new RegExp(ids[2]));
   assert.ok(await isQuiet());
   await page.goBack();
-  await until(page, (s, t, id) => t.shown.scene === id, rich.id);
+  await showsScene(page, rich.id);
   await openScene(page, ids[3]);
   await openScene(page, rich.id);
   await atRest(page);
@@ -486,7 +486,7 @@ test("three grids in a row while they load slowly: only the last one is shown; a
   assert.deepEqual([(await stats(page)).shown.n, (await stats(page)).tiles.length], [n, 3 * n * n]);
   await openScene(page, other.id);
   await page.keyboard.press("+");
-  await until(page, (s, t, id) => t.shown.scene === id, other.id);
+  await showsScene(page, other.id);
   assert.ok(await isQuiet());
   await wholeAgain();
 });
@@ -533,9 +533,7 @@ test("in a frame that may not keep, save or write anything the scene is there", 
   const frame = `<!doctype html><title>Course</title><iframe sandbox="allow-scripts" src="${server.url}${rich.path}?embed#still=1&gl=none" width="900" height="640" title="Ray walk"></iframe>`;
   await answer("**/course.html", (route) => route.fulfill({ contentType: "text/html", body: frame }));
   await page.goto(`${server.url}course.html`);
-  const inner = await (await page.locator("iframe").elementHandle()).contentFrame();
-  await inner.waitForFunction(() => window.raywalk?.state());
-  await inner.evaluate(() => window.raywalk.ready);
+  const inner = await framedIn(page, true); // what is sandboxed has no origin
   await inner.getByRole("slider", { name: "Event" }).press("ArrowRight");
   await inner.locator(".event-says").waitFor();
   assert.equal(await inner.evaluate(() => window.raywalk.state().event), 0);

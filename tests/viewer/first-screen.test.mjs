@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, reach, richScene, scenesOfSite, stats } from "./browser.mjs";
+import { follow, framedIn, launch, newPage, ON_DISK, open, press, reach, richScene, scenesOfSite, stats } from "./browser.mjs";
 
 const rich = richScene();
 const MOST_CONTROLS = 20; // that can be reached before anything is opened, the skip link among them
@@ -97,12 +97,7 @@ async function course(query, hash, [width, height]) {
   const file = join(folder, `course-${width}${query}${hash.length}.html`.replace("?", "-"));
   writeFileSync(file, `<!doctype html><title>Course</title><p>Rays</p><iframe src="${ON_DISK}${rich.path}${query}#${hash}" width="${width}" height="${height}" style="border:0" title="Ray walk"></iframe><div style="height: 3000px">More</div>`);
   await outer.goto(pathToFileURL(file).href);
-  const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
-  await frame.waitForFunction(() => window.raywalk?.state());
-  await frame.evaluate(() => window.raywalk.ready);
-  await frame.locator(".embed-bar a").waitFor(); // its part comes by itself
-  await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));
-  return frame;
+  return framedIn(outer);
 }
 
 // However it is asked for: the smaller frame shows it.

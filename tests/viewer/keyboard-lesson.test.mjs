@@ -1,7 +1,7 @@
 /** The lesson of scene 2 by keyboard alone: pressed keys, no pointer, and always to be seen where one is. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, keyedScenes, settled, state } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, keyedScenes, settled, state } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const { id, path } = keyedScenes()[1];
@@ -56,8 +56,7 @@ const fits = async (step, revealed) => {
 };
 
 test(`${id} by keyboard alone: from the address to the last answer, ${lesson.length} steps, each question revealed`, async () => {
-  await page.goto(ON_DISK + path);
-  await page.evaluate(() => window.raywalk.ready);
+  await open(page, ON_DISK, path, "gl=none"); // the flat stage: keys are the same on both
   await tabTo("Start the lesson", TO_START);
   await page.keyboard.press("Enter");
   await fits(0, false);

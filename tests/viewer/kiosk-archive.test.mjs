@@ -27,8 +27,8 @@ before(async () => {
   const zip = join(place, "raywalk-kiosk.zip");
   execFileSync(PYTHON, ["-m", "raywalk", "kiosk", "--site", DIST, "--out", zip]);
   execFileSync(PYTHON, ["-c", UNPACK, zip, place]);
-  script = spawn(join(place, "raywalk-kiosk/start-linux.sh"), ["idle=90&warn=1&attract-pace=0.4"], {
-    env: { ...process.env, RAYWALK_PROFILE: profile, RAYWALK_ONCE: "1", RAYWALK_BROWSER: process.env.CHROMIUM ?? "/usr/bin/chromium", RAYWALK_FLAGS: "--headless=new --no-sandbox --remote-debugging-port=0 --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr" },
+  script = spawn(join(place, "raywalk-kiosk/start-linux.sh"), ["idle=3600&warn=1&attract-pace=0.4"], {
+    env: { ...process.env, RAYWALK_PROFILE: profile, RAYWALK_ONCE: "1", RAYWALK_BROWSER: process.env.CHROMIUM ?? "/usr/bin/chromium", RAYWALK_FLAGS: "--headless=new --no-sandbox --remote-debugging-port=0 --window-size=800,600 --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr" },
     stdio: ["ignore", "ignore", "pipe"],
     detached: true, // a group of its own: it ends with all that it started
   });
@@ -37,8 +37,10 @@ before(async () => {
   for (const end = Date.now() + PATIENCE; !existsSync(ports) || !readFileSync(ports, "utf8").includes("\n"); await new Promise((done) => setTimeout(done, 50)))
     assert.ok(Date.now() < end && script.exitCode === null, `the script did not start a browser: ${said.join("")}`);
   browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(ports, "utf8").split("\n")[0]}`, { timeout: PATIENCE });
-  page = browser.contexts()[0].pages().find((each) => each.url().includes("kiosk=1"));
-  assert.ok(page, "its page");
+  for (const end = Date.now() + PATIENCE; !page; await new Promise((done) => setTimeout(done, 50))) {
+    page = browser.contexts()[0].pages().find((each) => each.url().includes("kiosk=1")); // at first a window has no address yet
+    assert.ok(Date.now() < end, "its page");
+  }
   page.setDefaultTimeout(PATIENCE);
   page.faults = [];
   page.on("console", (message) => page.faults.push(`console ${message.type()}: ${message.text()}`));

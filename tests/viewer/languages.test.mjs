@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, openMenu, PATIENCE, press, richScene, scenesOfSite, state, stats } from "./browser.mjs";
+import { DIST, isWhole, launch, newPage, ON_DISK, open, openMenu, PATIENCE, press, richScene, scenesOfSite, showsScene, state, stats } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -42,7 +42,7 @@ for (const where of ["a disk", "a server, in a folder"])
       await openMenu(page);
       assert.equal(await language().innerText(), name);
       await Promise.all([page.waitForURL((url) => url.pathname.includes("/de/") === (code === "de")), language().click()]);
-      await page.evaluate(() => window.raywalk.ready);
+      await isWhole(page);
       assert.equal(await page.locator("html").getAttribute("lang"), code);
       assert.deepEqual(await state(page), before);
     }
@@ -52,11 +52,10 @@ test("after another scene was opened in the page, the link leads to that one", a
   const other = scenesOfSite().find(({ key, id }) => key && id !== rich.id);
   await open(page, server.url, rich.path, QUICK);
   await press(page, other.key);
-  await page.waitForFunction((id) => window.raywalk.state().scene === id, other.id);
-  await page.waitForURL(`**/${other.id}/**`);
+  await showsScene(page, other.id);
   await openMenu(page);
   await Promise.all([page.waitForURL("**/de/**"), language().click()]);
-  await page.evaluate(() => window.raywalk.ready);
+  await isWhole(page);
   assert.equal((await state(page)).scene, other.id);
 });
 
@@ -67,7 +66,7 @@ test("the language is remembered: the first page opens in it, a scene's address 
   await fresh.goto(`${server.url}index.html`);
   assert.equal(await fresh.locator("html").getAttribute("lang"), "en");
   await Promise.all([fresh.waitForURL("**/de/index.html"), language(fresh).click()]);
-  await fresh.goto(`${server.url}index.html`);
+  await fresh.goto(`${server.url}index.html`, { waitUntil: "commit" }); // from there it goes on by itself
   await fresh.waitForURL("**/de/index.html");
   await fresh.goto(`${server.url}${rich.path}`);
   assert.equal(await fresh.locator("html").getAttribute("lang"), "en");

@@ -1,7 +1,7 @@
 /** A lecture: what can be read from the last row, what goes while the pointer rests, and what a clicker does. */
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, state, until } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state } from "./browser.mjs";
 import { readScene, readWords } from "./scene-files.mjs";
 
 const rich = richScene();
@@ -139,7 +139,7 @@ test("a clicker has Page down alone: it begins the lesson, and at its end the ne
   for (let k = 1; k < stops; k++) await press(page, "PageDown");
   assert.equal((await state(page)).revealed, true);
   await press(page, "PageDown");
-  await until(page, (s, t, id) => t.shown.scene === id, second.id);
+  await showsScene(page, second.id);
   const now = await state(page);
   assert.deepEqual([now.scene, now.step, now.projector], [second.id, 0, true]);
 });

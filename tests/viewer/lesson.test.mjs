@@ -1,7 +1,7 @@
 /** Every scene's lesson: walked by button, by key and by clicker, and every stop of it reached by its link. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, scenesOfSite, settled, showsScene, state, stats, until } from "./browser.mjs";
 import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -91,7 +91,7 @@ test("after the last answer Page down begins the next scene's lesson: a clicker 
   const { scene } = await readTrace(scenes[0].id, 15);
   await open(page, ON_DISK, scenes[0].path, `${QUICK}&step=${scene.lesson.length}&answer=1`);
   await press(page, "PageDown");
-  await until(page, (s, t, id) => t.shown.scene === id, scenes[1].id);
+  await showsScene(page, scenes[1].id);
   assert.equal((await state(page)).step, 0);
 });
 
@@ -100,12 +100,12 @@ test("one press too many is undone: Page up at a lesson's first step leads to th
   const last = scene.lesson.length - 1;
   await open(page, ON_DISK, scenes[1].path, `${QUICK}&step=1`);
   await press(page, "PageUp");
-  await until(page, (s, t, id) => t.shown.scene === id, scenes[0].id);
+  await showsScene(page, scenes[0].id);
   fits(await state(page), stopsOf(scene.lesson).at(-1), scene);
   assert.deepEqual([(await state(page)).step, (await state(page)).revealed], [last, Boolean(scene.lesson[last].answer)]);
   assert.equal((await stats(page)).notice, "");
   await press(page, "PageDown");
-  await until(page, (s, t, id) => t.shown.scene === id, scenes[1].id);
+  await showsScene(page, scenes[1].id);
   assert.equal((await state(page)).step, 0);
 });
 
@@ -117,7 +117,7 @@ test("at a lesson's end the button beside its place names the way on and leads t
     const next = of.locator(".lesson-steps .next");
     assert.match(await next.innerText(), /Next lesson/);
     await next.click();
-    await until(of, (s, t, id) => t.shown.scene === id, scenes[1].id);
+    await showsScene(of, scenes[1].id);
     assert.equal((await state(of)).step, 0);
   }
   assert.deepEqual(narrow.faults, []);

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { chooseTab, DIST, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, settled, state, until } from "./browser.mjs";
+import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, settled, state, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -55,9 +55,7 @@ test("Embed copies a frame's code that shows this very view in another page, and
   const file = join(mkdtempSync(join(tmpdir(), "course-")), "course.html");
   writeFileSync(file, `<!doctype html><meta charset="utf-8"><title>Course</title>${copied}`);
   await outer.goto(pathToFileURL(file).href);
-  const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
-  await frame.waitForFunction(() => window.raywalk?.state());
-  await frame.evaluate(() => window.raywalk.ready);
+  const frame = await framedIn(outer);
   assert.equal(await outer.locator("iframe").getAttribute("title"), await page.title());
   assert.deepEqual(await frame.evaluate(() => window.raywalk.state()), there);
   assert.ok(await frame.evaluate(() => document.body.classList.contains("embed")));
@@ -163,11 +161,9 @@ for (const where of ["a file", "another origin"])
       writeFileSync(join(folder, "course.html"), `<!doctype html><title>Course</title><iframe src="${base}${rich.path}?embed#${START}" width="900" height="640" title="Ray walk"></iframe>`);
       const outer = await browser.newPage({ viewport: { width: 1000, height: 760 } });
       await outer.goto(pathToFileURL(join(folder, "course.html")).href);
-      const frame = await (await outer.locator("iframe").elementHandle()).contentFrame();
-      await frame.waitForFunction(() => window.raywalk?.state());
-      await frame.evaluate(() => window.raywalk.ready);
-      const isThere = (parts) => Promise.all(parts.map((part) => frame.locator(part).isVisible()));
+      const frame = await framedIn(outer, where !== "a file");
       await frame.locator(".lesson-text").filter({ hasText: /\w/ }).waitFor();
+      const isThere = (parts) => Promise.all(parts.map((part) => frame.locator(part).isVisible()));
       assert.deepEqual(await isThere([".stage-view", ".picture", ".lesson-text", ".start-lesson", ".play", ".scrub"]), Array(6).fill(true));
       assert.deepEqual(await isThere([".top", ".top-tools", "nav.scenes", ".card", ".controls", ".legend"]), Array(6).fill(false));
       await frame.getByRole("slider", { name: "Event" }).press("ArrowRight");

@@ -54,6 +54,8 @@ const PARTS = {
 const IN_IDLE_TIME = ["spoken", "inset", "busy", "guide", "marks", "choices", "worked"]; // the page speaks once it is whole; a narrow page, a slow machine and a lesson ask for the others
 const ALL = [...Object.keys(PARTS), ...IN_IDLE_TIME].sort();
 
+const partOf = (request) => /assets\/part-(.+)-\w+\.js/.exec(request.url())?.[1];
+
 /** A page whose browser is never idle, or whose idle time comes when the test says so, and the parts it asks for. */
 async function pageAt(base, { idle = false, path = rich.path, hash = HASH } = {}) {
   const page = await newPage(browser);
@@ -61,7 +63,7 @@ async function pageAt(base, { idle = false, path = rich.path, hash = HASH } = {}
   page.home = base;
   page.asked = [];
   page.on("request", (request) => {
-    const name = /assets\/part-(.+)-\w+\.js/.exec(request.url())?.[1];
+    const name = partOf(request);
     if (name) page.asked.push(name);
   });
   await page.goto(`${base}${path}${hash}`);
@@ -93,7 +95,7 @@ for (const [where, base] of [["a host", () => server.url], ["a disk", () => ON_D
     const page = await pageAt(base());
     assert.deepEqual(page.asked, []);
     for (const [name, [act, shows]] of Object.entries(PARTS)) {
-      await act(page);
+      await Promise.all([page.waitForRequest((request) => partOf(request) === name), act(page)]);
       await page.locator(shows).first().waitFor({ state: name === "told" ? "attached" : "visible" });
       assert.deepEqual(page.asked.splice(0), [name]);
       await page.keyboard.press("Escape");

@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { launch, newPage } from "./browser.mjs";
+import { launch, newPage, until } from "./browser.mjs";
 
 const PATIENCE = 600_000; // ms: the machine may be busy, and kernels may have to be compiled
 const SCENE = `
@@ -59,10 +59,12 @@ after(async () => {
 });
 
 const save = (change) => writeFile(file, change(SCENE));
+/** Not until it is loaded: a page that is followed may load itself anew before. */
+const goTo = (path) => page.goto(url + path, { waitUntil: "commit" });
 const panel = () => page.locator("#raywalk-serve");
 
 test("a page that is asked for before the site is built shows it as soon as it is", async () => {
-  await page.goto(`${url}scenes/01-ball/index.html#n=7&p=2,5`);
+  await goTo("scenes/01-ball/index.html#n=7&p=2,5");
   await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("First words."));
 });
 
@@ -70,9 +72,7 @@ test("a saved lesson shows by itself, and the address keeps its place", async ()
   await page.waitForFunction(() => window.raywalk?.state());
   await save((text) => text.replace("First words.", "Other words."));
   await page.waitForFunction(() => document.querySelector("#page")?.textContent.includes("Other words."));
-  await page.waitForFunction(() => window.raywalk?.state());
-  const now = await page.evaluate(() => ({ ...window.raywalk.state(), hash: location.hash }));
-  assert.deepEqual([now.n, now.pixel], [7, [2, 5]], now.hash);
+  await until(page, ({ n, pixel }) => n === 7 && pixel.join() === "2,5");
 });
 
 test("a mistake in a scene shows as text, markup in it too, while the old page stands", async () => {
@@ -97,7 +97,7 @@ const NAMES = ["02 #1, 50 %? „Größe“", "03 a&b'\"<i>\\c> 😀"];
 const SECOND = (key) => SCENE.replace('key = "1"', `key = "${key}"`).replace('"Ball"', `"Ball ${key}"`);
 
 test("a scene that is copied in shows by itself, whatever its folder is called, and its slides follow", async () => {
-  await page.goto(`${url}index.html`);
+  await goTo("index.html");
   await page.waitForFunction(() => document.querySelectorAll(".scene-card").length === 1);
   for (const [k, name] of NAMES.entries()) {
     await mkdir(join(folder, "scenes", name));
@@ -105,12 +105,11 @@ test("a scene that is copied in shows by itself, whatever its folder is called, 
   }
   await page.waitForFunction((count) => document.querySelectorAll(".scene-card").length === count, 1 + NAMES.length);
   for (const key of ["2", "3"]) {
-    await page.goto(`${url}index.html`);
+    await goTo("index.html");
     await page.locator(".scene-card", { hasText: `Ball ${key}` }).click();
-    await page.waitForFunction((title) => window.raywalk?.state() && document.title.startsWith(title), `Ball ${key}`);
-    await page.evaluate(() => window.raywalk.ready);
+    await until(page, (s, t, title) => t.tiles.length > 0 && document.title.startsWith(title), `Ball ${key}`);
   }
-  await until(() => decks().length === 1 + NAMES.length);
+  await eventually(() => decks().length === 1 + NAMES.length);
 });
 
 test("all that its pages link to is there, on a disk too", async () => {
@@ -128,13 +127,13 @@ test("all that its pages link to is there, on a disk too", async () => {
 
 test("a scene that is removed goes", async () => {
   for (const name of NAMES) await rm(join(folder, "scenes", name), { recursive: true });
-  await page.goto(`${url}index.html`);
+  await goTo("index.html");
   await page.waitForFunction(() => document.querySelectorAll(".scene-card").length === 1);
-  await until(() => decks().length === 1);
+  await eventually(() => decks().length === 1);
 });
 
 const decks = () => (existsSync(join(folder, "dist/slides")) ? readdirSync(join(folder, "dist/slides")).filter((name) => /^0.*\.pptx$/.test(name)) : []);
-async function until(isSo) {
+async function eventually(isSo) {
   for (const end = Date.now() + PATIENCE; !isSo(); await new Promise((done) => setTimeout(done, 50))) assert.ok(Date.now() < end, String(isSo));
 }
 

@@ -30,15 +30,8 @@ before(async () => {
   browser = await launch();
   page = await newPage(browser, { viewport: { width: 640, height: 480 } });
   await page.addInitScript(countGpu);
-  await page.addInitScript(patient);
 });
 after(() => browser.close());
-
-/** In the page: the loop waits for a scene as long as it takes, for the machine may be busy and is measured meanwhile. */
-function patient() {
-  const { setTimeout } = window;
-  window.setTimeout = (act, ms, ...more) => setTimeout(act, ms === 20_000 ? 3_600_000 : ms, ...more);
-}
 
 /** These scenes are shown. Every one is drawn, also where frames are slower than stops: the last few stay on the graphics card, always the
  *  same ones then. And the attract loop waits at the first scene's first stop until it is let go. */

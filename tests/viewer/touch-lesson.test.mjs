@@ -1,12 +1,13 @@
 /** The lesson of scene 2 by touch alone, on a phone: fingers on the glass, no key, no mouse. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, keyedScenes, settled, state, stats } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, keyedScenes, settled, state, stats, until } from "./browser.mjs";
+import { handOf } from "./hand.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const { id, path } = keyedScenes()[1];
 const { lesson } = readScene(id);
-let browser, page, hand;
+let browser, page, glass;
 before(async () => {
   browser = await launch();
   page = await newPage(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -15,19 +16,18 @@ before(async () => {
     addEventListener("keydown", () => window.others++, true);
     addEventListener("pointerdown", (event) => (window.others += event.pointerType !== "touch"), true);
   });
-  hand = await page.context().newCDPSession(page);
+  glass = await handOf(page);
 });
 after(() => browser.close());
 
-const glass = (type, touchPoints) => hand.send("Input.dispatchTouchEvent", { type, touchPoints });
 async function tap(x, y) {
-  await glass("touchStart", [{ x, y }]);
-  await glass("touchEnd", []);
+  await glass("touchStart", [[x, y]]);
+  await glass("touchEnd");
   await settled(page);
 }
 async function drag(...points) {
-  for (const [k, [x, y]] of points.entries()) await glass(k ? "touchMove" : "touchStart", [{ x, y }]);
-  await glass("touchEnd", []);
+  for (const [k, point] of points.entries()) await glass(k ? "touchMove" : "touchStart", [point]);
+  await glass("touchEnd");
   await settled(page);
 }
 /** Scrolls there as a finger does, on what may be scrolled, and taps its middle. */
@@ -56,10 +56,8 @@ const button = (name) => page.getByRole("button", { name });
 // Up to a formula, whose letters browsers change to those of mathematics.
 const words = (html) => html.replace(/<math.*/s, "").replace(/<[^>]+>/g, "").replace(/&[^;]+;/g, "").replace(/\s+/g, " ").trim();
 const fits = async (step, revealed) => {
-  await page.waitForFunction(([step, revealed]) => { // a tap becomes a click a moment after the finger has left
-    const now = window.raywalk.state();
-    return now.step === step && now.revealed === revealed;
-  }, [step, revealed]);
+  // A tap becomes a click a moment after the finger has left.
+  await until(page, (now, _, [step, revealed]) => now.step === step && now.revealed === revealed, [step, revealed]);
   await settled(page);
   const now = await state(page);
   assert.deepEqual([now.step, now.revealed], [step, revealed]);
@@ -68,9 +66,7 @@ const fits = async (step, revealed) => {
 };
 
 test(`${id} by touch alone: ${lesson.length} steps, each question revealed, the view turned and a pixel picked`, async () => {
-  await page.goto(`${ON_DISK}${path}#gl=none`); // the flat stage: fingers are the same on both
-  await page.evaluate(() => window.raywalk.ready);
-  await settled(page);
+  await open(page, ON_DISK, path, "gl=none"); // the flat stage: fingers are the same on both
   await tapOn(button("Start the lesson"));
   for (const [step, { answer, choices }] of lesson.entries()) {
     await fits(step, false);
@@ -83,7 +79,7 @@ test(`${id} by touch alone: ${lesson.length} steps, each question revealed, the 
   }
   await tapOn(button("Previous step"));
   await tapOn(button("End the lesson"));
-  assert.equal((await state(page)).step, null);
+  await until(page, ({ step }) => step === null);
 
   const picture = page.locator(".marks");
   await picture.evaluate((at) => at.scrollIntoView({ block: "center" }));

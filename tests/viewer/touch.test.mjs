@@ -1,25 +1,24 @@
 /** Fingers: one turns or scrubs, two move and pinch, and the page still scrolls elsewhere. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, reach, richScene, settled, state, stats, tileOnPage } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, pass, reach, richScene, settled, state, stats, tileOnPage } from "./browser.mjs";
+import { handOf } from "./hand.mjs";
 
 const rich = richScene();
-let browser, page, hand;
+const FLAT = "still=1&gl=none"; // fingers are the same on both stages
+const SAID_FOR = 3500; // ms
+let browser, page, glass;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  hand = await page.context().newCDPSession(page);
+  page = await newPage(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, held: true });
+  glass = await handOf(page);
 });
 after(() => browser.close());
 
 /** fingers: for each moment a list of [x, y]. */
 async function touch(...moments) {
-  for (const [k, points] of moments.entries())
-    await hand.send("Input.dispatchTouchEvent", {
-      type: k === 0 ? "touchStart" : "touchMove",
-      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
-    });
-  await hand.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  for (const [k, points] of moments.entries()) await glass(k ? "touchMove" : "touchStart", points);
+  await glass("touchEnd");
   await settled(page);
 }
 
@@ -29,7 +28,7 @@ async function stageBox() {
 }
 
 test("one finger beside the tiles turns the view", async () => {
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, FLAT);
   const box = await stageBox();
   const before = await stats(page);
   await touch([[box.x + 40, box.y + 30]], [[box.x + 90, box.y + 40]], [[box.x + 140, box.y + 50]]);
@@ -49,7 +48,7 @@ test("two fingers move the view, and pinching zooms", async () => {
 });
 
 test("one finger on a tile selects it, and on the picture too", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&n=5&cam=camera");
+  await open(page, ON_DISK, rich.path, `${FLAT}&n=5&cam=camera`);
   await stageBox();
   const tile = await tileOnPage(page, 3, 1);
   await touch([[tile.x, tile.y]]);
@@ -63,16 +62,15 @@ test("one finger on a tile selects it, and on the picture too", async () => {
 const scrolled = () => page.evaluate(() => scrollY);
 /** A finger that moves on the stage in small steps, after it has rested so long. */
 async function swipe([x, y], [dx, dy], rest = 0) {
-  const finger = (type, share) => hand.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: x + share * dx, y: y + share * dy, id: 0 }] });
-  await finger("touchStart", 0);
-  if (rest) await page.waitForTimeout(rest);
-  for (let k = 1; k <= 10; k++) await finger("touchMove", k / 10);
-  await finger("touchEnd", 1);
+  await glass("touchStart", [[x, y]]);
+  await pass(page, rest);
+  for (let k = 1; k <= 10; k++) await glass("touchMove", [[x + (k / 10) * dx, y + (k / 10) * dy]]);
+  await glass("touchEnd");
   await settled(page);
 }
 
 test("a swipe up the stage scrolls the page, turns nothing, picks nothing, and that is said once", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&n=5&cam=camera");
+  await open(page, ON_DISK, rich.path, `${FLAT}&n=5&cam=camera`);
   await page.evaluate(() => (localStorage.clear(), scrollTo(0, 0)));
   const before = await state(page);
   const tile = await tileOnPage(page, 3, 3);
@@ -81,7 +79,8 @@ test("a swipe up the stage scrolls the page, turns nothing, picks nothing, and t
   await page.waitForFunction(() => scrollY > 60);
   await page.waitForFunction(() => /swipe scrolls the page/.test(document.querySelector(".done-sentence").textContent));
   assert.deepEqual(await state(page), before);
-  await page.waitForFunction(() => document.querySelector(".done-sentence").textContent === "");
+  await pass(page, SAID_FOR);
+  assert.equal(await said(), "");
   const at = await scrolled();
   await swipe([tile.x, tile.y - 100], [0, 150]);
   await page.waitForFunction((at) => scrollY < at, at);
@@ -90,7 +89,7 @@ test("a swipe up the stage scrolls the page, turns nothing, picks nothing, and t
 
 test("a finger that has rested turns the view wherever it goes, and so does one that goes sideways; the page keeps still", async () => {
   for (const [way, rest] of [[[0, -120], 600], [[120, 0], 0]]) {
-    await open(page, ON_DISK, rich.path, "still=1");
+    await open(page, ON_DISK, rich.path, FLAT);
     await page.evaluate(() => scrollTo(0, 0));
     const box = await stageBox();
     const before = await stats(page);
@@ -102,7 +101,7 @@ test("a finger that has rested turns the view wherever it goes, and so does one 
 });
 
 test("two fingers that go up together move the view and not the page", async () => {
-  await open(page, ON_DISK, rich.path, "still=1");
+  await open(page, ON_DISK, rich.path, FLAT);
   await page.evaluate(() => scrollTo(0, 0));
   const before = await stats(page);
   await touch(...Array.from({ length: 10 }, (_, k) => [[60, 330 - 12 * k], [120, 330 - 12 * k]]));
