@@ -86,9 +86,8 @@ def cluster(tmp_path_factory):
     scheduler = [sys.executable, "-m", "distributed.cli.dask_scheduler", *options]
     scheduler += ["--port", "0", "--scheduler-file", str(file)]
     processes = [subprocess.Popen(scheduler, **quiet)]
-    wait_until(lambda: file.exists() or processes[0].poll() is not None)
-    assert file.exists(), "the scheduler ended"
-    address = json.loads(file.read_text(encoding="utf-8"))["address"]
+    address = wait_until(lambda: address_in(file) or processes[0].poll() is not None)
+    assert address is not True, "the scheduler ended"
     worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, *options]
     worker += ["--nthreads", "1", "--no-nanny", "--death-timeout", str(PATIENCE)]
     workers = [subprocess.Popen(worker, **quiet) for _ in range(2)]
@@ -98,11 +97,26 @@ def cluster(tmp_path_factory):
         process.wait()
 
 
+def address_in(file):
+    """None while it is not there, or only begun."""
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))["address"]
+    except (OSError, ValueError):
+        return None
+
+
 def wait_until(holds):
+    """What was true of it then; a moment later it may be otherwise."""
     end = time.monotonic() + PATIENCE
-    while not holds():
+    while not (found := holds()):
         assert time.monotonic() < end, "never came true"
         time.sleep(0.05)
+    return found
+
+
+def at_work(client):
+    """A worker that has something to do."""
+    return next((worker for worker, tasks in client.processing().items() if tasks), None)
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -120,8 +134,8 @@ def test_a_cluster_makes_the_same_bytes_though_a_worker_is_killed_while_it_trace
         process_of = client.run(__import__("os").getpid)
         arguments = command(folder, "there", "--scheduler", address)
         with subprocess.Popen([sys.executable, "-m", "raywalk", *arguments]) as build:
-            wait_until(lambda: any(client.processing().values()) or build.poll() is not None)
-            busy = next(worker for worker, tasks in client.processing().items() if tasks)
+            busy = wait_until(lambda: at_work(client) or build.poll() is not None)
+            assert busy is not True, "the build ended"
             [victim] = [worker for worker in workers if worker.pid == process_of[busy]]
             victim.send_signal(signal.SIGKILL)
             assert build.wait(PATIENCE) == 0
