@@ -38,10 +38,10 @@ SCENES = Path("scenes")
 @pytest.mark.parametrize(
     ("subject", "rays"),
     [
-        (stress_hits, 800),
+        (stress_hits, 300),
         (stress_place, 5_000),
         (stress_silhouette, 20_000),
-        (stress_mesh, 10_000),
+        (stress_mesh, 4_000),
         (stress_optics, 200),
         (stress_mirrors, 10_000),
         (stress_order, 10_000),
