@@ -22,6 +22,8 @@ from tests.causes import causes
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
+#: A path, for steps of tests run in folders of their own.
+REAPING = Path(__file__).with_name("reaping.py")
 #: A quarter of an hour for a file is ten times what the longest takes: what needs more hangs, on a
 #: busy machine too.
 NODE = ["node", "--test", "--test-reporter=tap", "--test-timeout=900000"]
@@ -137,8 +139,9 @@ def run(step: Step) -> Result:
     print(f"== {step.name}", flush=True)
     started = time.monotonic()
     lines = []
+    command = [PYTHON, str(REAPING), *step.command]
     with subprocess.Popen(
-        step.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
     ) as process:
         assert process.stdout
         for line in process.stdout:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from tests.causes import ENOUGH, causes
-from tests.run_all import NODE, NODE_COUNTS, PYTEST_COUNTS, Step, main
+from tests.run_all import NODE, NODE_COUNTS, PYTEST_COUNTS, Step, main, run
 
 TESTS_OF_VIEWER = """
 import assert from "node:assert/strict";
@@ -102,6 +102,14 @@ def test_checks_and_a_run_in_which_most_fails_are_not_tried_again(tmp_path, caps
     assert main([test], once=False) == 1 and count.read_text() == "xxx"
     assert main([test] * 5, once=False) == 1 and count.read_text() == 8 * "x"
     assert closing(capsys)[-3] == "test: FAILED: ZeroDivisionError: division by zero"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are left to the first one there")
+def test_what_is_left_behind_counts_as_work_too():
+    """As a browser's processes are: ended, and waited for by nobody."""
+    busy = "import time; end = time.process_time() + 0.5\nwhile time.process_time() < end: pass"
+    leaves = f"import subprocess; subprocess.Popen([{sys.executable!r}, '-c', {busy!r}])"
+    assert run(Step("leaves", [sys.executable, "-c", leaves])).worked > 0.5
 
 
 def test_a_cause_is_found_where_no_test_is_named(tmp_path):
