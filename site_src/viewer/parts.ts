@@ -183,8 +183,8 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
       if (!present) return;
       renders++;
       const { state, scene, trace, view } = present;
+      home.classList.toggle("opened", state.tab !== "none"); // first: a card that brings itself into sight must know where it will stand
       showPanels(panels, session, () => eventWords.nowOr(session.changed), present);
-      home.classList.toggle("opened", state.tab !== "none");
       const inset = place(state);
       showStage(present, dark); // last: its labels keep clear of the panels that stand on it now
       if (inset && !shownSlice) corner.nowOr(session.changed)?.show(stage.drawn());

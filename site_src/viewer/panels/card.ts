@@ -10,6 +10,7 @@ import { say } from "../words";
 import { createCardHead, type Copy } from "./card-head";
 import type { PixelRays, RaysView } from "./card-types";
 import { element, named } from "../element";
+import { bringUp } from "./scrolls";
 import { createShares } from "./shares";
 import { createTabs } from "./tabs";
 
@@ -36,12 +37,13 @@ function createViews(acts: CardActs, onDemand: OnDemand) {
 
 export function createCard(acts: CardActs, onDemand: OnDemand) {
   const { panels, shares, views } = createViews(acts, onDemand);
-  const tabs = createTabs("card", say("card.tabs"), TABS.map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: panels[id] })), acts.tab);
+  const tabs = createTabs("card", say("card.tabs"), TABS.map((id) => ({ id, word: say(`card.tab.${id}.word`), help: say(`card.tab.${id}.help`), panel: panels[id] })), (id) => ((isOpened = true), acts.tab(id)));
   const head = createCardHead({ move: acts.move, copy: copyRays });
   const note = element("p", "note");
   const body = element("div", "card-body", shares, ...tabs.panels);
   const root = named(element("section", "card", note, body, tabs.bar), say("card.region"));
 
+  let isOpened = false; // by a person: a link and a lesson leave the page where it is
   let heading = "";
   let now: PixelRays | null = null;
   let isCovered = true; // there are no rays yet, or they would give an answer away
@@ -65,6 +67,8 @@ export function createCard(acts: CardActs, onDemand: OnDemand) {
     if (!view) return;
     if (now) view.show(now);
     view.light(...lit);
+    if (isOpened && tab !== "none") bringUp(tabs.bar, "smooth");
+    isOpened = false;
   }
 
   return {

@@ -3,6 +3,7 @@ import { element } from "../element";
 import { isSwitched } from "../state/switches";
 import type { ViewState } from "../state/view-state";
 import { say } from "../words";
+import { bringUp } from "./scrolls";
 import { listenToTerms } from "./term-card";
 
 const ROOM = "(min-width: 1100px)"; // else the drawer would take the stage's
@@ -12,6 +13,14 @@ function toolOf({ colours, slice, look, switches }: ViewState): string | null {
   if (isSwitched(switches)) return ".open-what-if";
   if (colours !== "picture") return ".tile-choice";
   return slice !== "none" || look !== "approximate" ? ".view-switch" : null;
+}
+
+/** On a phone a step that is gone to from further down the page would have its text under the stage. */
+function showText() {
+  const text = document.querySelector(".lesson")!;
+  const under = document.querySelector(".stage")!.getBoundingClientRect();
+  const { top, bottom } = text.getBoundingClientRect();
+  if (top < Math.min(under.bottom, innerHeight) - 1 || bottom > innerHeight) bringUp(text, "auto");
 }
 
 /** open: opens the drawer, and calls what it is given when its tools are there. */
@@ -27,6 +36,7 @@ export function createGuide(open: (then: () => void) => void) {
       if (at === stop) return;
       stop = at;
       word.remove();
+      showText();
       const tool = at && toolOf(state);
       const isElsewhere = window.raywalkKiosk || state.projector || document.body.classList.contains("embed") || !matchMedia(ROOM).matches;
       if (!tool || known.has(tool) || isElsewhere) return;

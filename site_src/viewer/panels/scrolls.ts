@@ -6,3 +6,10 @@ export function reachable(element: HTMLElement): () => void {
   new ResizeObserver(update).observe(element); // goes with the element
   return update;
 }
+
+const NARROW = "(max-width: 760px)";
+
+/** On a phone, where the page scrolls below its stage: right under that. */
+export function bringUp(part: Element, behavior: ScrollBehavior) {
+  if (matchMedia(NARROW).matches) part.scrollIntoView({ behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : behavior });
+}

@@ -7,6 +7,7 @@ import { pixelIndex, tileColour, type ViewState } from "../state/view-state";
 import type { SceneData, Trace } from "../trace/types";
 import { say } from "../words";
 import { element } from "../element";
+import { listenToFingers } from "./fingers";
 import { createPointed } from "./pointed";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken
@@ -34,6 +35,7 @@ export function createSpoken(home: HTMLElement) {
   home.append(root);
   const spoken = memo<void>();
   const pointed = createPointed(home);
+  listenToFingers(home); // here, because this part comes by itself
   let timer = 0;
   return {
     show(state: ViewState, scene: SceneData, trace: Trace | null, isCovered: boolean) {
