@@ -2,7 +2,9 @@
 import { the } from "./articles";
 import type { Degrees, LightShare, RayEvent, Term, Why } from "./state/event-types";
 import { isAll } from "./state/vectors";
+import { whyOf } from "./state/why";
 import type { Vec3 } from "./trace/types";
+import { wayWords } from "./way-words";
 import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 
 export interface Caption {
@@ -38,13 +40,21 @@ function termNumbers(term: Term): string {
 
 const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
 
+export { whyOf };
+
+const MOST_NAMED = 4; // lamps; a large lamp is up to a hundred points
+
 /** In one sentence why a pixel is dark, partly so, or lit. */
-export function whyDark({ tone, end, ray, share, name, reasons }: Why): Phrase[] {
-  const at = { ray, share: percent(share), name: the(name) };
-  const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: list(lights.map(the)), name: the(name), by: the(by) })) : [phrases(`why.${end}`, at)];
-  const parts = end === "stops" || (end === "local" && ray > 1) ? [phrases("why.via", at), ...said] : said;
-  return [...phrases(`why.${tone}`), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
+export function whyDark({ tone, end, way, share, name, reasons }: Why): Phrase[] {
+  const at = { share: percent(share), name: the(name) };
+  const of = reasons.reduce((sum, { lights }) => sum + lights.length, 0);
+  const listed = (lights: readonly string[]) => (lights.length > MOST_NAMED ? say("why.lamps", { number: lights.length, of }) : list(lights.map(the)));
+  const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: listed(lights), name: the(name), by: the(by) })) : [phrases(`why.${end}`, at)];
+  const parts = end === "stops" || (end === "local" && way.length) ? [phrases("why.at", at), ...said] : said;
+  return [...phrases(`why.${tone}`), ...(way.length ? [say("card.sharedBy", { way: wayWords(way), object: "" })] : []), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
 }
+
+const darkly = (why: Why | null): Phrase[] => (why && why.tone !== "lit" ? [" ", ...whyDark(why)] : []);
 
 export function captionOf(event: RayEvent): Caption {
   const { what } = event;
@@ -95,7 +105,7 @@ export function captionOf(event: RayEvent): Caption {
       return { says: phrases("event.gather.says", { name: the(event.name) }), numbers: sumNumbers(event.terms, event.colour) };
     case "pixel":
       return {
-        says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...(event.why && event.why.tone !== "lit" ? [" ", ...whyDark(event.why)] : [])],
+        says: [...phrases("event.pixel.says", { x: event.pixel[0], y: event.pixel[1], bytes: event.bytes.join(", ") }), ...darkly(whyOf(event))],
         numbers: beside(sumNumbers(event.terms, event.colour), `\u00d7 255, ${say("sum.clamped")}: ${bytes(event.colour)}`),
       };
   }

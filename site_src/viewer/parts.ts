@@ -98,7 +98,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.card.show(state, scene, trace, missing, lit, event);
   panels.controls.show(state, scene);
   panels.choices.when(!!scene.lesson[state.step!]?.choices, session.changed)?.show(state, scene, traced.trace); // before the lesson: the focus goes on to what it leaves
-  panels.lesson.show(state, scene, event, last?.what === "pixel" ? last.why : null, words);
+  panels.lesson.show(state, scene, event, last, words);
   panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
   panels.guide.when(state.step !== null, session.changed)?.show(state);
   panels.whatIf.when(isSwitched(state.switches), session.changed)?.show(state, traced.scene);

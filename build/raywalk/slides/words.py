@@ -102,9 +102,8 @@ def figure_alt(scene: Scene, stop: Stop) -> str:
     for line in stop.chosen[:MOST_TOLD]:
         kind = kind_word(line.kind)
         if line.light >= 0:
-            parts.append(
-                say("slides.shadowAlt", light=words().the(scene.lights[line.light].name), kind=kind)
-            )
+            light = words().the(scene.lights[line.light].name)
+            parts.append(say(f"slides.shadowAlt.{line.kind}", light=light))
         elif line.leaves:
             parts.append(say("slides.leavesAlt", kind=kind))
         else:

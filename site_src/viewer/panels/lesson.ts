@@ -1,6 +1,6 @@
 /** The words under the stage: what the scene teaches, the lesson's current step, or the player's current event. */
 import type { Actions } from "../actions";
-import type { RayEvent, Why } from "../state/event-types";
+import type { RayEvent } from "../state/event-types";
 import { memo } from "../state/memo";
 import { isAsking, stopOf, type ViewState } from "../state/view-state";
 import type { SceneData } from "../trace/types";
@@ -9,16 +9,19 @@ import { button, disable, element, marked, named, setWord } from "../element";
 import { reachable } from "./scrolls";
 
 /** Events and why a pixel is dark, in words: null until they have come. */
-type Words = () => Pick<typeof import("../event-words"), "captionOf" | "whyDark"> | null;
+type Words = Pick<typeof import("../event-words"), "captionOf" | "whyOf" | "whyDark"> | null | undefined;
 
 /** One event's sentence and its numbers. */
 function caption(event: RayEvent, words: Words): HTMLElement[] {
-  const { says = [], numbers = "" } = words()?.captionOf(event) ?? {};
+  const { says = [], numbers = "" } = words?.captionOf(event) ?? {};
   return [element("p", "event-says", ...marked(says)), ...(numbers ? [element("p", "event-numbers numbers", numbers)] : [])];
 }
 
-/** For a lit pixel only once another than the scene's first one is selected. */
-const isWorthSaying = (why: Why | null, { pixel }: ViewState, { start }: SceneData): why is Why => !!why && (why.tone !== "lit" || pixel.join() !== start.pixel.join());
+/** Why the pixel is as bright as it is. */
+function because(last: RayEvent, words: Words): HTMLElement | null {
+  const why = last.what === "pixel" && words?.whyOf(last);
+  return why ? element("p", "why", ...marked(words!.whyDark(why))) : null;
+}
 
 const LONG = 235; // characters: more do not fit into three lines of a desk's size
 
@@ -37,8 +40,8 @@ export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
 
   return {
     element: root,
-    /** event: the current one; why: the selected pixel is as bright as it is, shown while nothing else is. */
-    show(state: ViewState, scene: SceneData, event: RayEvent | null, why: Why | null, words: Words) {
+    /** event: the current one; last: the selected pixel's, which tells why it is as bright as it is, while nothing else is told. */
+    show(state: ViewState, scene: SceneData, event: RayEvent | null, last: RayEvent | undefined, words: () => Words) {
       const { step, revealed } = state;
       const running = step !== null;
       const asking = isAsking(state, scene);
@@ -56,12 +59,14 @@ export function createLesson(acts: Pick<Actions, "step" | "turn" | "page">) {
         disable(previous, step === 0 && !revealed);
         setWord(next, isLast ? say("lesson.on.word") : "\u203a", say(isLast ? "lesson.on.help" : "lesson.next"));
       }
-      const isWhy = !event && !running && isWorthSaying(why, state, scene);
-      written([scene.id, step, revealed, event, why, (event || isWhy) && !words()], () => {
+      const isFirst = state.pixel.join() === scene.start.pixel.join(); // of it the scene's own sentence is told
+      const told = event ?? (running || isFirst ? null : last);
+      const known = told && words();
+      written([scene.id, step, revealed, told, !known], () => {
         // The pipeline has sanitised a step's HTML.
-        if (event) text.replaceChildren(...caption(event, words));
+        if (event) text.replaceChildren(...caption(event, known));
         else if (running) text.innerHTML = stopOf(scene, state)!.html;
-        else text.replaceChildren(isWhy ? element("p", "why", ...marked(words()?.whyDark(why) ?? [])) : element("p", "teaches", scene.teaches));
+        else text.replaceChildren((told && because(told, known)) ?? element("p", "teaches", scene.teaches));
         text.classList.toggle("long", text.textContent.length > LONG);
         text.scrollTop = 0;
         contentChanged();

@@ -1,20 +1,14 @@
 /** What the selected pixel's colour is made of: a bar as long as each share of it, and beside it which rays brought it. */
 import type { RayRow } from "../state/ray-rows";
 import { clickable, element, swatch } from "../element";
-import { hexOf, list as listed, percent, say } from "../words";
+import { hexOf, percent, say } from "../words";
+import { wayWords } from "../way-words";
 import { lightsUp } from "./lights-up";
 import type { LineActs, RaysView } from "./card-types";
 import { markRow } from "./lit-row";
 
 const MOST = 4; // shares with words of their own
 const LEAST = 5e-4; // of the pixel: less is not worth a word, and "0 %" would be none
-
-/** The kinds of the rays that lead to it from the camera ray on. */
-function wayTo(row: RayRow, rows: readonly RayRow[]): string {
-  const kinds: string[] = [];
-  for (let at = row; at.of; at = rows[at.of - 1]) kinds.unshift(say(`line.${at.kind}`));
-  return listed(kinds);
-}
 
 /** What a ray brings of its own: a surface's part of its colour, or all of the background's. */
 const ownShare = ({ share, keeps, object }: RayRow) => (object ? share * keeps : share);
@@ -44,9 +38,9 @@ export function createShares(acts: LineActs): RaysView {
     return made;
   }
 
-  function item(row: RayRow, rows: readonly RayRow[]): HTMLElement {
+  function item(row: RayRow): HTMLElement {
     const object = row.object || say("card.background");
-    const words = row.of ? say("card.sharedBy", { way: wayTo(row, rows), object }) : object;
+    const words = row.of ? say("card.sharedBy", { way: wayWords(row.way), object }) : object;
     const made = element("li", "share", swatch(hexOf(row.local)), element("b", "numbers", percent(ownShare(row))), element("span", "", words));
     made.dataset.ray = String(row.ray);
     lightsUp(made, (on) => acts.light(on ? { ray: row.ray, light: -1 } : null));
@@ -63,7 +57,7 @@ export function createShares(acts: LineActs): RaysView {
       bar.replaceChildren(...parts.map(piece));
       const line = (words: string) => element("li", "share-rest numbers", words);
       const rest = [...(untold.length ? [line(say("card.moreShares", { count: untold.length, share: percent(more) }))] : []), ...(none >= LEAST ? [line(say("card.noShare", { share: percent(none) }))] : [])];
-      const items = told.map((row) => item(row, rows));
+      const items = told.map(item);
       for (const each of items.slice(1)) each.tabIndex = -1;
       list.replaceChildren(...items, ...rest);
     },

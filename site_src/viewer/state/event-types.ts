@@ -23,6 +23,7 @@ export type Degrees = number | null; // null: between points too close together 
 export interface Departure {
   what: SentKind;
   name: string; // of the object
+  of: number; // the ray that came there
   share: number;
   keeps: number; // share of the surface's own colour
   clear: boolean; // it lets light through
@@ -41,9 +42,9 @@ export type Happening =
   | { what: "reached" | "away" | "unasked" | "off"; name: string }
   | { what: "blocked"; name: string; by: string; at: number } // world units from the hit
   | { what: "local"; base: Vec3 | null; ambient: Vec3; diffuse: Vec3; specular: Vec3; lights: readonly LightShare[]; share: number; colour: Vec3 }
-  | { what: "stops"; name: string; limit: number; atLimit: boolean }
+  | { what: "stops"; name: string; keeps: number; limit: number; atLimit: boolean }
   | { what: "gather"; name: string; terms: readonly Term[]; colour: Vec3 }
-  | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3; why: Why | null };
+  | { what: "pixel"; pixel: readonly [number, number]; terms: readonly Term[]; colour: Vec3; bytes: Vec3; before: readonly RayEvent[] };
 
 export type RayEvent = Happening & {
   ray: number; // index into the trace; of a shadow ray: the ray whose hit it leaves
@@ -51,6 +52,9 @@ export type RayEvent = Happening & {
   line: LineKind | null; // whose colour it has on the timeline
   long: number; // world units of line that grow; 0: nothing does
 };
+
+/** A surface that sends a ray on. */
+export type Passing = Pick<Departure, "what" | "name" | "enters">;
 
 export interface Reason {
   how: "blocked" | "away" | "little" | "off" | "reached" | "paint"; // paint: no light, the surface itself is dark
@@ -61,7 +65,8 @@ export interface Reason {
 export interface Why {
   tone: "dark" | "shadow" | "lit"; // shadow: not dark, but a light is blocked where the ray ends
   end: "local" | "background" | "stops";
-  ray: number; // as the card numbers it
+  ray: number; // index into the trace
+  way: readonly Passing[]; // that led to it, from the eye on
   share: number; // in the pixel's colour
   name: string; // of the object where it ends
   reasons: readonly Reason[];

@@ -8,7 +8,6 @@ import type { Degrees, Happening, LightShare, RayEvent, Term } from "./event-typ
 import { childrenIn, originOf, treeOf } from "./lines";
 import { crossed, indexIn, type Media } from "./media";
 import { add, dot, length, scale, sub, times, triple, unit } from "./vectors";
-import { whyOf } from "./why";
 
 const SEEN = ["blocked", "reached", "away", "unasked", "off"] as const; // by VISIBILITY
 
@@ -74,7 +73,7 @@ function departure(trace: Trace, scene: SceneData, ray: number, media: Media): H
   const normal = triple(trace.normal, parent);
   const enters = trace.inside[parent] === 0;
   return {
-    what, name: nameOf(scene, trace.object[parent]), share: trace.weight[ray], keeps: trace.localWeight[parent], clear: material.transmit > 0, enters,
+    what, of: parent, name: nameOf(scene, trace.object[parent]), share: trace.weight[ray], keeps: trace.localWeight[parent], clear: material.transmit > 0, enters,
     from: enters || media.length ? indexIn(media, scene) : material.ior, to: indexIn(crossed(media, trace.object[parent], enters), scene),
     angle: angleOf(trace, scene, parent, normal), bent: angleOf(trace, scene, ray, normal),
   };
@@ -115,7 +114,7 @@ function termsOf(trace: Trace, scene: SceneData, ray: number, sent: readonly num
 /** What happens where a ray meets a surface, before the rays it leads to. */
 function meeting(trace: Trace, scene: SceneData, ray: number, isLast: boolean): RayEvent[] {
   const { reflect, transmit } = scene.materials[trace.material[ray]];
-  const stops: Happening = { what: "stops", name: nameOf(scene, trace.object[ray]), limit: scene.depth, atLimit: trace.depth[ray] >= scene.depth };
+  const stops: Happening = { what: "stops", name: nameOf(scene, trace.object[ray]), keeps: trace.localWeight[ray], limit: scene.depth, atLimit: trace.depth[ray] >= scene.depth };
   return [
     ...(trace.localWeight[ray] > 0 ? lighting(trace, scene, ray) : []),
     ...(isLast && (reflect > 0 || transmit > 0) ? [event(ray, stops, { line: RAY_KINDS[trace.kind[ray]] })] : []),
@@ -124,8 +123,7 @@ function meeting(trace: Trace, scene: SceneData, ray: number, isLast: boolean): 
 
 /** One pixel's events in true order: each ray with all it leads to before the next. */
 export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEvent[] {
-  const tree = treeOf(trace, pixel);
-  const children = childrenIn(trace, tree);
+  const children = childrenIn(trace, treeOf(trace, pixel));
   const events: RayEvent[] = [];
 
   /** media: what the ray travels in; before: what its parent came through. */
@@ -137,8 +135,7 @@ export function eventsOf(trace: Trace, scene: SceneData, pixel: number): RayEven
     if (object >= 0) events.push(...meeting(trace, scene, ray, !sent.length));
     for (const child of sent) walk(child, RAY_KINDS[trace.kind[child]] === "refracted" ? crossed(media, object, trace.inside[ray] === 0) : media, media);
     const sum = { terms: termsOf(trace, scene, ray, sent), colour: triple(trace.colour, ray) };
-    const bytes = triple(trace.tiles, pixel);
-    if (trace.parent[ray] < 0) events.push(event(ray, { what: "pixel", pixel: tileOf(trace, pixel), ...sum, bytes, why: whyOf(trace, tree, events, bytes) }));
+    if (trace.parent[ray] < 0) events.push(event(ray, { what: "pixel", pixel: tileOf(trace, pixel), ...sum, bytes: triple(trace.tiles, pixel), before: [...events] }));
     else if (sent.length) events.push(event(ray, { what: "gather", name: nameOf(scene, object), ...sum }, { line }));
   }
 

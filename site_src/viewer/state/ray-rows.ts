@@ -1,8 +1,8 @@
 /** A pixel's rays as the rows of a table, numbered in the order in which they are walked. Stored numbers only,
  *  and products of them: a share times a colour. */
-import { RAY_KINDS, type RayKind } from "../trace/kinds";
+import { RAY_KINDS, type RayKind, type SentKind } from "../trace/kinds";
 import type { MaterialData, SceneData, Trace, Vec3 } from "../trace/types";
-import type { LightShare } from "./event-types";
+import type { LightShare, Passing } from "./event-types";
 import { baseAt, given, hitsOf, lightShares, localColour, materialAt } from "./events";
 import { treeOf } from "./lines";
 import { triple } from "./vectors";
@@ -22,6 +22,7 @@ export interface RayRow {
   depth: number;
   object: string; // "" if the ray leaves the scene
   material: string;
+  way: readonly Passing[]; // the surfaces that led to it
   point: Vec3;
   normal: Vec3;
   t: number;
@@ -63,6 +64,7 @@ export function rayRows(trace: Trace, scene: SceneData, pixel: number): RayRow[]
       depth: trace.depth[ray],
       object: scene.objects[trace.object[ray]]?.name ?? "",
       material: material?.name ?? "",
+      way: above ? [...above.way, { what: RAY_KINDS[trace.kind[ray]] as SentKind, name: above.object, enters: trace.inside[above.ray] === 0 }] : [],
       point: triple(trace.point, ray),
       normal: triple(trace.normal, ray),
       t: trace.t[ray],

@@ -1,7 +1,5 @@
-/** Why a pixel is dark, or lit: the ray whose end counts most in it, and what the lights say there. From the stored shares
- *  and the events alone. */
-import type { Trace, Vec3 } from "../trace/types";
-import type { LightShare, Reason, RayEvent, Why } from "./event-types";
+/** Why a pixel is dark, or lit: the ray whose end counts most in it, and what the lights say there. From its events alone. */
+import type { Departure, LightShare, Reason, RayEvent, Why } from "./event-types";
 
 const DARK = 80; // of 255: its brightest channel is below
 const LITTLE = 0.25; // of the light, by its stored diffuse factor
@@ -22,24 +20,30 @@ function reasonsOf(lights: readonly LightShare[], by: ReadonlyMap<string, string
   return dark && found.every(({ how }) => how === "reached") ? [...found, { how: "paint", by: "", lights: [] }] : found;
 }
 
-/** tree: the pixel's rays as the card numbers them. events: in any order. */
-export function whyOf(trace: Trace, tree: readonly number[], events: readonly RayEvent[], bytes: Vec3): Why | null {
-  const shareOf = (ray: number): number => (trace.parent[ray] < 0 ? 1 : trace.weight[ray] * shareOf(trace.parent[ray]));
+const isSentOn = (event: RayEvent): event is RayEvent & Departure => "of" in event;
+
+/** A pixel's last event, told by those before it, in any order. */
+export function whyOf({ bytes, before }: Pick<RayEvent & { what: "pixel" }, "bytes" | "before">): Why | null {
+  const sent = new Map(before.filter(isSentOn).map((each) => [each.ray, each]));
+  const wayOf = (ray: number): (RayEvent & Departure)[] => {
+    const last = sent.get(ray);
+    return last ? [...wayOf(last.of), last] : [];
+  };
   const dark = Math.max(...bytes) < DARK;
   /** What is in a light's way from this ray's hit. */
-  const blockers = (ray: number) => new Map(events.flatMap((each) => (each.what === "blocked" && each.ray === ray ? [[each.name, each.by]] : [])));
+  const blockers = (ray: number) => new Map(before.flatMap((each) => (each.what === "blocked" && each.ray === ray ? [[each.name, each.by]] : [])));
   let why: Why | null = null;
-  for (const event of events) {
+  for (const event of before) {
     const { what, ray } = event;
     if (what !== "local" && what !== "stops" && what !== "background") continue;
-    const share = shareOf(ray) * (what === "local" ? event.share : what === "stops" ? 1 - trace.localWeight[ray] : 1);
-    const number = tree.indexOf(ray) + 1;
+    const way = wayOf(ray);
+    const share = way.reduce((all, each) => all * each.share, what === "local" ? event.share : what === "stops" ? 1 - event.keeps : 1);
     // Of equals the first ray, and of its ends its own colour.
-    if (why && (share - why.share || why.ray - number || (what === "local" ? 1 : -1)) < 0) continue;
+    if (why && (share - why.share || why.ray - ray || (what === "local" ? 1 : -1)) < 0) continue;
     const reasons = what === "local" ? reasonsOf(event.lights, blockers(ray), dark) : [];
     const tone = dark ? "dark" : reasons.some(({ how }) => how === "blocked") ? "shadow" : "lit";
-    const met = events.find((each) => each.what === "meets" && each.ray === ray);
-    why = { tone, end: what, ray: number, share, name: met?.what === "meets" ? met.name : "", reasons };
+    const met = before.find((each) => each.what === "meets" && each.ray === ray);
+    why = { ray, tone, end: what, way, share, name: met?.what === "meets" ? met.name : "", reasons };
   }
   return why;
 }
