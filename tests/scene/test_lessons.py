@@ -24,7 +24,7 @@ SAID = {
     ("2", 15, (9, 4)): (["blue sphere"], [BEHIND]),
     ("2", 33, (16, 17)): (["green sphere"], [REACHED]),
     ("2", 33, (17, 17)): (["green sphere"], [BLOCKED]),
-    ("3", 15, (12, 10)): (["floor"], [REACHED, REACHED]),
+    ("3", 15, (10, 13)): (["floor"], [REACHED, REACHED]),
     ("3", 15, (9, 7)): (["red ellipsoid"], [REACHED, BEHIND]),
     ("3", 15, (13, 7)): ([""], None),
     ("3", 15, (13, 8)): (["floor"], [REACHED, REACHED]),

@@ -98,18 +98,44 @@ test("begun by a click on its button it has no tools over the picture once the p
   assert.equal(await page.locator(".lesson-steps .next").isVisible(), false);
 });
 
-test("what the lines mean stays in sight, large enough for a hall and beside the sentence, and goes back with the lecture", async () => {
+test("what the lines mean stays in sight in one row over the sentence, as large as numbers, with the keys that lead on, and goes back with the lecture", async () => {
   await open(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
   const legend = page.locator(".legend");
   const shown = await legend.innerText();
   await press(page, "j");
   await pass(page, RESTS + 100);
   assert.equal(await legend.innerText(), shown);
-  await atLeast(20, ".legend li:not([hidden])");
-  const [it, text, below] = await Promise.all([".legend", ".lesson-text", ".below"].map((part) => page.locator(part).boundingBox()));
-  assert.ok(it.x >= text.x + text.width && it.y >= below.y && it.y + it.height <= below.y + below.height, JSON.stringify([it, text, below]));
+  assert.match(shown, /shadow ray: reaches the light/);
+  await atLeast(26, ".legend li:not([hidden])");
+  await atLeast(20, ".lecture-keys");
+  const [it, keys, text, below] = await Promise.all([".legend", ".lecture-keys", ".lesson-text", ".below"].map((part) => page.locator(part).boundingBox()));
+  assert.ok(it.y >= below.y && it.y + it.height <= text.y && it.x + it.width <= keys.x && it.height < 40, JSON.stringify([it, keys, text, below]));
+  assert.match(await page.locator(".lecture-keys").innerText(), /Page down\s+next step\s+Esc\s+leave the lecture/);
   await press(page, "j");
   assert.ok(await page.locator(".side > .legend").isVisible());
+  assert.equal(await page.locator(".lecture-keys").count(), 0);
+});
+
+test("Escape leaves first the event that is told, then the lecture", async () => {
+  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8&e=1`);
+  await press(page, "Escape");
+  assert.deepEqual([(await state(page)).event, (await state(page)).projector], [null, true]);
+  await press(page, "Escape");
+  assert.equal((await state(page)).projector, false);
+});
+
+test("when a clicker goes on to the next lesson its title stands on the stage for a while", async () => {
+  const at = scenesOfSite().findIndex(({ id }) => id === rich.id);
+  const { lesson } = readScene(rich.id);
+  const next = readScene(scenesOfSite()[at + 1].id);
+  await open(page, ON_DISK, rich.path, `${QUICK}&step=${lesson.length}&answer=1`);
+  const sign = page.locator(".title-sign");
+  assert.equal(await sign.count(), 0);
+  await press(page, "PageDown");
+  await until(page, () => document.querySelector(".title-sign"));
+  assert.ok((await sign.innerText()).endsWith(next.title));
+  await pass(page, 3100);
+  assert.equal(await sign.count(), 0);
 });
 
 test("B blackens all of it until a key or a click, which does nothing else; outside of a lecture B is no key", async () => {
