@@ -2,21 +2,28 @@
  * node site_src/check.mjs: answers requests, a line of JSON each, until its input ends. What is wrong with a picture is known by
  * check/ alone, in pages as here.
  *
+ *   {do: "check", picture, data, language}     all that the page check/ tells: Checked (check/check.ts) without the heat map, and
+ *                                              {width, height, square: {size, isCut, isLossy, hadAlpha}, source, nearest}; or {refusal}, or
+ *                                              {fault: sentence} of what is no picture
  *   {do: "recognise", picture, right, atlas}   which mistakes it looks like: Recognised (check/recognise.ts)
- *   {do: "compare", picture, right}            how right it is: Comparison (check/compare.ts), without the heat map
  *
- * picture and right name files of any format that check/formats reads, atlas a JSON file: an AtlasFile (check/atlas.ts) whose
- * images are files beside it. An answer is {answer}, or {fault: sentence}.
+ * picture and right name files of any format that check/formats reads. data is a folder of a scene's scripts
+ * (build/raywalk/check/write.py), atlas one with about.json and atlas.png. An answer is {answer}, or {fault: sentence}, in the
+ * language if one is named.
  */
 import { readFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
-const ENTRY = fileURLToPath(new URL("./check/main.ts", import.meta.url));
-const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { atlasOf, compare, faultOfSize, pictureOrSentence, recogniserOf } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const place = (path) => fileURLToPath(new URL(path, import.meta.url));
+const { outputFiles } = await build({ entryPoints: [place("./check/main.ts")], bundle: true, write: false, format: "esm", logLevel: "silent" });
+const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, rightOf, sceneOf, sourceFor, squareOf, taken } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+
+function speak(language = "en") {
+  if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(place(`./words/${language}.json`), "utf8"));
+}
 
 function pictureIn(file) {
   const { picture, sentence } = pictureOrSentence(readFileSync(file));
@@ -24,26 +31,43 @@ function pictureIn(file) {
   return picture;
 }
 
-let ready = { atlas: "", recogniser: null }; // of the scene that was asked for last
+/** Of the folder that was asked for last: what is made of it takes longer than a picture. */
+function keeping(make) {
+  let [kept, made] = ["", null];
+  return (folder) => {
+    if (kept !== folder) [made, kept] = [make(folder), folder];
+    return made;
+  };
+}
+const recogniserIn = keeping((folder) => recogniserOf(atlasOf(JSON.parse(readFileSync(join(folder, "about.json"), "utf8")), readPng(readFileSync(join(folder, "atlas.png")), Infinity))));
+const scriptIn = (folder, name) => new Uint8Array(Buffer.from(readFileSync(join(folder, `${name}.js`), "latin1").split('"')[3], "base64"));
+const sceneIn = keeping((folder) => {
+  const about = aboutOf(scriptIn(folder, "about"));
+  return sceneOf(about, scriptIn(folder, "places"), about.leftOut ? null : scriptIn(folder, "atlas"));
+});
 
-function recogniserFor(atlas) {
-  if (ready.atlas !== atlas) ready = { atlas, recogniser: recogniserOf(atlasOf(JSON.parse(readFileSync(atlas, "utf8")), (image) => pictureIn(join(dirname(atlas), image)))) };
-  return ready.recogniser;
+function checked({ picture: file, data }) {
+  const { picture, sentence } = pictureOrSentence(readFileSync(file));
+  if (!picture) return { fault: sentence };
+  const { width, height, isLossy, hadAlpha } = picture;
+  const square = squareOf(picture);
+  if (isRefusal(square)) return { width, height, refusal: square };
+  const scene = sceneIn(data);
+  const size = square.picture.width;
+  const source = sourceFor(size, scene.about);
+  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), scene);
+  const { heat, ...comparison } = found.comparison;
+  return { ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest: nearestSize(size, scene.about), leftOut: scene.about.leftOut };
 }
 
-function answer({ do: what, picture, right, atlas }) {
-  const [student, expected] = [pictureIn(picture), pictureIn(right)];
-  const fault = faultOfSize(student, [expected.width]);
-  if (fault) throw new Error(`${picture}: ${fault}`);
-  if (what === "recognise") return recogniserFor(atlas).recognise(student, expected);
-  const { heat, ...comparison } = compare(student, expected);
-  return comparison;
-}
+const DOES = { check: checked, recognise: ({ picture, right, atlas }) => recogniserIn(atlas).recognise(pictureIn(picture), pictureIn(right)) };
 
 for await (const line of createInterface({ input: process.stdin })) {
   let reply;
   try {
-    reply = { answer: answer(JSON.parse(line)) };
+    const request = JSON.parse(line);
+    speak(request.language);
+    reply = { answer: DOES[request.do](request) };
   } catch (error) {
     reply = { fault: error.message };
   }

@@ -29,6 +29,7 @@ COMMANDS = {
     "inspect": "inspect",
     "probe": "probe",
     "pixel": "pixel",
+    "compare": "compare",
     "slides": "slides",
     "serve": "serve",
     "kiosk": "kiosk",

@@ -22,14 +22,6 @@ export interface Comparison {
   isTruncated: boolean;
 }
 
-/** A sentence if the picture has no size of the scene's list, else null. sizes: pixels along. */
-export function faultOfSize({ width, height }: Picture, sizes: number[]): string | null {
-  if (width !== height) return `The picture is ${width} by ${height} pixels; the scene's is square.`;
-  if (sizes.includes(width)) return null;
-  const nearest = [...sizes].sort((a, b) => Math.abs(a - width) - Math.abs(b - width)).slice(0, 3).sort((a, b) => a - b);
-  return `The picture is ${width} by ${width} pixels. There is a right one of ${nearest.join(", ")}${sizes.length > nearest.length ? " and other sizes" : ""}.`;
-}
-
 /** Both of one size. */
 export function compare(student: Picture, right: Picture): Comparison {
   const pixels = student.width * student.height;

@@ -1,8 +1,13 @@
-/** What pages and node ask of this folder. */
-export { toldApartIn } from "./alike";
+/** What node asks of this folder: check.mjs, and tests. */
+export { alikeIn, toldApartIn } from "./alike";
+export { check } from "./check";
+export { compare } from "./compare";
+export { aboutOf, rightOf, sceneOf } from "./data";
 export { atlasOf } from "./atlas";
-export { compare, faultOfSize } from "./compare";
-export { readPicture, pictureOrSentence } from "./formats/read";
+export { readPng } from "./formats/png";
+export { pictureOrSentence, readPicture } from "./formats/read";
 export { sentenceOf } from "./formats/sentences";
-export { alikeIn } from "./alike";
+export { placeAt, whereWrong } from "./places";
 export { recogniserOf } from "./recognise";
+export { isRefusal, nearestSize, sourceFor, squareOf, taken } from "./square";
+export { gridFor, worstTiles } from "./tiles";

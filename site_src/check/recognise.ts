@@ -103,6 +103,14 @@ export function recogniserOf(atlas: Atlas) {
   };
 }
 
+/** Whether a picture is the right one, of a scene that has no atlas. */
+export function isAsRight(student: Picture, expected: Picture): boolean {
+  const wrong = wrongPixels(student, expected);
+  if (areFew(wrong, expected)) return true;
+  const settled = withoutTies(student, expected, wrong);
+  return settled !== student && areFew(wrongPixels(settled, expected), expected);
+}
+
 const byAgreement = (a: { agreement: number }, b: { agreement: number }) => b.agreement - a.agreement;
 
 const layered = (pixels: Float32Array, size: number): Layered<Float32Array> => ({ pixels, blocks: meansOf(pixels, size, BLOCK), middles: sampled(pixels, size, Math.floor(size / BLOCK)) });

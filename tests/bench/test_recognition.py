@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 from PIL import Image
 
 from raywalk.bench import recognition
-from raywalk.bench.recognition import HABITS, SCRIPT, Atlas, Tally, tally, tally_pairs, tally_right
+from raywalk.bench.recognition import HABITS, SCRIPT, Asked, Tally, tally, tally_pairs, tally_right
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.read import read_scene
 from raywalk.stops.process import Stops
@@ -25,7 +24,7 @@ SCENE = Path(__file__).parents[2] / "scenes" / "03-two-lights"
 
 @pytest.fixture(scope="module")
 def atlas(tmp_path_factory: pytest.TempPathFactory):
-    return Atlas(read_scene(SCENE), tmp_path_factory.mktemp("atlas"))
+    return Asked(read_scene(SCENE), tmp_path_factory.mktemp("atlas"))
 
 
 @pytest.fixture(scope="module")
@@ -79,8 +78,7 @@ def test_a_good_jpeg_of_the_right_picture_is_called_right(atlas, node, tmp_path)
     for values in (right, wrong):
         Image.fromarray(values).save(tmp_path / "own.jpg", quality=90, subsampling=0)
         named = {"picture": str(tmp_path / "own.jpg"), "right": str(tmp_path / "right")}
-        atlas_file = str(atlas.folder / "atlas.json")
-        found.append(json.loads(node.ask({"do": "recognise", "atlas": atlas_file, **named})))
+        found.append(atlas.asked(node, named))
     assert found[0]["isRight"]
     assert found[1]["answers"][0]["names"] == ["shadows-forgotten"]
 

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { load } from "./typescript.mjs";
 
-const { compare, faultOfSize } = await load("../check/main.ts");
+const { compare } = await load("../check/main.ts");
 const { FITS } = await load("../check/fits.ts");
 const { ON_WHOLE_PICTURES } = await load("../check/together.ts");
 
@@ -47,12 +47,6 @@ test("bytes cut off, not rounded, are noticed, and are no deviation to be mended
 
 test("what no simple change mends is told as none", () => {
   assert.equal(compare(of(right.values.map((_, i) => (i * 101) % 256)), right).fits, null);
-});
-
-test("a size that the scene has not is told with the nearest that it has", () => {
-  assert.equal(faultOfSize({ width: 100, height: 100 }, [33, 100, 105]), null);
-  assert.match(faultOfSize({ width: 64, height: 48 }, [64]), /64 by 48 pixels; the scene's is square/);
-  assert.match(faultOfSize({ width: 99, height: 99 }, [5, 33, 100, 105, 1155]), /There is a right one of 33, 100, 105 and other sizes/);
 });
 
 test("mistakes that act on a whole picture are some that there are", () => {

@@ -15,7 +15,10 @@ from raywalk.words.catalogue import entries, linked, read_tree, slots_of, words_
 from raywalk.words.plurals import RULES, plural_form
 
 ROOT = Path(__file__).parent.parent.parent
-TELLERS = ("site_src/viewer/**/*.ts", "site_src/templates/*.html", "build/raywalk/**/*.py")
+TELLERS = (
+    "site_src/viewer/**/*.ts", "site_src/check/**/*.ts", "site_src/templates/*.html",
+    "build/raywalk/**/*.py",
+)  # fmt: skip
 # say("a.b"), tell(...), phrases(...), also with a part put in: say(`a.${b}.c`), say(f"a.{b}"),
 # say("a." ~ b); and keys named on their own: (isOn ? "a.b" : "a.c").
 CALL = re.compile(r"(?:say|tell|phrases)\(\s*(f?)([`\"])([\w.${}?: \"']+?)\2(\s*~)?")

@@ -1,7 +1,7 @@
 """How often the mistakes in students' pictures are named: site_src/check/ asked through node.
 
-Right and wrong pictures of the atlas are made by the numpy tracer, exactly, and once more as most
-programs calculate, in float32 with an offset. Students' are made with other habits, at other sizes.
+Of the atlas as the site has it (check/atlas.py). Students' pictures are made with other habits, at
+other sizes.
 """
 
 from __future__ import annotations
@@ -17,15 +17,16 @@ from typing import Any
 import numpy as np
 
 from raywalk.bench.cases import Case
+from raywalk.check.atlas import CHANGED, GRID, USUAL, atlas_of, changed
+from raywalk.check.write import about_of, strips
 from raywalk.mistakes.habits import EXACT, Habits
-from raywalk.mistakes.table import BY_NAME, TABLE
+from raywalk.mistakes.table import BY_NAME
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.model import Scene
 from raywalk.stops.process import Stops
+from raywalk.trace_file.png import png
 
 SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "check.mjs"
-GRID = 231  # of the atlas
-USUAL = Habits(precision=np.float32, offset=1e-3)
 # What tells nothing: each of them is a right program.
 HABITS = (
     EXACT,
@@ -34,8 +35,6 @@ HABITS = (
     Habits(offset=1e-4, truncates=True),
     Habits(precision=np.float32, offset=3e-3),
 )
-CHANGED = 0.005  # of the pixels, by more than a step: a mistake that changes fewer is not told
-OTHER = 3  # steps of 255 from which on the usual program's picture is another than the exact one's
 SIZES = (105, 231, 512)
 PAIRS = 200
 SCENES = ("01", "02", "03", "04", "05", "08", "10")  # those without meshes and textures
@@ -59,28 +58,16 @@ class Tally:
         return 100 * (1 - named / self.asked) if self.asked else float("nan")
 
 
-class Atlas:
-    """A scene's pictures in a folder, as check.mjs reads them."""
+class Asked:
+    """A scene's atlas in a folder, as the site has it, and check.mjs asked about pictures."""
 
     def __init__(self, scene: Scene, folder: Path):
         self.scene, self.folder = scene, folder
         folder.mkdir(parents=True, exist_ok=True)
-        exact = picture(scene, GRID).bytes
-        self.names: list[str] = []
-        rows = [row for mistake in TABLE if (row := self._row(mistake.name, exact))]
-        atlas = {"scene": scene.id, "right": self.written("right", exact), "mistakes": rows}
-        (folder / "atlas.json").write_text(json.dumps(atlas), encoding="utf-8")
-
-    def _row(self, name: str, right: np.ndarray) -> dict[str, Any] | None:
-        """Of a mistake that shows; both pictures where programs that calculate otherwise differ."""
-        wrong = picture(self.scene, GRID, frozenset([name])).bytes
-        usual = picture(self.scene, GRID, frozenset([name]), USUAL).bytes
-        if not max(changed(wrong, right), changed(usual, right)) > CHANGED:
-            return None
-        self.names.append(name)
-        made = [wrong, usual] if changed(usual, wrong, OTHER) > CHANGED else [wrong]
-        files = [self.written(f"{name}-{k}", each - right) for k, each in enumerate(made)]
-        return {"name": name, "family": BY_NAME[name].family, "wrong": files}
+        atlas = atlas_of(scene)
+        self.names = [each.mistake.name for each in atlas.wrong]
+        (folder / "atlas.png").write_bytes(png(strips(atlas)))
+        (folder / "about.json").write_text(json.dumps(about_of(scene, atlas)), encoding="utf-8")
 
     def written(self, name: str, values: np.ndarray) -> str:
         """(n, n, 3) uint8 as P6; the file's name."""
@@ -95,14 +82,13 @@ class Atlas:
             key: str(self.folder / self.written(f"asked-{key}", values))
             for key, values in files.items()
         }
-        request = {"do": "recognise", "atlas": str(self.folder / "atlas.json"), **named}
+        return self.asked(node, named)
+
+    def asked(self, node: Stops, named: dict[str, str]) -> dict[str, Any]:
+        """The same of two files, "picture" and "right"."""
+        request = {"do": "recognise", "atlas": str(self.folder), **named}
         found: dict[str, Any] = json.loads(node.ask(request))
         return found
-
-
-def changed(a: np.ndarray, b: np.ndarray, steps: int = 1) -> float:
-    """Share of the pixels that differ by more than so many steps of 255."""
-    return float((np.abs(a.astype(int) - b).max(axis=-1) > steps).mean())
 
 
 def shown_in(scenes: list[Scene]) -> list[Scene]:
@@ -119,7 +105,7 @@ def recognised(
     rng = np.random.default_rng(seed)
     with tempfile.TemporaryDirectory() as folder, Stops(SCRIPT) as node:
         for place, scene in enumerate(scenes):
-            atlas = Atlas(scene, Path(folder) / scene.id)
+            atlas = Asked(scene, Path(folder) / scene.id)
             share = pairs // len(scenes) + (place < pairs % len(scenes))
             for n in sizes:
                 right = picture(scene, n).bytes
@@ -131,7 +117,7 @@ def recognised(
     return tallies
 
 
-def tally_right(found: Tally, node: Stops, atlas: Atlas, right: np.ndarray) -> None:
+def tally_right(found: Tally, node: Stops, atlas: Asked, right: np.ndarray) -> None:
     """Right pictures of all habits: first counts those that are called right."""
     for habits in HABITS:
         own = picture(atlas.scene, len(right), frozenset(), habits).bytes
@@ -143,7 +129,7 @@ def tally_right(found: Tally, node: Stops, atlas: Atlas, right: np.ndarray) -> N
 
 
 def tally(
-    found: Tally, node: Stops, atlas: Atlas, right: np.ndarray, names: set[str], habits: Habits
+    found: Tally, node: Stops, atlas: Asked, right: np.ndarray, names: set[str], habits: Habits
 ) -> None:
     """One wrong picture, if it is one; all its mistakes must be among the answers."""
     student = picture(atlas.scene, len(right), frozenset(names), habits).bytes
@@ -163,7 +149,7 @@ def tally(
 
 
 def tally_pairs(
-    found: Tally, node: Stops, atlas: Atlas, count: int, rng: np.random.Generator
+    found: Tally, node: Stops, atlas: Asked, count: int, rng: np.random.Generator
 ) -> None:
     """Random pairs of different families that each change something the other leaves."""
     right = picture(atlas.scene, GRID).bytes

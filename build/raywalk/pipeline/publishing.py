@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from raywalk.pipeline.checking import publish_check
 from raywalk.pipeline.homework import publish_homework
 from raywalk.pipeline.slides import MadeDeck, publish_slides
 from raywalk.scene.lesson_pictures import pictures_of
@@ -17,7 +18,7 @@ from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
 from raywalk.site import sizes
-from raywalk.site.assets import write_assets, write_words
+from raywalk.site.assets import write_assets, write_check_words, write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.licences import write_licences
 from raywalk.site.offline import write_icons, write_manifest, write_worker
@@ -49,6 +50,7 @@ class Made:
     pictures: dict[str, Entry]  # of some: pages do without
     worked: dict[str, Entry]  # of scenes whose lessons work something out
     homework: dict[str, Entry]  # vectors for graders; pages do without
+    check: dict[str, Entry]  # what students' pictures are held against; there is no page without
     decks: list[MadeDeck]
 
     @property
@@ -70,6 +72,7 @@ class Made:
         for id in self.traces:
             yield from self.of_scene(id)
         yield from self.homework.values()
+        yield from self.check.values()
         yield from (deck.entry for deck in self.decks)
 
 
@@ -86,6 +89,7 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
             assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
         published = publish_slides(out, made.decks)
         publish_homework(out, site_source, made.homework.values())
+        publish_check(out, made.check)
         publish_reports(out, templates, assets, scenes, chosen.work)
         for code, translated in made.spoken.items():
             said = [each.scene for each in translated]
@@ -116,7 +120,7 @@ def write_edition(
         publish_pictures(scene, out / home_of(code) / "scenes" / scene.id / PICTURES)
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     savings = {scene.id: savings_lines(facts[scene.id], words) for scene in scenes}
-    written_by = assets | write_words(out, words)
+    written_by = assets | write_words(out, words) | write_check_words(out, words)
     templates = site_source / "templates"
     write_pages(out, templates, scenes, figures, written_by, words, savings, downloads, base)
     write_manifest(out, words, assets)

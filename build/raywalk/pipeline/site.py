@@ -80,7 +80,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}
     worked = {id: each.worked for id, each in of_scenes.items() if each.worked}
     homework = {id: each.homework for id, each in of_scenes.items() if each.homework}
-    works = Made(spoken, facts, viewer, traces, data, pictures, worked, homework, decks)
+    check = {id: each.check for id, each in of_scenes.items() if each.check}
+    works = Made(spoken, facts, viewer, traces, data, pictures, worked, homework, check, decks)
     with phase("publish"):
         heavy = publish(works, chosen, site_source, base)
     heavy = [f"warning: {line}" for line in heavy]

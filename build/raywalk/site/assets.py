@@ -6,14 +6,16 @@ import hashlib
 import json
 import subprocess
 from pathlib import Path
+from typing import Any
 
 from raywalk.trace.kinds import LINES, PAGE
 from raywalk.words import Words
 from raywalk.work.snapshot import bytes_of
 
-BUNDLED = ("viewer", "kiosk", "page")
+BUNDLED = ("viewer", "kiosk", "page", "check")
 PART = "part-"  # what comes when asked for, as bundle.mjs names it
-PAGES_ONLY = ("pages", "slides", "sheet", "teacher")  # sentences that the viewer never says
+CHECK = "check"  # the sentences of the page check/, which no other page says
+PAGES_ONLY = ("pages", "slides", "sheet", "teacher", CHECK)  # those that the viewer never says
 
 
 class BundleError(Exception):
@@ -43,9 +45,18 @@ def write_words(out: Path, words: Words) -> dict[str, str]:
     """A language's sentences as a classic script that sets raywalkWords: apart from the viewer,
     which is the same in every language, and to be loaded before it."""
     said = {key: part for key, part in words.tree.items() if key not in PAGES_ONLY}
+    return {"words_js": _said(out, f"words-{words.code}", said)}
+
+
+def write_check_words(out: Path, words: Words) -> dict[str, str]:
+    """The same for the page check/: what it says, and no more."""
+    said = {key: words.tree[key] for key in ("language", CHECK)}
+    return {"check_words_js": _said(out, f"{CHECK}-words-{words.code}", said)}
+
+
+def _said(out: Path, stem: str, said: dict[str, Any]) -> str:
     text = json.dumps(said, ensure_ascii=False, separators=(",", ":"))
-    script = f"raywalkWords={text};\n".encode()
-    return {"words_js": named(out, f"words-{words.code}", "js", script)}
+    return named(out, stem, "js", f"raywalkWords={text};\n".encode())
 
 
 def bundle_viewer(site_src: Path, folder: Path) -> None:

@@ -18,8 +18,9 @@ WHEN = (1980, 1, 1, 0, 0, 0)  # of all files: the same site gives the same bytes
 LEVEL = 9
 # What only a host or another program needs: no page of the archive links to it.
 NOT_NEEDED = (".json.gz", PREVIEW, WORKER, MANIFEST, SITEMAP)
-# The list of the site's files, a host's settings, a worktree's .git; and numbers for graders.
-HIDDEN = (".", "homework/")
+# The list of the site's files, a host's settings, a worktree's .git; numbers for graders; and the
+# page for pictures of one's own, which nobody brings to a kiosk.
+HIDDEN = (".", "homework/", "check/")
 SCRIPTS = (".sh", ".command")
 
 

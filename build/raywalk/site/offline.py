@@ -22,7 +22,7 @@ GROUND = "#0d1116"
 # Plain twins of the traces, sheets for paper and PowerPoint, tables about the build: whoever
 # wants them saves them; pages do not need them.
 NEVER_KEPT = (".json.gz", ".pptx", ".pdf", ".svg", "sizes.json", WORKER)
-NOT_PAGES = ("sizes/", "benchmarks/", "homework/")
+NOT_PAGES = ("sizes/", "benchmarks/", "homework/", "check/")
 HASH = 16  # hex digits
 
 

@@ -3,6 +3,7 @@ page on the model behind the pictures."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from functools import partial
 from itertools import groupby
@@ -22,6 +23,7 @@ from jinja2.bccache import Bucket
 from markupsafe import Markup, escape
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.mistakes.table import TABLE
 from raywalk.scene.lesson_text import inline_html, lesson_html
 from raywalk.scene.model import Choice, Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
@@ -46,10 +48,10 @@ def write_pages(
     words: Words | None = None, savings: dict[str, Figures] | None = None,
     downloads: dict[str, dict[str, int]] | None = None, base: str = "",
 ) -> None:  # fmt: skip
-    """index.html, model/, glossary/, slides/, offline/ and scenes/<id>/index.html of one language:
-    under `out` for the default one, under out/<code> for another. scenes: in that language;
-    downloads: paths and sizes of the files to take away, by scene id or "course"; base: where the
-    site will be, if that is known.
+    """index.html, model/, glossary/, check/, slides/, offline/ and scenes/<id>/index.html of one
+    language: under `out` for the default one, under out/<code> for another. scenes: in that
+    language; downloads: paths and sizes of the files to take away, by scene id or "course"; base:
+    where the site will be, if that is known.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -70,7 +72,8 @@ def write_pages(
         "decks": decks, "forms": {word: ending for ending, word in FORMS.items()},
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
     }  # fmt: skip
-    write("index.html", "gallery.html")
+    checks = [_checked(each, home, out) for each in scenes if has_check(each, out)]
+    write("index.html", "gallery.html", checks=checks)
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
@@ -85,6 +88,8 @@ def write_pages(
         seen=first_seen(glossary, scenes), letters=letters_of(glossary.terms),
     )  # fmt: skip
     (out / home / "glossary" / "terms.js").write_text(terms_script(glossary.terms), "utf-8")
+    if checks:
+        write("check/index.html", "check.html", checks=checks, mistakes=mistakes_told())
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
@@ -92,8 +97,8 @@ def write_pages(
         shown = _scene(scene, figures[scene.id], out) | {
             "lesson": _lesson(scene, deck["figures"] if deck else [], words, glossary),
             "savings": (savings or {}).get(scene.id),
-            "downloads": deck,
-        }
+            "downloads": deck, "check": has_check(scene, out),
+        }  # fmt: skip
         here = f"scenes/{scene.id}/index.html"
         write(here, "scene.html", scene=shown, preview=_preview(out, [scene]))
 
@@ -226,6 +231,22 @@ def _chapters(cards: Sequence[dict[str, str]]) -> list[dict[str, Any]]:
 
 def _glass(scene: Scene, home: str, out: Path) -> dict[str, str]:
     return _card(scene, home, out) | {"glass_shadows": scene.render.glass_shadows}
+
+
+def has_check(scene: Scene, out: Path) -> bool:
+    """Whether there are pictures to check a student's against: of the scene itself."""
+    return not scene.base and (out / "check" / scene.id).is_dir()
+
+
+def _checked(scene: Scene, home: str, out: Path) -> dict[str, str]:
+    """objects: their names in the page's language, as JSON."""
+    names = json.dumps([obj.name for obj in scene.objects], ensure_ascii=False)
+    return _card(scene, home, out) | {"objects": names}
+
+
+def mistakes_told() -> str:
+    """What each mistake of the atlas is called, as JSON."""
+    return json.dumps({each.name: {"title": each.does, "url": ""} for each in TABLE})
 
 
 def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:

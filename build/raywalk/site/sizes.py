@@ -13,7 +13,7 @@ from typing import Any
 
 from raywalk.errors import UserError, shown_path
 from raywalk.scene.model import Scene
-from raywalk.site.assets import PART
+from raywalk.site.assets import CHECK, PART
 from raywalk.site.scene_data import start_of
 from raywalk.site.shown_picture import shown_picture
 from raywalk.trace_file.container import pack, script, unpack
@@ -125,8 +125,8 @@ def _first_of_lesson(out: Path, scene: Scene) -> int:
 
 def _is_loaded(name: str) -> bool:
     """A first view loads the words of one language; that of the default one stands for all. A
-    kiosk's script comes in a kiosk only, and parts when they are asked for."""
-    if name.startswith(("kiosk-", PART)):
+    kiosk's script comes in a kiosk only, that of checks on their page, and parts when asked for."""
+    if name.startswith(("kiosk-", f"{CHECK}-", PART)):
         return False
     other = name.startswith("words-") and not name.startswith(f"words-{DEFAULT}-")
     return name.endswith(".js") and not other

@@ -5,7 +5,7 @@
 import { convertIndexedToRgb, decode } from "fast-png";
 import { Unzlib } from "fflate";
 import { checkSize, PictureFault } from "./fault";
-import { pictureOf, type Picture } from "./picture";
+import { MOST_PIXELS_ALONG, pictureOf, type Picture } from "./picture";
 
 const FORMAT = "PNG";
 const SIGNATURE = 8;
@@ -30,9 +30,10 @@ interface Header {
   isInterlaced: boolean;
 }
 
-export function readPng(bytes: Uint8Array): Picture {
+/** most: pixels along. */
+export function readPng(bytes: Uint8Array, most = MOST_PIXELS_ALONG): Picture {
   const chunks = chunksOf(bytes);
-  const header = headerOf(chunks[0]);
+  const header = headerOf(chunks[0], most);
   checkUnpacked(header, chunks);
   let decoded: ReturnType<typeof decode>;
   try {
@@ -61,11 +62,11 @@ function* walked(bytes: Uint8Array): Generator<Chunk> {
 
 const chunksOf = (bytes: Uint8Array) => [...walked(bytes)].filter(({ type }) => KEPT.has(type));
 
-function headerOf({ type, data }: Chunk): Header {
+function headerOf({ type, data }: Chunk, most: number): Header {
   if (type !== "IHDR" || data.length !== 13) throw new PictureFault("header", { format: FORMAT, what: "it does not begin with IHDR" });
   const view = new DataView(data.buffer, data.byteOffset, data.length);
   const [width, height, depth, kind] = [view.getUint32(0), view.getUint32(4), data[8], data[9]];
-  checkSize(FORMAT, width, height);
+  checkSize(FORMAT, width, height, most);
   const channels = CHANNELS[kind];
   if (!channels || ![1, 2, 4, 8, 16].includes(depth)) throw new PictureFault("header", { format: FORMAT, what: `there is no colour type ${kind} with ${depth} bits` });
   const header = { width, height, depth, channels, isIndexed: kind === 3, isInterlaced: data[12] === 1 };

@@ -1,0 +1,58 @@
+"""What the page check/ holds pictures of a scene against, kept under what it is made from."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+from raywalk.pipeline.parts import models_of, shut_for, silent
+from raywalk.scene.model import Scene
+from raywalk.work.chains import Chain
+from raywalk.work.digests import key_of
+from raywalk.work.maker import Maker, Parts
+from raywalk.work.making import made, reasons
+from raywalk.work.pool import Job, Threads
+from raywalk.work.progress import Report
+from raywalk.work.store import Entry, Store
+from raywalk.work.times import Spent, Stages, note
+
+CHECK = Maker("raywalk.check.write", "write_check")
+FOLDER = "check"  # of the site
+
+
+def check_parts(scene: Scene, traced: Entry) -> Parts:
+    """The scene without its words, its trace, and what makes right and wrong pictures of it."""
+    return {
+        "what": "check", "of": scene.id, "scene": silent(scene), "models": models_of(scene),
+        "trace": traced.folder.name, **CHECK.parts(shut_for(scene)),
+    }  # fmt: skip
+
+
+def check_chain(store: Store, scene: Scene, traced: Entry) -> Chain[Entry]:
+    """The entry of a scene's right and wrong pictures."""
+    parts = check_parts(scene, traced)
+    yield from reasons(store, parts)
+    if not store.find(key_of(parts)):
+        note((yield Job(scene.id, partial(_make, store, parts, traced.folder), scene)))
+    return store.get(key_of(parts))
+
+
+def _make(
+    store: Store, parts: Parts, traced: Path, scene: Scene, threads: Threads, report: Report
+) -> Spent:
+    # Only where something is traced: a change of words imports no compiler.
+    from raywalk.optics.compiling import seconds_spent
+
+    stages = Stages("compiling kernels", seconds_spent)
+    made(store, parts, partial(CHECK, scene, traced, threads))
+    return stages.spent("pictures to check against")
+
+
+def publish_check(out: Path, made: Mapping[str, Entry]) -> None:
+    """A folder for each scene beside the page."""
+    for id, entry in made.items():
+        (out / FOLDER / id).mkdir(parents=True)
+        for path in entry.files():
+            shutil.copyfile(path, out / FOLDER / id / path.name)

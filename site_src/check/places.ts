@@ -1,0 +1,81 @@
+/** Where a picture is wrong: on which objects, in shadow, in what mirrors show. What is where was traced: check/places.py. */
+import type { Picture } from "./formats/picture";
+import { NOISE } from "./layer";
+
+const [IN_SHADOW, LIT, MIRROR, GLASS, EDGE] = [1, 2, 4, 8, 16];
+/** A kind of place is told that holds at least this share of the wrong pixels, and is so much less of the picture. */
+const [MOST, TELLING] = [0.8, 0.25];
+const TOLD = 2;
+
+export type Kind = "shadow" | "lit" | "turned" | "mirror" | "glass" | "edge" | "background" | "object";
+
+export interface Told {
+  kind: Kind;
+  object: number; // of kind "object": its place in the scene; else -1
+  ofWrong: number; // share of the wrong pixels that lie there
+  ofPicture: number;
+}
+
+export interface OnObject {
+  object: number; // its place in the scene, -1: the background
+  wrong: number; // share of its pixels
+  ofWrong: number; // share of all wrong ones
+}
+
+export interface Where {
+  told: Told[]; // the most telling first
+  objects: OnObject[]; // all that is seen, the most wrong pixels first
+}
+
+const KINDS: [Kind, (object: number, bits: number) => boolean][] = [
+  ["mirror", (_, bits) => (bits & MIRROR) > 0],
+  ["glass", (_, bits) => (bits & GLASS) > 0],
+  ["shadow", (_, bits) => (bits & IN_SHADOW) > 0],
+  ["turned", (object, bits) => object >= 0 && !(bits & (IN_SHADOW | LIT))],
+  ["edge", (_, bits) => (bits & EDGE) > 0],
+  ["lit", (_, bits) => (bits & LIT) > 0],
+  ["background", (object) => object < 0],
+];
+
+/** The place of a pixel of an n x n picture on the grid of places: its object, -1 for none, and bits. */
+export function placeAt(places: Picture, n: number, x: number, y: number): { object: number; bits: number } {
+  const along = (at: number) => Math.floor(((at + 0.5) * places.width) / n);
+  const at = 3 * (along(y) * places.width + along(x));
+  return { object: places.values[at] - 1, bits: places.values[at + 1] };
+}
+
+/** The worst of a pixel's three colours, steps of 255. i: of its red. */
+export function worstAt(a: Picture, b: Picture, i: number): number {
+  let worst = 0;
+  for (let c = i; c < i + 3; c++) worst = Math.max(worst, Math.abs(a.values[c] - b.values[c]));
+  return worst;
+}
+
+export function whereWrong(student: Picture, right: Picture, places: Picture): Where {
+  const n = right.width;
+  const kinds = KINDS.map(() => ({ all: 0, wrong: 0 }));
+  const objects = new Map<number, { all: number; wrong: number }>();
+  let wrong = 0;
+  for (let y = 0; y < n; y++) {
+    for (let x = 0; x < n; x++) {
+      const { object, bits } = placeAt(places, n, x, y);
+      const isWrong = worstAt(student, right, 3 * (y * n + x)) > NOISE ? 1 : 0;
+      wrong += isWrong;
+      const own = objects.get(object) ?? { all: 0, wrong: 0 };
+      objects.set(object, own);
+      for (const count of [own, ...kinds.filter((_, k) => KINDS[k][1](object, bits))]) {
+        count.all++;
+        count.wrong += isWrong;
+      }
+    }
+  }
+  if (!wrong) return { told: [], objects: [] };
+  const share = (count: { all: number; wrong: number }) => ({ ofWrong: count.wrong / wrong, ofPicture: count.all / (n * n) });
+  const ofKinds = kinds.map((count, k): Told => ({ kind: KINDS[k][0], object: -1, ...share(count) }));
+  const ofObjects = [...objects].filter(([object]) => object >= 0).map(([object, count]): Told => ({ kind: "object", object, ...share(count) }));
+  const told = [...ofKinds, ...ofObjects].filter(({ ofWrong, ofPicture }) => ofWrong >= MOST && ofWrong - ofPicture >= TELLING);
+  return {
+    told: told.sort((a, b) => b.ofWrong - b.ofPicture - (a.ofWrong - a.ofPicture)).slice(0, TOLD),
+    objects: [...objects].map(([object, { all, wrong: own }]) => ({ object, wrong: own / all, ofWrong: own / wrong })).sort((a, b) => b.ofWrong - a.ofWrong),
+  };
+}

@@ -1,0 +1,78 @@
+/** Which part of a student's picture is held against which right one, and where it is wrong. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load } from "./typescript.mjs";
+
+const { gridFor, isRefusal, nearestSize, placeAt, sourceFor, squareOf, taken, whereWrong, worstTiles } = await load("../check/main.ts");
+
+const SIZES = { own: [5, 7, 35], others: [10, 64] };
+const of = (width, height, value = (x, y) => [x, y, 0]) => ({
+  width, height, values: Uint8Array.from(Array.from({ length: width * height }, (_, i) => value(i % width, Math.floor(i / width))).flat()), isLossy: false, hadAlpha: false,
+});
+
+test("a square picture is taken whole", () => {
+  const picture = of(7, 7);
+  assert.deepEqual(squareOf(picture), { picture, isCut: false });
+});
+
+test("of a wider one the middle is taken, as high as it is", () => {
+  const { picture, isCut } = squareOf(of(13, 7));
+  assert.ok(isCut);
+  assert.deepEqual([picture.width, picture.height, picture.values.length], [7, 7, 147]);
+  assert.deepEqual([...picture.values.subarray(0, 3)], [3, 0, 0], "three columns are left out at each side");
+  assert.deepEqual([...picture.values.subarray(-3)], [9, 6, 0]);
+});
+
+test("a picture that is higher than wide, or hardly there, is refused in words", () => {
+  for (const [picture, word] of [[of(7, 9), "tall"], [of(4, 4), "tiny"], [of(9, 1), "tiny"]]) {
+    const refusal = squareOf(picture);
+    assert.ok(isRefusal(refusal));
+    assert.equal(refusal.word, word);
+  }
+});
+
+test("a size that the scene's picture has is part of it, another one has its own, any other comes from the finest", () => {
+  assert.deepEqual(sourceFor(7, SIZES), { from: 35, isExact: true });
+  assert.deepEqual(sourceFor(10, SIZES), { from: 10, isExact: true });
+  assert.deepEqual(sourceFor(11, SIZES), { from: 64, isExact: false });
+  assert.equal(nearestSize(11, SIZES), 10);
+});
+
+test("what is taken of a picture are the pixels at the same centres", () => {
+  const part = taken(of(35, 35), 7);
+  assert.deepEqual([...part.values.subarray(0, 6)], [2, 2, 0, 7, 2, 0], "of five pixels the third");
+});
+
+/** Half of the picture is object 0 in the light, half object 1 in shadow; one row is background. */
+const places = of(10, 10, (x, y) => (y === 9 ? [0, 0, 0] : x < 5 ? [1, 2, 0] : [2, 1, 0]));
+const right = of(20, 20, () => [100, 100, 100]);
+
+test("places are found at the same share of any picture", () => {
+  assert.deepEqual(placeAt(places, 20, 9, 0), { object: 0, bits: 2 });
+  assert.deepEqual(placeAt(places, 20, 10, 17), { object: 1, bits: 1 });
+  assert.deepEqual(placeAt(places, 20, 10, 18), { object: -1, bits: 0 });
+});
+
+test("what is wrong only in shadow is told as that", () => {
+  const student = of(20, 20, (x, y) => (x >= 10 && y < 18 ? [140, 100, 100] : [100, 100, 103]));
+  const { told, objects } = whereWrong(student, right, places);
+  assert.deepEqual(told.map(({ kind, object }) => [kind, object]).sort(), [["object", 1], ["shadow", -1]]);
+  assert.deepEqual(told[0], { ...told[0], ofWrong: 1, ofPicture: 0.45 });
+  assert.deepEqual(objects[0], { object: 1, wrong: 1, ofWrong: 1 });
+});
+
+test("what is wrong everywhere is told of no place", () => {
+  assert.deepEqual(whereWrong(of(20, 20, () => [0, 0, 0]), right, places).told, []);
+});
+
+test("tiles to walk are of different places first, and some way apart", () => {
+  const tiles = worstTiles(of(20, 20, (x) => (x < 10 ? [200, 100, 100] : [150, 100, 100])), right, places, 10);
+  assert.deepEqual(new Set(tiles.map(({ object }) => object)), new Set([-1, 0, 1]));
+  for (const [k, a] of tiles.entries()) for (const b of tiles.slice(0, k)) assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 10 / 9);
+  assert.deepEqual([tiles[0].own, tiles[0].right], [[200, 100, 100], [100, 100, 100]]);
+});
+
+test("the grid is the finest that a picture has pixels for", () => {
+  assert.equal(gridFor(40, [5, 33, 105]), 33);
+  assert.equal(gridFor(3, [5, 33, 105]), 5);
+});
