@@ -1,0 +1,176 @@
+/** The page check/ from a disk, as a student uses it: a file of each kind, right and wrong pictures, by keyboard, in both languages. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { PNG } from "pngjs";
+import { DIST, launch, newPage, ON_DISK, PATIENCE, until } from "./browser.mjs";
+import { GOOD, HEIGHT, HOSTILE, WIDTH } from "./picture-files.mjs";
+import { load, wordsOf } from "./typescript.mjs";
+
+const { aboutOf, atlasOf, pictureOrSentence, rightOf } = await load("../check/main.ts");
+const [EN, DE] = ["en", "de"].map((language) => wordsOf(language).check);
+const mistakes = JSON.parse(readFileSync(`${DIST}/check/index.html`, "utf8").match(/data-mistakes="([^"]*)"/)[1].replaceAll("&#34;", '"').replaceAll("&#39;", "'").replaceAll("&amp;", "&"));
+const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
+
+let browser, page;
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser);
+});
+after(() => browser.close());
+
+async function visit(hash = "", home = "") {
+  await page.goto("about:blank");
+  page.home = ON_DISK;
+  await page.goto(`${ON_DISK}${home}check/index.html${hash}`);
+  await page.locator("#sizes:not(:empty)").waitFor({ state: "attached" });
+}
+
+/** Drops a file, and waits for what is said of it: { says, found }. */
+async function drop(bytes, name = "picture") {
+  await page.evaluate(([base64, name]) => {
+    document.getElementById("says").textContent = "";
+    document.getElementById("found").hidden = true;
+    const given = new DataTransfer();
+    given.items.add(new File([Uint8Array.from(atob(base64), (each) => each.charCodeAt(0))], name));
+    document.getElementById("drop").dispatchEvent(new DragEvent("drop", { dataTransfer: given, bubbles: true, cancelable: true }));
+  }, [Buffer.from(bytes).toString("base64"), name]);
+  const done = await page.waitForFunction((working) => {
+    const [says, found] = ["says", "found"].map((id) => document.getElementById(id));
+    return (!found.hidden || (says.textContent && !working.includes(says.textContent))) && { says: says.textContent, found: found.hidden ? "" : found.innerText };
+  }, [EN.working, DE.working], { timeout: PATIENCE });
+  return done.jsonValue();
+}
+
+/** What a mistake makes of a scene, as its atlas has it. */
+function wrongPicture(scene, name) {
+  const about = aboutOf(dataOf(scene, "about"));
+  const { size, mistakes } = atlasOf(about, rightOf(dataOf(scene, "atlas")));
+  const [picture] = mistakes.find((each) => each.name === name).pictures;
+  const png = new PNG({ width: size, height: size });
+  for (let i = 0; i < size * size; i++) png.data.set([...picture.subarray(3 * i, 3 * i + 3), 255], 4 * i);
+  return PNG.sync.write(png);
+}
+
+test("a file of each kind is read and compared", async () => {
+  await visit();
+  for (const [kind, bytes] of GOOD) {
+    const { says, found } = await drop(bytes, `${kind}.xyz`);
+    assert.equal(says, "", kind);
+    assert.ok(found.includes(`${kind}.xyz, ${WIDTH} × ${HEIGHT} pixels`), `${kind}: ${found}`);
+    assert.ok(found.includes(`Compared is the middle square, ${HEIGHT} × ${HEIGHT} pixels`), kind);
+  }
+});
+
+test("of each hostile file it is said what is wrong, and nothing is shown", async () => {
+  await visit();
+  for (const [kind, bytes, word] of HOSTILE) {
+    if (!word) continue; // read, as the one above
+    const { says, found } = await drop(bytes, kind);
+    assert.deepEqual([says, found], [pictureOrSentence(bytes).sentence, ""], kind);
+  }
+});
+
+test("the right picture is called right, at the scene's own size and at one of its parts", async () => {
+  await visit("#scene=03-two-lights");
+  const whole = dataOf("03-two-lights", "1155");
+  for (const bytes of [whole, dataOf("03-two-lights", "512")]) {
+    const { found } = await drop(bytes, "mine.png");
+    assert.ok(found.startsWith(EN.verdict.right), found.slice(0, 200));
+    assert.ok(!found.includes(EN.looks.head) && !found.includes(EN.walk.head));
+  }
+});
+
+for (const [scene, name] of [["02-shadows", "shadows-forgotten"], ["03-two-lights", "light-reversed"], ["05-many-bounces", "upside-down"], ["08-glass", "not-bent-at-exit"], ["01-shading", "cosine-absolute"]]) {
+  test(`in ${scene} the picture of ${name} is named`, async () => {
+    await visit(`#scene=${scene}`);
+    assert.equal(await page.locator("[name=scene]:checked").inputValue(), scene);
+    await drop(wrongPicture(scene, name));
+    const first = await page.locator(".check-answers > li").first().innerText();
+    assert.ok(first.includes(mistakes[name].title), first);
+    assert.match(first, /\d\s?% agreement/);
+  });
+}
+
+test("a pixel that is far off leads to its rays", async () => {
+  await visit("#scene=02-shadows");
+  await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  const link = page.locator(".check-tiles a").first();
+  const [, x, y, n] = (await link.innerText()).match(/Tile (\d+), (\d+) of (\d+)/);
+  await Promise.all([page.waitForURL("**/scenes/02-shadows/**"), link.click()]);
+  await until(page, (s, t, wanted) => JSON.stringify([s.scene, s.pixel, s.n]) === wanted, JSON.stringify(["02-shadows", [Number(x), Number(y)], Number(n)]));
+});
+
+test("the wipe moves by keys and by hand, other views are a press away, and a pixel tells both colours", async () => {
+  await visit("#scene=02-shadows");
+  await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  const clip = () => page.locator(".check-picture canvas").last().evaluate((canvas) => canvas.style.clipPath);
+  const half = await clip();
+  await page.locator(".check-wipe").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.notEqual(await clip(), half);
+  const picture = page.locator(".check-picture");
+  await picture.hover({ position: { x: 40, y: 40 } });
+  assert.match(await page.locator(".check-under").innerText(), /^Column \d+, row \d+: yours \(\d+, \d+, \d+\), right \(\d+, \d+, \d+\)$/);
+  await page.mouse.down();
+  assert.match(await clip(), /^inset\(0(px)? \d/);
+  await page.mouse.up();
+  await page.getByRole("button", { name: EN.view.heat }).click();
+  assert.equal(await page.locator(".check-under").innerText(), EN.view.heatSays);
+  assert.ok(!(await page.locator(".check-wipe").isVisible()));
+});
+
+test("by keyboard alone: a scene, a file, what is found, another picture", async () => {
+  await visit();
+  await page.locator("[name=scene]").first().focus();
+  await page.keyboard.press("ArrowRight");
+  const second = await page.locator("[name=scene]").nth(1).inputValue();
+  assert.equal(await page.locator("[name=scene]:checked").inputValue(), second);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "file");
+  await page.locator("#file").setInputFiles({ name: "mine.ppm", mimeType: "", buffer: Buffer.from(GOOD.find(([kind]) => kind.startsWith("P6"))[1]) });
+  await page.locator("#found:not([hidden])").waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement.id), "found", "the focus goes to what was found");
+  await page.getByRole("button", { name: EN.again }).press("Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "file");
+  assert.ok(!(await page.locator("#found").isVisible()));
+});
+
+test("another scene checks the same picture again", async () => {
+  await visit("#scene=01-shading");
+  const { found } = await drop(dataOf("02-shadows", "256"));
+  assert.ok(!found.startsWith(EN.verdict.right), "another scene's picture");
+  await page.locator("[value='02-shadows']").check();
+  await page.waitForFunction((right) => document.getElementById("found").innerText.startsWith(right), EN.verdict.right);
+});
+
+test("in German all of it is German", async () => {
+  await visit("#scene=02-shadows", "de/");
+  const { found } = await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  for (const head of [DE.how.head, DE.where.head, DE.looks.head, DE.walk.head]) assert.ok(found.includes(head));
+  assert.ok(!/\b(pixels|yours|within|agreement)\b/.test(found), found);
+  const { says } = await drop(new Uint8Array(0));
+  assert.equal(says, DE.fault.noBytes);
+});
+
+test("what a scene has no mistakes for is said, and its pictures are compared all the same", async () => {
+  await visit("#scene=07-bunny-near");
+  const right = dataOf("07-bunny-near", "512");
+  assert.ok((await drop(right)).found.startsWith(EN.verdict.right));
+  const wrong = PNG.sync.read(right);
+  for (let i = 0; i < wrong.data.length; i += 4) [wrong.data[i], wrong.data[i + 2]] = [wrong.data[i + 2], wrong.data[i]];
+  const { found } = await drop(PNG.sync.write(wrong));
+  assert.ok(found.includes(EN.looks.left.meshes) && found.includes(EN.fits.bgr), found);
+});
+
+test("a picture higher than wide is refused in a sentence", async () => {
+  await visit();
+  const png = new PNG({ width: 20, height: 30 });
+  assert.match((await drop(PNG.sync.write(png))).says, /20 by 30 pixels\. The scene is square/);
+});
+
+test("the page knows its name in a scene's menu, and no request left the site", async () => {
+  const { href } = await page.goto(`${ON_DISK}scenes/02-shadows/index.html`).then(() => page.locator(".to-check").evaluate(({ href }) => ({ href })));
+  assert.match(href, /\/check\/index\.html#scene=02-shadows$/);
+  assert.deepEqual(page.faults, []);
+});
