@@ -55,7 +55,7 @@ function checked({ picture: file, data }) {
   const scene = sceneIn(data);
   const size = square.picture.width;
   const source = sourceFor(size, scene.about);
-  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), scene);
+  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), source.isExact, scene);
   const { heat, ...comparison } = found.comparison;
   return { ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest: nearestSize(size, scene.about), leftOut: scene.about.leftOut };
 }

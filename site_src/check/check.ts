@@ -19,10 +19,10 @@ export interface Scene {
   recogniser: ReturnType<typeof recogniserOf> | null; // null: it has no atlas
 }
 
-/** right: of the square's size. */
-export function check({ picture }: Square, right: Picture, { about, places, recogniser }: Scene): Checked {
+/** right: of the square's size. isExact: as source.isExact. */
+export function check({ picture }: Square, right: Picture, isExact: boolean, { about, places, recogniser }: Scene): Checked {
   const comparison = compare(picture, right);
-  const recognised = recogniser?.recognise(picture, right) ?? { isRight: isAsRight(picture, right), answers: [], isPair: false };
+  const recognised = recogniser?.recognise(picture, right, isExact) ?? { isRight: isAsRight(picture, right, isExact), answers: [], isPair: false };
   const none = { where: { told: [], objects: [] }, tiles: [] };
   if (recognised.isRight) return { ...recognised, comparison, ...none };
   return { ...recognised, comparison, where: whereWrong(picture, right, places), tiles: worstTiles(picture, right, places, gridFor(right.width, about.grids)) };

@@ -32,6 +32,30 @@ export function withoutTies(student: Picture, right: Picture, wrong: number[]): 
   return { ...student, values: settled };
 }
 
+/**
+ * The student's picture with the right colour where its own lies among those of the right pixel and its eight neighbours. For a
+ * size that there is no right picture of: what stands in for it is up to a part of a pixel off.
+ */
+export function withoutEdges(student: Picture, right: Picture, wrong: number[]): Picture {
+  const { width, height, values } = right;
+  const settled = student.values.slice();
+  for (const i of wrong) {
+    const [x, y] = [(i / 3) % width, Math.floor(i / 3 / width)];
+    const isAmong = (c: number) => {
+      let [low, high] = [255, 0];
+      for (let v = Math.max(y - 1, 0); v <= Math.min(y + 1, height - 1); v++) {
+        for (let u = Math.max(x - 1, 0); u <= Math.min(x + 1, width - 1); u++) {
+          const value = values[3 * (v * width + u) + c];
+          [low, high] = [Math.min(low, value), Math.max(high, value)];
+        }
+      }
+      return student.values[i + c] >= low - NOISE && student.values[i + c] <= high + NOISE;
+    };
+    if (isAmong(0) && isAmong(1) && isAmong(2)) for (let c = i; c < i + 3; c++) settled[c] = values[c];
+  }
+  return { ...student, values: settled };
+}
+
 /** For each colour what becomes of it and its three neighbours up and left. */
 function withNeighbours({ width, height, values }: Picture, of: (at: number, a: number, b: number, c: number, d: number) => number): Float32Array {
   const result = new Float32Array(values.length);

@@ -3,11 +3,13 @@ import { namesLike } from "./alike";
 import type { Atlas } from "./atlas";
 import type { Picture } from "./formats/picture";
 import { agreement, deviationOf, layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, sampled, type Deviation, type Layer } from "./layer";
-import { halfAPixelOff, shiftedHalfWay, withoutTies, wrongPixels } from "./near-edges";
+import { halfAPixelOff, shiftedHalfWay, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
 import { agreementOfPair } from "./together";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
+/** The same where the right picture only stands in for one of the size: what is behind glass changes within a pixel. */
+const NEARLY_RIGHT = 0.01;
 /** Blocks whose mean JPEG moves further than NOISE: fewer than this share. */
 const BLOCKS_OF_JPEG = 0.005;
 /** Among so many pixels a single one may hang on a rounding. */
@@ -85,10 +87,11 @@ export function recogniserOf(atlas: Atlas) {
   }
 
   return {
-    /** Both pictures of one size, whichever. */
-    recognise(student: Picture, expected: Picture): Recognised {
+    /** Both pictures of one size, whichever. isExact: as in isAsRight. */
+    recognise(student: Picture, expected: Picture, isExact = true): Recognised {
       const wrong = wrongPixels(student, expected);
       if (areFew(wrong, expected)) return RIGHT_INDEED;
+      if (!isExact) return isAsRight(student, expected, false) ? RIGHT_INDEED : this.recognise(withoutEdges(student, expected, wrong), expected);
       let given = withoutTies(student, expected, wrong);
       if (given !== student && areFew(wrongPixels(given, expected), expected)) {
         if (singlesOf(student, expected).singles[0].agreement < SURE) return RIGHT_INDEED;
@@ -103,10 +106,12 @@ export function recogniserOf(atlas: Atlas) {
   };
 }
 
-/** Whether a picture is the right one, of a scene that has no atlas. */
-export function isAsRight(student: Picture, expected: Picture): boolean {
+/** Whether a picture is the right one, of a scene that has no atlas. isExact: false if expected only stands in for a size that
+ *  there is no right picture of. */
+export function isAsRight(student: Picture, expected: Picture, isExact = true): boolean {
   const wrong = wrongPixels(student, expected);
   if (areFew(wrong, expected)) return true;
+  if (!isExact) return wrongPixels(withoutEdges(student, expected, wrong), expected).length < NEARLY_RIGHT * expected.width * expected.height;
   const settled = withoutTies(student, expected, wrong);
   return settled !== student && areFew(wrongPixels(settled, expected), expected);
 }

@@ -41,7 +41,8 @@ def headline(report: Report, words: Words) -> str:
     if refusal := report.found.get("refusal"):
         return _refused(refusal, words)
     if report.is_right:
-        return words.say("check.verdict.right")
+        is_exact = report.found["source"]["isExact"]
+        return words.say("check.verdict.right" if is_exact else "check.verdict.nearly")
     return words.say("check.verdict.wrong", share=words.numbers.percent(report.wrong))
 
 

@@ -19,6 +19,7 @@ interface Table {
 export function readCsv(text: string): Picture {
   const table = tableOf(text);
   const { rows, columns, numbers } = table;
+  if (!rows) throw new PictureFault("unknown"); // text without a number
   if (columns === 5) return byPlace(table);
   const isList = columns === 3 && Number.isInteger(Math.sqrt(rows));
   if (columns % 3 || (columns === 3 && !isList)) throw new PictureFault("layout", { rows, columns });

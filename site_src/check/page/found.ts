@@ -42,8 +42,8 @@ export function showFound(place: HTMLElement, found: Found) {
   place.scrollIntoView({ block: "start" });
 }
 
-function headline({ checked: { isRight, comparison } }: Found): string {
-  if (isRight) return say("check.verdict.right");
+function headline({ checked: { isRight, comparison }, source }: Found): string {
+  if (isRight) return say(source.isExact ? "check.verdict.right" : "check.verdict.nearly");
   const wrong = 1 - comparison.within[0];
   return say(wrong < CLOSE ? "check.verdict.close" : "check.verdict.wrong", { share: percent(wrong) });
 }
@@ -52,7 +52,7 @@ function notes({ file, checked, square: { picture, isCut }, source, nearest }: F
   const size = picture.width;
   const all: [unknown, string][] = [
     [true, say("check.verdict.file", file)],
-    [checked.isRight, say("check.verdict.rightSays")],
+    [checked.isRight && source.isExact, say("check.verdict.rightSays")],
     [isCut, say("check.verdict.cut", { size })],
     [!source.isExact, say("check.verdict.sampled", { size, from: source.from, nearest })],
     [picture.isLossy, say("check.verdict.lossy")],

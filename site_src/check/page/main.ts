@@ -40,7 +40,7 @@ async function checkLast() {
   if (own !== turn) return;
   if (!whole) return tell(say("check.missing"));
   const right = taken(whole, size);
-  const checked = check(square, right, scene);
+  const checked = check(square, right, source.isExact, scene);
   tell("");
   showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, about: scene.about, nearest: nearestSize(size, scene.about), again });
 }
