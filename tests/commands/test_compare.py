@@ -1,4 +1,4 @@
-"""raywalk compare: the answers of the page check/, in words, as JSON, as test cases, as exit code."""
+"""raywalk compare: what the page check/ says, in words, as JSON, as test cases, as exit code."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ const SURROUNDINGS = [
 ];
 /** Pages that are no scene's. */
 const slides = `slides/${rich.id}.html`;
-const PAGES = ["index.html", "model/index.html", "slides/index.html", "offline/index.html", `${rich.path}?embed`];
+const PAGES = ["index.html", "model/index.html", "slides/index.html", "offline/index.html", "check/index.html", `${rich.path}?embed`];
 const WITHOUT_SCRIPTS = ["index.html", rich.path, "slides/index.html"];
 /** A site has the page of benchmarks once `make bench` or `make stress` has measured something. */
 const MEASURED = ["benchmarks/index.html"].filter((path) => existsSync(`${DIST}/${path}`));
@@ -111,6 +111,17 @@ for (const home of ["", "de/"]) {
     assert.deepEqual(wrong, []);
   });
 }
+
+test("axe finds nothing wrong where a picture was checked, right or wrong", async () => {
+  const wrong = [];
+  for (const scene of ["02-shadows", "03-two-lights"]) {
+    await open(page, server.url, "check/index.html", `scene=${scene}`);
+    await page.locator("#file").setInputFiles(join(DIST, "scenes/03-two-lights/picture.png"));
+    await page.locator("#found:not([hidden])").waitFor();
+    wrong.push(...(await violations(page)).map((each) => `${scene}: ${each}`));
+  }
+  assert.deepEqual(wrong, []);
+});
 
 /** In English: kiosk.test.mjs. */
 test("axe finds nothing wrong in a German kiosk", async () => {

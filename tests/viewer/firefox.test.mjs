@@ -1,13 +1,14 @@
 /** Firefox opens the built site by its own rules: from a disk every file is another origin, and nothing is relaxed. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readdirSync, rmSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { DIST, ON_DISK, richScene } from "./browser.mjs";
 import { firefoxHere, startFirefox } from "./firefox.mjs";
+import { GOOD, HOSTILE } from "./picture-files.mjs";
 import { serve } from "./server.mjs";
 
 const path = firefoxHere();
@@ -64,6 +65,23 @@ for (const where of ["a disk", "a server"])
     await until("window.raywalk.state().scene.startsWith('02') && window.raywalk.stats().tiles.length");
     assert.deepEqual(await said(home), []);
   });
+
+test("a picture of each kind is checked from a disk, what is no picture is said, and the right one is right", { skip }, async () => {
+  await firefox.visit(`${ON_DISK}check/index.html#scene=03-two-lights`);
+  const drop = (bytes) => firefox.evaluate(`(async () => {
+    const [says, found] = ["says", "found"].map((id) => document.getElementById(id));
+    [says.textContent, found.hidden] = ["", true];
+    const given = new DataTransfer();
+    given.items.add(new File([Uint8Array.from(atob("${Buffer.from(bytes).toString("base64")}"), (each) => each.charCodeAt(0))], "mine"));
+    document.getElementById("drop").dispatchEvent(new DragEvent("drop", { dataTransfer: given, bubbles: true, cancelable: true }));
+    while (found.hidden && (!says.textContent || /^Comparing/.test(says.textContent))) await new Promise((done) => setTimeout(done, 10));
+    return found.hidden ? says.textContent : found.innerText;
+  })()`);
+  for (const [kind, bytes] of GOOD) assert.match(await drop(bytes), /mine, 7 × 5 pixels/, kind);
+  for (const [kind, bytes, word] of HOSTILE) if (word && bytes.length < 1e6) assert.match(await drop(bytes), /^[A-Z][^{}]+[.?]$/, kind);
+  assert.match(await drop(readFileSync(`${DIST}/scenes/03-two-lights/picture.png`)), /^This picture is right/);
+  assert.deepEqual(await said(ON_DISK), []);
+});
 
 test("the kiosk's archive, unpacked elsewhere, shows itself from a disk, begins at a key, and its console is empty", { skip }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "kiosk-"));
