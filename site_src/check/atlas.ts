@@ -28,6 +28,10 @@ export function atlasOf({ scene, grid, mistakes }: Pick<About, "scene" | "grid" 
   const bytes = 3 * grid * grid;
   const strip = (k: number) => Uint8Array.from(strips.values.subarray(k * bytes, (k + 1) * bytes));
   const right = strip(0);
-  const wrong = (k: number) => strip(k).map((difference, i) => difference + right[i]);
+  const wrong = (k: number) => {
+    const laid = strip(k);
+    for (let i = 0; i < bytes; i++) laid[i] += right[i];
+    return laid;
+  };
   return { scene, size: grid, right, mistakes: mistakes.map(({ name, family, wrong: places }) => ({ name, family, pictures: places.map(wrong) })) };
 }

@@ -37,7 +37,7 @@ export function compare(student: Picture, right: Picture): Comparison {
     }
     largest = Math.max(largest, worst);
     WITHIN.forEach((limit, k) => (counts[k] += worst <= limit ? 1 : 0));
-    heat.set(heatOf(worst), 4 * i);
+    heat.set(HEAT[heatOf(worst)], 4 * i);
   }
   const mean = sum / (3 * pixels);
   const within = counts.map((count) => count / pixels) as [number, number, number];
@@ -50,9 +50,9 @@ const STEPS_OF_HEAT = 256;
 const HEAT = Array.from({ length: STEPS_OF_HEAT }, (_, step) => {
   const at = (step / (STEPS_OF_HEAT - 1)) * (STOPS.length - 1);
   const from = Math.min(Math.floor(at), STOPS.length - 2);
-  return [...STOPS[from].map((value, c) => Math.round(value + (at - from) * (STOPS[from + 1][c] - value))), 255];
+  return Uint8Array.of(...STOPS[from].map((value, c) => Math.round(value + (at - from) * (STOPS[from + 1][c] - value))), 255);
 });
-const heatOf = (deviation: number) => HEAT[Math.min(Math.round(((STEPS_OF_HEAT - 1) * Math.log2(1 + deviation)) / 8), STEPS_OF_HEAT - 1)];
+const heatOf = (deviation: number) => (deviation ? Math.min(Math.round(((STEPS_OF_HEAT - 1) * Math.log2(1 + deviation)) / 8), STEPS_OF_HEAT - 1) : 0);
 
 /** That of FITS which leaves least of the deviation, the earlier of equals, if that is little. */
 function betterFit(student: Picture, right: Picture, mean: number): Comparison["fits"] {

@@ -51,24 +51,38 @@ export function worstAt(a: Picture, b: Picture, i: number): number {
   return worst;
 }
 
+/** Pixels, and wrong ones, for each pixel of the grid of places. */
+function countsOf(student: Picture, right: Picture, size: number): { all: Int32Array; wrong: Int32Array } {
+  const n = right.width;
+  const along = Int32Array.from({ length: n }, (_, at) => Math.floor(((at + 0.5) * size) / n));
+  const [all, wrong] = [new Int32Array(size * size), new Int32Array(size * size)];
+  for (let y = 0, i = 0; y < n; y++) {
+    for (let x = 0; x < n; x++, i += 3) {
+      const place = along[y] * size + along[x];
+      all[place]++;
+      if (worstAt(student, right, i) > NOISE) wrong[place]++;
+    }
+  }
+  return { all, wrong };
+}
+
 export function whereWrong(student: Picture, right: Picture, places: Picture): Where {
   const n = right.width;
+  const counts = countsOf(student, right, places.width);
   const kinds = KINDS.map(() => ({ all: 0, wrong: 0 }));
   const objects = new Map<number, { all: number; wrong: number }>();
   let wrong = 0;
-  for (let y = 0; y < n; y++) {
-    for (let x = 0; x < n; x++) {
-      const { object, bits } = placeAt(places, n, x, y);
-      const isWrong = worstAt(student, right, 3 * (y * n + x)) > NOISE ? 1 : 0;
-      wrong += isWrong;
-      const own = objects.get(object) ?? { all: 0, wrong: 0 };
-      objects.set(object, own);
-      for (const count of [own, ...kinds.filter((_, k) => KINDS[k][1](object, bits))]) {
-        count.all++;
-        count.wrong += isWrong;
-      }
+  counts.all.forEach((all, place) => {
+    if (!all) return;
+    const [object, bits] = [places.values[3 * place] - 1, places.values[3 * place + 1]];
+    const own = objects.get(object) ?? { all: 0, wrong: 0 };
+    objects.set(object, own);
+    wrong += counts.wrong[place];
+    for (const count of [own, ...kinds.filter((_, k) => KINDS[k][1](object, bits))]) {
+      count.all += all;
+      count.wrong += counts.wrong[place];
     }
-  }
+  });
   if (!wrong) return { told: [], objects: [] };
   const share = (count: { all: number; wrong: number }) => ({ ofWrong: count.wrong / wrong, ofPicture: count.all / (n * n) });
   const ofKinds = kinds.map((count, k): Told => ({ kind: KINDS[k][0], object: -1, ...share(count) }));

@@ -6,7 +6,12 @@ import type { Picture } from "../formats/picture";
 
 const arrived = new Map<string, string>();
 
-const bytesOf = (base64: string) => Uint8Array.from(atob(base64), (each) => each.charCodeAt(0));
+function bytesOf(base64: string): Uint8Array {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
 
 /** Rejects where it cannot be had. */
 function run(address: string, name: string): Promise<Uint8Array> {
