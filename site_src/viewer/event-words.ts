@@ -12,6 +12,8 @@ export interface Caption {
   numbers: string;
 }
 
+const MOST_NAMED = 4; // lamps, one by one
+
 /** Numbers that stand beside one another. */
 const beside = (...parts: readonly string[]) => parts.filter(Boolean).join(" \u00b7 ");
 const degrees = (angle: number) => fixed(angle, 1);
@@ -32,6 +34,16 @@ function lightNumbers({ name, seen, diffuse, specular, colour }: LightShare, of:
   return say("event.local.givesColoured", { light: name, sum, colour: tone(colour) });
 }
 
+/** Of many lamps those that say the same to the last digit shown say it once: a large lamp is up to a hundred points. */
+function lightsNumbers(lights: readonly LightShare[], of: { diffuse: Vec3; specular: Vec3 }): string[] {
+  if (lights.length <= MOST_NAMED) return lights.map((light) => lightNumbers(light, of));
+  const saying = lights.map((light) => lightNumbers({ ...light, name: "" }, of));
+  return [...new Set(saying)].map((said) => {
+    const alike = lights.filter((_, k) => saying[k] === said);
+    return lightNumbers({ ...alike[0], name: alike.length > 1 ? say("event.local.each", { count: alike.length }) : alike[0].name }, of);
+  });
+}
+
 function termNumbers(term: Term): string {
   const of = say(`event.term.${term.of}`);
   const colour = tone(term.colour);
@@ -41,8 +53,6 @@ function termNumbers(term: Term): string {
 const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
 
 export { whyOf };
-
-const MOST_NAMED = 4; // lamps; a large lamp is up to a hundred points
 
 /** In one sentence why a pixel is dark, partly so, or lit. */
 export function whyDark({ tone, end, way, share, name, reasons }: Why): Phrase[] {
@@ -79,7 +89,7 @@ export function captionOf(event: RayEvent): Caption {
     case "off":
       return { says: phrases(`event.${what}.says`, { light: the(event.name) }), numbers: "" };
     case "local": {
-      const sum = [say("event.local.ambient", { colour: tone(event.ambient) }), ...event.lights.map((light) => lightNumbers(light, event))].join(" + ");
+      const sum = [say("event.local.ambient", { colour: tone(event.ambient) }), ...lightsNumbers(event.lights, event)].join(" + ");
       const keeps = event.share < 1 ? say("event.local.keeps", { share: percent(event.share) }) : "";
       return { says: phrases("event.local.says"), numbers: beside(event.base ? say("card.base", { colour: tone(event.base) }) : "", `${sum} = ${tone(event.colour)}`, keeps) };
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -264,6 +265,15 @@ def test_right_choices_do_not_all_stand_in_the_same_place():
     ]
     for place in set(places):
         assert places.count(place) < len(places) / 2
+
+
+def test_a_reason_is_read_at_a_glance():
+    """In both languages: two of them stand on a slide, which has 40 words at most."""
+    scenes = read_scenes(SCENES)
+    for scene in [*scenes, *(each.scene for each in read_spoken(scenes, "de"))]:
+        for choice in (choice for step in scene.lesson for choice in step.choices):
+            reason = re.sub(r"\{[^}]*\}", "1", choice.because)  # a slot is a figure
+            assert len(reason.split()) <= 20, (scene.title, reason)
 
 
 SCENE = """

@@ -71,15 +71,13 @@ def test_words_are_large_and_nothing_but_the_source_line_is_small(of_scene):
 
 
 def test_a_slide_has_at_most_40_words(of_scene):
-    """Besides its title; signs (·, =) are none, tables behind the lesson numbers, credits small.
-    Where choices come with their reasons 48: what one chose from has been read."""
+    """Besides its title; signs (·, =) are none, tables behind the lesson numbers, credits small."""
     for each, slide in spoken(of_scene):
         if slide.kind not in (*NUMBERS, "credits"):
-            reveals = slide.kind == "answer" and any(t.name == "choice" for t in body(slide))
             said = [t for t in body(slide) if not t.is_title and t.name not in SIGNS]
             words = [word for t in said for word in t.words.split()]
             count = sum(any(char.isalnum() for char in word) for word in words)
-            assert count <= (48 if reveals else 40), where(each, slide)
+            assert count <= 40, where(each, slide)
 
 
 def test_a_figure_takes_three_fifths_of_its_slide(of_scene):

@@ -136,6 +136,16 @@ const { scene, trace } = await readTrace(walked.at(-1).id, 15);
 const timeline = timelineOf(trace, scene, 112);
 const begun = pressPlay({ ...startState(scene, { speed: 1, still: false, gl: true }), n: 15 }, timeline);
 
+test("of a large lamp's points those that give the same say so once, and all are counted", () => {
+  const { scene, trace } = readTrace("15-soft-shadows-64", 15);
+  const { numbers } = captionOf(eventsOf(trace, scene, 11 * 15 + 10).find(({ what }) => what === "local"));
+  const counts = [...numbers.matchAll(/(\d+) lights, each/g)].map(([, count]) => Number(count));
+  const single = [...numbers.matchAll(/lamp \d+\/64/g)].length;
+  assert.equal(counts.reduce((sum, count) => sum + count, single), 64, numbers);
+  assert.match(numbers, /\d+ lights, each: 0, in shadow/);
+  assert.ok(numbers.length < 300, numbers);
+});
+
 test("playing, lines grow at one steady speed, the same at 60 and 120 frames a second", () => {
   let [slow, fast] = [begun, begun];
   const speeds = [];

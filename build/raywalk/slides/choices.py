@@ -30,7 +30,6 @@ SIZE = 24.0  # on a slide
 INDENT = 1.7  # of the letters' size: the box, and room after it
 BOX = 0.82  # of the letters' size
 TICK = ((0.16, 0.52), (0.42, 0.8), (0.92, 0.08))  # of the box's side, from its top left
-MOST_REVEALED = 48  # words with the answer: what one chooses from has been read before
 MARK, LETTER = 12.0, 18.0  # of a pixel that is a choice: a circle's radius, its letter's size
 BETWEEN = 0.5  # of a line, between two choices
 
@@ -171,11 +170,10 @@ def choice_slides(
 
 def _fitting(choices: list[ChoiceWords], box: Box, revealed: bool) -> int:
     """How many go below one another into the box, with few words; at least one."""
-    most = MOST_REVEALED if revealed else MOST_WORDS
     for count in range(len(choices), 1, -1):
         part = choices[:count]
         if (
-            count_words(part, revealed) <= most
+            count_words(part, revealed) <= MOST_WORDS
             and choice_items(part, box, SIZE, revealed)[1] <= box.height
         ):
             return count

@@ -57,6 +57,10 @@ class Places:
         self.boxes.append(box)
         return _drawn(box, text, Label(text, (left, top)))
 
+    def is_struck(self, box: Box) -> bool:
+        """Whether a ray that matters runs through it."""
+        return any(clipped_line(*stroke, box) for stroke in self.strokes)
+
     def _free(self, at: Point, wide: float) -> Box | None:
         return self._clear_of(at, wide, [*self.strokes, *self.faint]) or self._clear_of(
             at, wide, self.strokes

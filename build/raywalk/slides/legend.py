@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from raywalk.slides.blocks import one_line
@@ -53,7 +53,20 @@ def legend(
 
 def _place(entries: list[Entry], places: Places) -> tuple[list[list[Entry]], Box]:
     """Its rows and its plate: below or above, left or beside what stands there; at last where it
-    covers something, for it must be read."""
+    covers something, for it must be read. On no chosen ray, where that can be."""
+    free = list(_free(entries, places))
+    clear = (each for each in free if not places.is_struck(each[1]))
+    if found := next(clear, None) or next(iter(free), None):
+        return found
+    rows = [[each] for each in entries]
+    wide = max(each.wide for each in entries) + 2 * PAD
+    high = HIGH * len(rows)
+    frame = places.frame
+    return rows, Box(frame.left + EDGE, frame.bottom - EDGE - high, wide, high)
+
+
+def _free(entries: list[Entry], places: Places) -> Iterator[tuple[list[list[Entry]], Box]]:
+    """What would cover no word and no thing, the best first."""
     frame = places.frame
     for count in range(1, len(entries) + 1):
         rows = _rows(entries, count)
@@ -66,11 +79,7 @@ def _place(entries: list[Entry], places: Places) -> tuple[list[list[Entry]], Box
                 if plate.right <= frame.right - EDGE and not any(
                     box.overlaps(plate) for box in places.boxes
                 ):
-                    return rows, plate
-    rows = [[each] for each in entries]
-    wide = max(each.wide for each in entries) + 2 * PAD
-    high = HIGH * len(rows)
-    return rows, Box(frame.left + EDGE, frame.bottom - EDGE - high, wide, high)
+                    yield rows, plate
 
 
 def _rows(entries: list[Entry], count: int) -> list[list[Entry]]:

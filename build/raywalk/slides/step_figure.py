@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from raywalk.scene.model import Scene
-from raywalk.slides.clip import clipped_area, clipped_line
+from raywalk.slides.clip import clipped_area
+from raywalk.slides.drawing import Drawing, hits
 from raywalk.slides.figure import Dot, Group, Item, Line, Picture, Point, Polygon, flat, hex_of
-from raywalk.slides.labels import Inset, Label, Places
+from raywalk.slides.figure_names import labels_of, rings_of
+from raywalk.slides.labels import Inset, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.legend import legend
 from raywalk.slides.pictures import (
@@ -21,9 +21,8 @@ from raywalk.slides.pictures import (
     traced_picture,
     washed,
 )
-from raywalk.slides.sheet_facts import PART
-from raywalk.slides.stops import ChosenLine, Ends, Ring, Stop, ThinLine
-from raywalk.slides.words import chosen_tile, figure_alt, numbers, ray_name, say, switched
+from raywalk.slides.stops import ChosenLine, ThinLine
+from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched
 from raywalk.slides.worked_figures import view_of
 
 CHOSEN_WIDTH = 3.0
@@ -36,41 +35,12 @@ DOT = 4.0
 MOST_SQUARES = 15  # tiles across that are drawn one by one; finer grids are a picture
 LEAST_SQUARE = 5.0  # points: below, grid lines would cover the tiles
 MOST_NORMALS = 3
-RING_WIDTH = 2.6
 PLATE = 24.0  # from one line of what is switched to the next
-MOST_NUMBERS = 9
 # Colour and width of a box's edges, by what came of it.
 BOX_LINES = {
     "level": ("sign", 1.0), "entered": ("box", 1.4), "missed": ("soft", 0.7),
     "cutOff": ("sign", 0.9),
 }  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Drawing:
-    """What the parts of one figure share."""
-
-    scene: Scene
-    stop: Stop
-    view: Path  # the shaded view that lies behind
-    box: Box  # on the slide
-    now: int | None = None  # the ray that a walk has come to: others are drawn less strongly
-    picture: Path | None = None  # the traced one, where the step shows it in its place
-
-    def point(self, at: Point | None) -> Point | None:
-        """Where a point of the figure is on the slide; None beyond the frame, or None itself."""
-        if at is None or not (0 <= at[0] <= self.box.width and 0 <= at[1] <= self.box.height):
-            return None
-        return (self.box.left + at[0], self.box.top + at[1])
-
-    def line(self, ends: Ends | None) -> tuple[np.ndarray, tuple[float, float]] | None:
-        """(2, 2) slide coordinates of a line of the figure (not cut at the frame), and between
-        which shares of it it is within the frame; None where nothing of it is."""
-        if ends is None:
-            return None
-        at = np.array(ends) + np.array(self.box[:2])
-        inside = clipped_line(tuple(at[0]), tuple(at[1]), self.box)
-        return (at, inside) if inside else None
 
 
 def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
@@ -84,7 +54,7 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
         *_tiles(drawing),
         *_frustum(drawing, places),
         *_lamps(drawing, places),
-        *_rings(drawing),
+        *rings_of(drawing),
         *_boxes(drawing),
         *_thin(drawing, places),
         *rays,
@@ -95,7 +65,7 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
     for inset in insets:
         parts += inset(places)
     parts += legend(parts, places, CHOSEN_WIDTH, CHOSEN_WIDTH * HIDDEN_SHARE * 1.2)
-    parts += places.put(_labels(drawing))
+    parts += places.put(labels_of(drawing))
     return Group(
         say("slides.figure"), figure_alt(drawing.scene, stop), tuple(parts), is_figure=True
     )
@@ -224,23 +194,6 @@ def _lamps(drawing: Drawing, places: Places) -> list[Item]:
     return lamps
 
 
-def _rings(drawing: Drawing) -> list[Item]:
-    """Round what the step points at, on a ground that sets it off."""
-    rings: list[Item] = []
-    for ring in drawing.stop.figure.rings:
-        if shown := _in_frame(drawing, ring):
-            rings += [
-                Polygon(shown, None, edge, width, name=ring.name)
-                for edge, width in (("ground", RING_WIDTH + 2), ("accent", RING_WIDTH))
-            ]
-    return rings
-
-
-def _in_frame(drawing: Drawing, ring: Ring) -> tuple[Point, ...]:
-    box = drawing.box
-    return tuple(clipped_area([(box.left + x, box.top + y) for x, y in ring.outline], box))
-
-
 def _boxes(drawing: Drawing) -> list[Item]:
     """A mesh's boxes, edge by edge; nothing hides them: most lie inside of the mesh."""
     lines: list[Item] = []
@@ -250,17 +203,6 @@ def _boxes(drawing: Drawing) -> list[Item]:
             a, b = (tuple((at[0] + s * (at[1] - at[0])).tolist()) for s in inside)
             lines.append(Line(a, b, *BOX_LINES[edge.what], name=say("slides.boxEdge")))
     return [Group(say("slides.boxes"), "", tuple(lines))] if lines else []
-
-
-def _ring_names(drawing: Drawing) -> list[Label]:
-    """At the top of each ring; a lamp has its name already."""
-    named = [ring for ring in drawing.stop.figure.rings if not ring.is_lamp]
-    shown = [(ring.name, _in_frame(drawing, ring)) for ring in named]
-    return [
-        Label(name, (sum(x for x, _ in at) / len(at), min(y for _, y in at)), bold=True)
-        for name, at in shown
-        if at
-    ]
 
 
 def _thin(drawing: Drawing, places: Places) -> list[Item]:
@@ -333,51 +275,6 @@ def _normals(drawing: Drawing, places: Places) -> list[Item]:
             parts.append(Line(a, b, "normal", 1.2, arrow=True, name=say("slides.normal")))
             places.strokes.append((a, b))
     return parts
-
-
-def _labels(drawing: Drawing) -> list[Label]:
-    """The most important first: the first hit's place, ray numbers, camera, lights, normals."""
-    stop = drawing.stop
-    labels = _ring_names(drawing)
-    if stop.is_camera and stop.filled:
-        # The tiles hide what the others would name.
-        return labels + _light_names(drawing)
-    if 1 < len(stop.rows) <= MOST_NUMBERS:
-        for line in sorted(stop.chosen, key=lambda line: line.ray):
-            if line.light < 0 and (at := _middle(drawing, line)):
-                labels.append(Label(str(line.ray), at, bold=True))
-    if not stop.is_camera and (eye := drawing.point(stop.figure.eye)):
-        labels.append(Label(say("stage.camera"), eye))
-    labels += _light_names(drawing)
-    first = next(iter(hits(stop)), None)
-    if first and (at := drawing.point(first.end)):
-        labels.append(Label(numbers().vector(first.to), at))
-    return labels
-
-
-def _light_names(drawing: Drawing) -> list[Label]:
-    """A light with an area is named once."""
-    names: dict[str, Point] = {}
-    for lamp in drawing.stop.figure.lamps:
-        part = PART.fullmatch(lamp.name)
-        if at := drawing.point(lamp.at):
-            names.setdefault(part[1] if part else lamp.name, at)
-    return [Label(name, at) for name, at in names.items()]
-
-
-def _middle(drawing: Drawing, line: ChosenLine) -> Point | None:
-    """The middle of what is seen of a ray, for its number."""
-    found = drawing.line(line.whole)
-    if not found:
-        return None
-    at, (first, last) = found
-    middle = at[0] + (0.45 * first + 0.55 * last) * (at[1] - at[0])
-    return (float(middle[0]), float(middle[1]))
-
-
-def hits(stop: Stop) -> list[ChosenLine]:
-    """The selected pixel's rays that end on something."""
-    return [line for line in stop.chosen if line.light < 0 and not line.leaves]
 
 
 def _around(at: Point, radius: float) -> Box:

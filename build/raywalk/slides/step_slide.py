@@ -8,13 +8,14 @@ from pathlib import Path
 from raywalk.scene.model import Scene
 from raywalk.slides.blocks import BODY_SIZE, flow_texts, footer, title, title_fits
 from raywalk.slides.choices import ChoiceWords, choice_marks, choice_slides, choice_words
+from raywalk.slides.drawing import Drawing
 from raywalk.slides.figure import Group, Item, Slide
 from raywalk.slides.layout import Layout
 from raywalk.slides.lesson_pictures import picture_slides
 from raywalk.slides.lesson_words import Paragraph, plain_text, title_and_body, words_and_pictures
 from raywalk.slides.notes import step_notes
 from raywalk.slides.picture_inset import inset_of
-from raywalk.slides.step_figure import Drawing, step_figure
+from raywalk.slides.step_figure import step_figure
 from raywalk.slides.stops import Stop
 from raywalk.slides.word_parts import word_parts
 from raywalk.slides.words import place, say, switched
