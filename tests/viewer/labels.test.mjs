@@ -100,3 +100,16 @@ for (const [width, height, query] of SIZES)
   });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
+
+test("on a phone no word lies on a lamp, and what blocks a large lamp is named once", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const id of ["11-what-is-a-ray", "15-soft-shadows-64"]) {
+    await open(page, ON_DISK, `scenes/${id}/index.html`, "gl=none&step=2");
+    const [{ eye, target, width, height }, words] = [await stats(page), await labels()];
+    const projection = createProjection({ eye, target, up: [0, 1, 0], fov: FOV }, width, height);
+    const lamps = readScene(id).lights.map(({ position }) => projection.project(position));
+    const hidden = words.filter(({ left, top, right, bottom }) => lamps.some(({ x, y }) => left < x && x < right && top < y && y < bottom));
+    assert.deepEqual(hidden.map(({ text }) => text), [], id);
+    assert.ok(words.length >= 2 && words.filter(({ kind }) => kind === "stop").length <= 1, id);
+  }
+});

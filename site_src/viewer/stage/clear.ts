@@ -1,4 +1,4 @@
-/** What must be seen on the stage, so that nothing may lie on it: the selected pixel's rays, what they meet and what is in their way. CSS pixels. */
+/** What must be seen on the stage, so that nothing may lie on it: lamps, the selected pixel's rays, what they meet and what is in their way. CSS pixels. */
 import type { Line } from "../state/lines";
 import { outlineOf, type Box } from "../state/outlines";
 import { seenPart, type Projection } from "../state/projection";
@@ -6,6 +6,7 @@ import type { Clear, Round } from "./labels";
 import type { Drawn } from "./renderer";
 
 const MOST = 400; // lines of a kind
+const LAMP = 8; // pixels: half of its dot
 const LARGE = 0.5; // of the stage: what takes more leaves no room beside it
 
 /** near: world units before the observer from which on lines are seen. */
@@ -19,6 +20,10 @@ export function clearOf({ view, projection }: Drawn, over: readonly Box[]): Clea
   const near = scene.bounds.radius / 300;
   const met = new Set(trace ? chosen.filter(({ leaves, growing }) => !leaves && !growing).map(({ ray, light }) => (light < 0 ? trace.object[ray] : trace.blocker[ray * trace.lights + light])) : []);
   const clear = { boxes: [...over], rounds: [] as Round[], strokes: strokesOf(chosen, projection, near), faint: strokesOf(thin, projection, near) };
+  for (const { position } of scene.lights) {
+    const { x, y, depth } = projection.project(position);
+    if (depth > 0) clear.rounds.push({ x, y, radius: LAMP });
+  }
   for (const index of met) {
     if (index < 0) continue; // a light that is reached
     const outline = outlineOf(scene.objects[index], scene, projection, near);

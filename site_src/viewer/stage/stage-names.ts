@@ -1,4 +1,5 @@
 /** The names on the stage: of the hit, of what blocks a light, of camera and lamps. */
+import type { Line } from "../state/lines";
 import { lampsOf } from "../state/switches";
 import { triple } from "../state/vectors";
 import type { Vec3 } from "../trace/types";
@@ -35,11 +36,15 @@ function hitOf({ trace, chosen, lit, state }: StageView): Vec3 | null {
 }
 
 /** Where shadow rays end too early, and at what: of the current event's ray, else of the first few. */
-function blockersOf({ trace, chosen, lit }: StageView) {
+function blockersOf({ scene, trace, chosen, lit }: StageView) {
   const ended = trace ? chosen.filter((line) => line.kind === "blocked" && !line.growing) : [];
   const current = ended.filter((line) => line.ray === lit?.ray);
-  return (current.length ? current : ended).slice(0, BLOCKERS).flatMap((line) => {
+  const found = new Map<string, { line: Line; by: number }>(); // an area light's points are one light here, too
+  const lamps = lampsOf(scene);
+  for (const line of current.length ? current : ended) {
     const by = trace!.blocker[line.ray * trace!.lights + line.light];
-    return by < 0 ? [] : [{ line, by }];
-  });
+    const key = `${by} ${line.ray} ${lamps.findIndex(({ lights }) => lights.includes(line.light))}`;
+    if (by >= 0 && !found.has(key)) found.set(key, { line, by });
+  }
+  return [...found.values()].slice(0, BLOCKERS);
 }
