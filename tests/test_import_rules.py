@@ -67,7 +67,7 @@ VIEWER_MAY_IMPORT = {
     "worked": {"worked", "panels", "stage", "state", "trace"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
-FOR_ANYONE = {"words", "articles", "word-keys", "element", "palette", "tile-picture"}
+FOR_ANYONE = {"words", "articles", "way-words", "word-keys", "element", "palette", "tile-picture"}
 
 
 def python_files(folder: str) -> list[Path]:
