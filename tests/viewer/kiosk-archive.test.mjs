@@ -75,7 +75,7 @@ test("a visitor reaches every scene and the pages around them, and nothing else"
   }
   assert.equal((await stats(page)).renderer, "webgl");
   await page.locator("a.brand").click();
-  await page.waitForFunction(() => document.body.classList.contains("gallery") && document.documentElement.classList.contains("kiosk"));
+  await page.locator("html.kiosk body.gallery").waitFor({ state: "attached" });
   // In one step: between finding links and reading them the kiosk may take an address away.
   const ways = await page.evaluate(() => [...document.querySelectorAll("a[href]")].map((link) => link.getAttribute("href")));
   assert.ok(ways.length > 10);

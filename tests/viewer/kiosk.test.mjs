@@ -172,7 +172,7 @@ test("no menu, no selection, no zoom, no shortcut of the browser, no way out", a
 test("the gallery and the model page are the kiosk's too: no way out, a way back, and idle they start again", async () => {
   await begun();
   await page.locator("a.brand").click();
-  await page.waitForFunction(() => document.body.classList.contains("gallery"));
+  await page.locator("body.gallery").waitFor({ state: "attached" }); // at first a page has no body
   assert.match(page.url(), /index\.html#kiosk=1&.*visitor=1/);
   await page.getByRole("link", { name: /model/i }).click();
   await page.waitForURL(/model\/index\.html#kiosk=1/);
