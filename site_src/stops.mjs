@@ -5,6 +5,7 @@
  *   {do: "ask", scene, traces, size}                                     what the tracer is asked: Asked (viewer/stops/asked.ts)
  *   {do: "lesson", scene, traces, size, asked, sights, words, spoken, worked}   what slides and sheets show: Lesson (lesson.ts)
  *   {do: "events", scene, trace, pixel, words}                           one pixel's events in words (worded.ts)
+ *   {do: "beside", scene, programs, words, spoken}                       events of rays that are in no file: EventBeside[][] (beside.ts)
  *   {do: "columns", trace, id, n}                                        a trace's header and columns; id and n: of which it must be
  *
  * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
@@ -19,7 +20,7 @@ import { build } from "esbuild";
 
 const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
 const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { ask, boxesFrom, decode, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { ask, boxesFrom, decode, eventsBeside, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 
@@ -55,11 +56,12 @@ function drawableOf({ traces, worked }, scene) {
   return { boxes: existsSync(file) ? boxesFrom(unpacked(file), scene.of) : null, tree: (worked && unpacked(worked).tree) || null };
 }
 
-function answer({ do: what, size, pixel, words, spoken, id, n, ...files }) {
+function answer({ do: what, size, pixel, words, spoken, programs, id, n, ...files }) {
   if (what === "columns") return columnsOf(unpacked(files.trace), { scene: id, n });
   const scene = { ...(files.base && unpacked(files.base)), ...unpacked(files.scene) };
   globalThis.raywalkWords = words;
   if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.of }), pixel);
+  if (what === "beside") return eventsBeside(spoken ? inWords(scene, spoken) : scene, programs);
   const traces = tracesIn(files.traces, scene);
   if (what === "ask") return ask(scene, traces, size);
   return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights), drawableOf(files, scene));

@@ -31,6 +31,8 @@ MAY_IMPORT = {
     "homework": {"trace", "scene", "errors"},
     # An independent check of the tracer: it shares scenes and the names of what is recorded only.
     "mistakes": {"scene", "trace.tree", "trace.kinds", "errors"},
+    # It shows what that does, and what the rays of both are is told by others.
+    "mistake_pages": {"mistakes", "scene", "trace.tree", "trace.kinds", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "terms", "errors"},
     "teacher": {"slides", "scene", "words", "terms", "errors"},
@@ -39,6 +41,8 @@ MAY_IMPORT = {
         "trace.kinds",
         "trace.tree",
         "trace_file",
+        "mistakes.table",
+        "mistake_pages.best",
         "words",
         "terms",
         "errors",

@@ -50,7 +50,7 @@ function termNumbers(term: Term): string {
   return term.share === 1 ? say("event.term.whole", { of, colour }) : say("event.term.part", { of, share: percent(term.share), colour });
 }
 
-const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
+export const sumNumbers = (terms: readonly Term[], colour: Vec3) => `${terms.map(termNumbers).join(" + ") || say("event.term.nothing")} = ${tone(colour)}`;
 
 export { whyOf };
 

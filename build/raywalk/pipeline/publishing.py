@@ -12,6 +12,7 @@ from typing import Any
 
 from raywalk.pipeline.checking import publish_check
 from raywalk.pipeline.homework import publish_homework
+from raywalk.pipeline.mistakes import Mistakes, publish_mistakes, told_in
 from raywalk.pipeline.slides import MadeDeck, publish_slides
 from raywalk.scene.lesson_pictures import pictures_of
 from raywalk.scene.lesson_text import PICTURES
@@ -21,6 +22,7 @@ from raywalk.site import sizes
 from raywalk.site.assets import write_assets, write_check_words, write_words
 from raywalk.site.figures import scene_figures
 from raywalk.site.licences import write_licences
+from raywalk.site.mistakes import write_mistake_pages
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, home_of, write_pages, write_sizes
 from raywalk.site.reports import publish_reports
@@ -51,6 +53,7 @@ class Made:
     worked: dict[str, Entry]  # of scenes whose lessons work something out
     homework: dict[str, Entry]  # vectors for graders; pages do without
     check: dict[str, Entry]  # what students' pictures are held against; there is no page without
+    mistakes: Mistakes | None  # pages of their own; None where pages do not wait for them
     decks: list[MadeDeck]
 
     @property
@@ -73,6 +76,8 @@ class Made:
             yield from self.of_scene(id)
         yield from self.homework.values()
         yield from self.check.values()
+        if self.mistakes:
+            yield from self.mistakes.entries()
         yield from (deck.entry for deck in self.decks)
 
 
@@ -90,11 +95,21 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
         published = publish_slides(out, made.decks)
         publish_homework(out, site_source, made.homework.values())
         publish_check(out, made.check)
+        if made.mistakes:
+            publish_mistakes(out, site_source, made.mistakes)
         publish_reports(out, templates, assets, scenes, chosen.work)
         for code, translated in made.spoken.items():
             said = [each.scene for each in translated]
             downloads = published.get(DEFAULT, {}) | published.get(code, {})
-            write_edition(out, site_source, said, made.facts, assets, downloads, code, base)
+            own = assets | write_words(out, read_words(code))
+            own |= write_check_words(out, read_words(code))
+            with_mistakes = made.mistakes is not None
+            write_edition(
+                out, site_source, said, made.facts, own, downloads, code, base, with_mistakes
+            )
+            if made.mistakes:
+                told, words = told_in(made.mistakes, code), read_words(code)
+                write_mistake_pages(out, site_source, said, told, own, words, base)
         weights = sizes.measured(out, scenes, made.facts)
         heavy = sizes.check(chosen.out, weights, budgets)
         sizes.keep(out, weights)
@@ -108,6 +123,7 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
 def write_edition(
     out: Path, site_source: Path, scenes: list[Scene], facts: dict[str, Any],
     assets: dict[str, str], downloads: dict[str, dict[str, int]], code: str, base: str,
+    with_mistakes: bool = False,
 ) -> None:  # fmt: skip
     """The site in one language: its sentences, the scenes' words, its pages."""
     words = read_words(code)
@@ -120,9 +136,10 @@ def write_edition(
         publish_pictures(scene, out / home_of(code) / "scenes" / scene.id / PICTURES)
     figures = {scene.id: scene_figures(scene, facts[scene.id], words) for scene in scenes}
     savings = {scene.id: savings_lines(facts[scene.id], words) for scene in scenes}
-    written_by = assets | write_words(out, words) | write_check_words(out, words)
     templates = site_source / "templates"
-    write_pages(out, templates, scenes, figures, written_by, words, savings, downloads, base)
+    write_pages(
+        out, templates, scenes, figures, assets, words, savings, downloads, base, with_mistakes
+    )
     write_manifest(out, words, assets)
 
 

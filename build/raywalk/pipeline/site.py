@@ -13,6 +13,7 @@ from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.pipeline.figures import filled_lessons
+from raywalk.pipeline.mistakes import make_mistakes
 from raywalk.pipeline.parts import trace_parts, viewer_parts
 from raywalk.pipeline.publishing import Made, publish
 from raywalk.pipeline.scenes import Making, make_scenes
@@ -64,6 +65,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
             # First: what is wrong with a slot is said before minutes of tracing.
             spoken = yield from filled_lessons(store, spoken, workers)
             of_scenes, decks = yield from make_scenes(making, spoken, workers)
+            mistakes = yield from make_mistakes(store, making.asking, spoken, of_scenes, workers)
         viewer = bundled.result()
     traces = {scene.id: of_scenes[scene.id].traced for scene in scenes}
     facts = {id: facts_of(traced) for id, traced in traces.items()}
@@ -81,7 +83,9 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     worked = {id: each.worked for id, each in of_scenes.items() if each.worked}
     homework = {id: each.homework for id, each in of_scenes.items() if each.homework}
     check = {id: each.check for id, each in of_scenes.items() if each.check}
-    works = Made(spoken, facts, viewer, traces, data, pictures, worked, homework, check, decks)
+    works = Made(
+        spoken, facts, viewer, traces, data, pictures, worked, homework, check, mistakes, decks
+    )
     with phase("publish"):
         heavy = publish(works, chosen, site_source, base)
     heavy = [f"warning: {line}" for line in heavy]

@@ -46,12 +46,12 @@ FACE = "5"
 def write_pages(
     out: Path, templates: Path, scenes: list[Scene], figures: dict[str, Figures], assets: Assets,
     words: Words | None = None, savings: dict[str, Figures] | None = None,
-    downloads: dict[str, dict[str, int]] | None = None, base: str = "",
+    downloads: dict[str, dict[str, int]] | None = None, base: str = "", with_mistakes: bool = False,
 ) -> None:  # fmt: skip
     """index.html, model/, glossary/, check/, slides/, offline/ and scenes/<id>/index.html of one
     language: under `out` for the default one, under out/<code> for another. scenes: in that
     language; downloads: paths and sizes of the files to take away, by scene id or "course"; base:
-    where the site will be, if that is known.
+    where the site will be, if that is known; with_mistakes: whether there are pages of mistakes.
 
     Links are relative, so that the site works under any sub-path and from a disk.
     """
@@ -71,6 +71,7 @@ def write_pages(
         "home": home, "scenes": cards, "chapters": _chapters(cards), **assets,
         "decks": decks, "forms": {word: ending for ending, word in FORMS.items()},
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
+        "with_mistakes": with_mistakes,
     }  # fmt: skip
     checks = [_checked(each, home, out) for each in scenes if has_check(each, out)]
     write("index.html", "gallery.html", checks=checks)

@@ -86,6 +86,7 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
         if path.name.startswith(PART):
             name = path.stem.removeprefix(PART).rpartition("-")[0]
             sizes.append(Size(_part(name), f"assets/{path.name}", sent(path)))
+    sizes += of_mistakes(out)
     fixed = styles + sum(scripts.values())
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
@@ -113,6 +114,22 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             over = max(triangles, FEW_TRIANGLES)
             sizes.append(Size(kind + "mesh", f"{name}/scene.js", data, over))
     return sizes
+
+
+def of_mistakes(out: Path) -> list[Size]:
+    """What each page of mistakes loads besides what all pages share; the page of all, by itself."""
+    folder = out / "mistakes"
+    if not folder.is_dir():
+        return []
+    once = max(map(sent, folder.glob("*.webp")), default=0) + sent(folder / "mistakes.css")
+    pages = sorted(path for path in folder.iterdir() if path.is_dir())
+    small = sum(sent(path) for path in folder.glob("*/small.webp"))
+    whole = Size("mistakes", "mistakes/index.html", sent(folder / "index.html") + small)
+    return [
+        whole,
+        *(Size("mistake", f"mistakes/{page.name}", once + sum(map(sent, page.iterdir())))
+          for page in pages),
+    ]  # fmt: skip
 
 
 def _first_of_lesson(out: Path, scene: Scene) -> int:

@@ -3,5 +3,6 @@ export { boxesFrom } from "../state/box-lines";
 export { decode } from "../trace/decode";
 export { inWords } from "../trace/spoken";
 export { ask } from "./asked";
+export { eventsBeside } from "./beside";
 export { lessonOf } from "./lesson";
 export { listEvents } from "./worded";
