@@ -52,7 +52,7 @@ function takenFor(scene: SceneData, { materials, depth, based }: ProgramsRays): 
  *  its rounded sum of rays is told without the step that would make these bytes. */
 function told(event: RayEvent): EventBeside {
   if (event.what !== "pixel") return { what: event.what, ...worded(event) };
-  const plainly = worded({ ...event, why: null });
+  const plainly = worded({ ...event, before: [] });
   const isSum = written(event.colour) === event.bytes.join(", ");
   return { what: event.what, ...plainly, numbers: isSum ? plainly.numbers : sumNumbers(event.terms, event.colour) };
 }
