@@ -33,6 +33,7 @@ MAY_IMPORT = {
     "mistakes": {"scene", "trace.tree", "trace.kinds", "errors"},
     # It shows what that does, and what the rays of both are is told by others.
     "mistake_pages": {"mistakes", "scene", "trace.tree", "trace.kinds", "errors"},
+    "check": {"mistakes", "trace", "trace_file", "geometry.roots", "scene", "words", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "terms", "errors"},
     "teacher": {"slides", "scene", "words", "terms", "errors"},
@@ -224,8 +225,9 @@ def test_trace_and_state_know_no_browser(folder: str) -> None:
 
 
 def test_checks_of_pictures_know_no_browser_and_no_viewer() -> None:
-    """site_src/check runs in pages and in node: it imports itself and what reads PNG and JPEG. That
-    it names nothing of the DOM its own tsconfig.json sees to, which does not have it."""
+    """site_src/check runs in pages and in node: it imports itself, what reads PNG and JPEG, and the
+    words that all speak with; its page also builds elements as the viewer does. That the rest names
+    nothing of the DOM its own tsconfig.json sees to, which does not have it."""
     folder = VIEWER.parent / "check"
     files = sorted(folder.rglob("*.ts"))
     assert files
@@ -233,7 +235,9 @@ def test_checks_of_pictures_know_no_browser_and_no_viewer() -> None:
         named = re.findall(r"""\bfrom\s*["']([^"']+)["']""", file.read_text("utf-8"))
         outside = {n for n in named if not (file.parent / n).resolve().is_relative_to(folder)}
         packages = {n for n in named if not n.startswith(".")}
-        assert not (outside - packages), file
+        viewers = {name.rpartition("/")[2] for name in outside - packages}
+        of_page = file.parent.name == "page"
+        assert viewers <= (FOR_ANYONE if of_page else {"words", "word-keys"}), file
         assert packages <= {"fast-png", "fflate", "jpeg-js/lib/decoder"}, file
     assert "DOM" not in (folder / "tsconfig.json").read_text("utf-8")
 

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { keyedScenes, launch, newPage, ON_DISK, open, settled, state, until } from "./browser.mjs";
+import { handOf } from "./hand.mjs";
 
 const { path } = keyedScenes()[1];
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -70,13 +71,12 @@ test("a tab that a link opens leaves the page at its top", async () => {
 
 test("a swipe up that begins on the time slider scrolls the page; along the slider and a tap move it", async () => {
   await phone("&e=2");
-  const hand = await page.context().newCDPSession(page);
-  const glass = (type, ...touchPoints) => hand.send("Input.dispatchTouchEvent", { type, touchPoints });
+  const glass = await handOf(page);
   const box = await page.locator(".scrub").boundingBox();
   const [x, y] = [box.x + 0.9 * box.width, box.y + box.height / 2];
   const swipe = async (across, down) => {
-    await glass("touchStart", { x, y });
-    for (let k = 1; k <= 10; k++) await glass("touchMove", { x: x + (across * k) / 10, y: y + (down * k) / 10 });
+    await glass("touchStart", [[x, y]]);
+    for (let k = 1; k <= 10; k++) await glass("touchMove", [[x + (across * k) / 10, y + (down * k) / 10]]);
     await glass("touchEnd");
     await settled(page);
   };
@@ -88,7 +88,7 @@ test("a swipe up that begins on the time slider scrolls the page; along the slid
   await settled(page);
   await swipe(-0.6 * box.width, 4);
   assert.ok((await state(page)).event < 3, "it has followed the finger");
-  await glass("touchStart", { x, y });
+  await glass("touchStart", [[x, y]]);
   assert.ok((await state(page)).event < 3, "a finger that has just come down may yet mean the page");
   await glass("touchEnd");
   await until(page, (state) => state.event >= 3);

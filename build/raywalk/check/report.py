@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 from xml.etree import ElementTree
 
-from raywalk.mistakes.table import BY_NAME
 from raywalk.scene.model import Scene
 from raywalk.words import Words
 
 BACKGROUND = -1  # in the place of an object
+Titles = Mapping[str, str]  # what a mistake is called, by its name
 STEPS = (1, 8, 32)  # of 255: the shares of check/compare.ts
 
 
@@ -54,12 +54,13 @@ def _refused(refusal: dict[str, Any], words: Words) -> str:
 SLOTS = {"tall": ("width", "height"), "tiny": ("width", "height", "least")}
 
 
-def as_text(scene: Scene, report: Report, words: Words) -> str:
+def as_text(scene: Scene, report: Report, words: Words, titles: Titles) -> str:
     """Several lines, as the page has them."""
-    return "\n".join([f"{report.file}: {headline(report, words)}", *_details(scene, report, words)])
+    details = _details(scene, report, words, titles)
+    return "\n".join([f"{report.file}: {headline(report, words)}", *details])
 
 
-def _details(scene: Scene, report: Report, words: Words) -> Iterator[str]:
+def _details(scene: Scene, report: Report, words: Words, titles: Titles) -> Iterator[str]:
     found, percent = report.found, words.numbers.percent
     if "comparison" not in found:
         return
@@ -75,7 +76,7 @@ def _details(scene: Scene, report: Report, words: Words) -> Iterator[str]:
     for told in found["where"]["told"]:
         yield f"  {_place(scene, told, words)}"
     if not report.is_right:
-        yield from (f"  {line}" for line in _looks(found, words))
+        yield from (f"  {line}" for line in _looks(found, words, titles))
     for tile in found["tiles"]:
         yield f"  {_tile(scene, tile, words)}"
 
@@ -112,14 +113,14 @@ def _name(scene: Scene, place: int, words: Words) -> str:
     return words.say("check.where.backgroundName") if is_background else scene.objects[place].name
 
 
-def _looks(found: dict[str, Any], words: Words) -> Iterator[str]:
+def _looks(found: dict[str, Any], words: Words, titles: Titles) -> Iterator[str]:
     if not found["answers"]:
         left = found["leftOut"]
         yield words.say(f"check.looks.left.{left}" if left else "check.looks.none")
         return
     yield words.say("check.looks.pair" if found["isPair"] else "check.looks.says")
     for answer in found["answers"]:
-        named = " / ".join(f"{BY_NAME[name].does} ({name})" for name in answer["names"])
+        named = " / ".join(f"{titles[name]} ({name})" for name in answer["names"])
         share = words.numbers.percent(answer["agreement"])
         yield f"- {named}: {words.say('check.looks.agree', share=share)}"
 
@@ -132,7 +133,7 @@ def _tile(scene: Scene, tile: dict[str, Any], words: Words) -> str:
     return f"{place}: {words.say('check.walk.colours', **said)}"
 
 
-def as_table(scene: Scene, reports: Sequence[Report], words: Words) -> str:
+def as_table(reports: Sequence[Report], words: Words) -> str:
     """A line a picture: what became of it, and the mistake it looks like most."""
     wide = max(len(report.file) for report in reports)
     lines = [f"{report.file:{wide}}  {_line(report, words)}" for report in reports]
@@ -153,7 +154,7 @@ def as_json(scene: Scene, reports: Sequence[Report]) -> str:
     return json.dumps({"scene": scene.id, "pictures": pictures}, ensure_ascii=False, indent=1)
 
 
-def as_junit(scene: Scene, reports: Sequence[Report], words: Words) -> str:
+def as_junit(scene: Scene, reports: Sequence[Report], words: Words, titles: Titles) -> str:
     """A test suite; a picture that is not right is a failure, one that cannot be read an error."""
     failed = [report for report in reports if not report.is_right]
     errors = [report for report in failed if "comparison" not in report.found]
@@ -166,7 +167,7 @@ def as_junit(scene: Scene, reports: Sequence[Report], words: Words) -> str:
             continue
         kind = "error" if report in errors else "failure"
         trouble = ElementTree.SubElement(case, kind, message=headline(report, words))
-        trouble.text = as_text(scene, report, words)
+        trouble.text = as_text(scene, report, words, titles)
     ElementTree.indent(suite)
     head = '<?xml version="1.0" encoding="UTF-8"?>\n'
     return head + ElementTree.tostring(suite, encoding="unicode")

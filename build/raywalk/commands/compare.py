@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from raywalk.work.progress import Message
     from raywalk.work.store import Entry
 
+SITE_SOURCE = Path(__file__).resolve().parents[3] / "site_src"
 #: Endings of files that a class's folder is searched for; a file that is named may have any.
 PICTURES = (".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".bmp", ".tga", ".pfm", ".csv", ".txt")
 
@@ -45,24 +46,27 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str | Message]:
     """Traces what is not kept, then tells of each picture. Raises UserError if one is not right."""
     from raywalk.check.report import as_json, as_junit, as_table, as_text
+    from raywalk.mistakes.table import BY_NAME
     from raywalk.scene.read import read_scene
+    from raywalk.site.mistakes import read_said
     from raywalk.stops.process import Stops
     from raywalk.words import read_words
 
     scene = read_scene(scene_named(chosen.scene, chosen.scenes))
     files = list(pictures_in(chosen.picture))
     entry = yield from right_pictures(scene, chosen)
-    words = read_words(chosen.language)
-    with Stops(Path(__file__).resolve().parents[3] / "site_src" / "check.mjs") as node:
+    words, said = read_words(chosen.language), read_said(SITE_SOURCE, chosen.language)
+    titles = {name: said[name]["title"] for name in BY_NAME}
+    with Stops(SITE_SOURCE / "check.mjs") as node:
         reports = [_asked(node, file, entry.folder, chosen.language) for file in files]
     if chosen.json:
         yield as_json(scene, reports)
     elif chosen.junit:
-        yield as_junit(scene, reports, words)
+        yield as_junit(scene, reports, words, titles)
     elif len(reports) > 1:
-        yield as_table(scene, reports, words)
+        yield as_table(reports, words)
     else:
-        yield as_text(scene, reports[0], words)
+        yield as_text(scene, reports[0], words, titles)
     wrong = [each for each in reports if not each.is_right]
     if wrong:
         raise NotRight(f"{len(wrong)} of {len(reports)} pictures not right")

@@ -20,9 +20,10 @@ from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
 from raywalk.site import sizes
 from raywalk.site.assets import write_assets, write_check_words, write_words
+from raywalk.site.check_page import write_check_page
 from raywalk.site.figures import scene_figures
 from raywalk.site.licences import write_licences
-from raywalk.site.mistakes import write_mistake_pages
+from raywalk.site.mistakes import read_said, write_mistake_pages
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, home_of, write_pages, write_sizes
 from raywalk.site.reports import publish_reports
@@ -101,14 +102,17 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
         for code, translated in made.spoken.items():
             said = [each.scene for each in translated]
             downloads = published.get(DEFAULT, {}) | published.get(code, {})
-            own = assets | write_words(out, read_words(code))
-            own |= write_check_words(out, read_words(code))
+            words = read_words(code)
+            own = assets | write_words(out, words) | write_check_words(out, words)
             with_mistakes = made.mistakes is not None
             write_edition(
                 out, site_source, said, made.facts, own, downloads, code, base, with_mistakes
             )
+            write_check_page(
+                out, templates, said, read_said(site_source, code), own, words, base, with_mistakes
+            )
             if made.mistakes:
-                told, words = told_in(made.mistakes, code), read_words(code)
+                told = told_in(made.mistakes, code)
                 write_mistake_pages(out, site_source, said, told, own, words, base)
         weights = sizes.measured(out, scenes, made.facts)
         heavy = sizes.check(chosen.out, weights, budgets)

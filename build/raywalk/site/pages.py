@@ -3,7 +3,6 @@ page on the model behind the pictures."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from functools import partial
 from itertools import groupby
@@ -23,7 +22,6 @@ from jinja2.bccache import Bucket
 from markupsafe import Markup, escape
 
 from raywalk.errors import SourceError, SourceErrors
-from raywalk.mistakes.table import TABLE
 from raywalk.scene.lesson_text import inline_html, lesson_html
 from raywalk.scene.model import Choice, Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
@@ -48,7 +46,7 @@ def write_pages(
     words: Words | None = None, savings: dict[str, Figures] | None = None,
     downloads: dict[str, dict[str, int]] | None = None, base: str = "", with_mistakes: bool = False,
 ) -> None:  # fmt: skip
-    """index.html, model/, glossary/, check/, slides/, offline/ and scenes/<id>/index.html of one
+    """index.html, model/, glossary/, slides/, offline/ and scenes/<id>/index.html of one
     language: under `out` for the default one, under out/<code> for another. scenes: in that
     language; downloads: paths and sizes of the files to take away, by scene id or "course"; base:
     where the site will be, if that is known; with_mistakes: whether there are pages of mistakes.
@@ -65,7 +63,7 @@ def write_pages(
         values = shared | {"root": "../" * (home + here).count("/"), "here": here} | context
         page.write_text(rendered(environment, template, values), encoding="utf-8")
 
-    cards = [_card(scene, home, out) for scene in scenes]
+    cards = [card_of(scene, home, out) for scene in scenes]
     decks = {id: sorted_downloads(id, sizes, words) for id, sizes in (downloads or {}).items()}
     shared = {
         "home": home, "scenes": cards, "chapters": _chapters(cards), **assets,
@@ -73,8 +71,8 @@ def write_pages(
         "base": base, "preview": _preview(out, [face_of(scenes)] if scenes else []),
         "with_mistakes": with_mistakes,
     }  # fmt: skip
-    checks = [_checked(each, home, out) for each in scenes if has_check(each, out)]
-    write("index.html", "gallery.html", checks=checks)
+    has_checks = any(has_check(scene, out) for scene in scenes)
+    write("index.html", "gallery.html", has_checks=has_checks)
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",
@@ -89,8 +87,6 @@ def write_pages(
         seen=first_seen(glossary, scenes), letters=letters_of(glossary.terms),
     )  # fmt: skip
     (out / home / "glossary" / "terms.js").write_text(terms_script(glossary.terms), "utf-8")
-    if checks:
-        write("check/index.html", "check.html", checks=checks, mistakes=mistakes_told())
     if decks:
         write("slides/index.html", "slides.html")
     for scene in scenes:
@@ -215,7 +211,8 @@ def _named(scene: Scene) -> dict[str, str]:
     return {key: getattr(scene, key) for key in ("id", "key", "chapter", "title", "teaches")}
 
 
-def _card(scene: Scene, home: str, out: Path) -> dict[str, str]:
+def card_of(scene: Scene, home: str, out: Path) -> dict[str, str]:
+    """What a picture that leads to a scene's page shows."""
     at = f"scenes/{scene.traces}"
     thumb = f"{at}/{shown_picture(out / at, 'thumb')}"
     return _named(scene) | {"url": f"{home}scenes/{scene.id}/index.html", "thumb": thumb}
@@ -231,23 +228,12 @@ def _chapters(cards: Sequence[dict[str, str]]) -> list[dict[str, Any]]:
 
 
 def _glass(scene: Scene, home: str, out: Path) -> dict[str, str]:
-    return _card(scene, home, out) | {"glass_shadows": scene.render.glass_shadows}
+    return card_of(scene, home, out) | {"glass_shadows": scene.render.glass_shadows}
 
 
 def has_check(scene: Scene, out: Path) -> bool:
     """Whether there are pictures to check a student's against: of the scene itself."""
     return not scene.base and (out / "check" / scene.id).is_dir()
-
-
-def _checked(scene: Scene, home: str, out: Path) -> dict[str, str]:
-    """objects: their names in the page's language, as JSON."""
-    names = json.dumps([obj.name for obj in scene.objects], ensure_ascii=False)
-    return _card(scene, home, out) | {"objects": names}
-
-
-def mistakes_told() -> str:
-    """What each mistake of the atlas is called, as JSON."""
-    return json.dumps({each.name: {"title": each.does, "url": ""} for each in TABLE})
 
 
 def _scene(scene: Scene, figures: Figures, out: Path) -> dict[str, Any]:
