@@ -174,3 +174,12 @@ test("the page knows its name in a scene's menu, and no request left the site", 
   assert.match(href, /\/check\/index\.html#scene=02-shadows$/);
   assert.deepEqual(page.faults, []);
 });
+
+test("a kiosk has no link to it: nobody brings a picture there", async () => {
+  for (const path of ["index.html", "scenes/02-shadows/index.html"]) {
+    await page.goto("about:blank");
+    await page.goto(`${ON_DISK}${path}#kiosk=1&visitor=1&still=1&gl=none`);
+    await page.locator("html.kiosk .to-check").waitFor({ state: "attached" });
+    assert.ok(!(await page.locator(".to-check").isVisible()), path);
+  }
+});

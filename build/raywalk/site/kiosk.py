@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +12,7 @@ from raywalk.errors import UserError, shown_path
 from raywalk.site.offline import MANIFEST, WORKER
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.sitemap import FILE as SITEMAP
+from raywalk.words import languages
 
 TOP, SITE = "raywalk-kiosk", "course"
 LIMIT = 55_000_000  # bytes: what a mail server and an old USB stick take; slides are 4/5 of it
@@ -21,6 +23,7 @@ NOT_NEEDED = (".json.gz", PREVIEW, WORKER, MANIFEST, SITEMAP)
 # The list of the site's files, a host's settings, a worktree's .git; numbers for graders; and the
 # page for pictures of one's own, which nobody brings to a kiosk.
 HIDDEN = (".", "homework/", "check/")
+TO_HIDDEN = re.compile(r'(?:<p>)?<a class="[^"]*\bto-check\b[^"]*"[^>]*>[^<]*</a>(?:</p>)?')
 SCRIPTS = (".sh", ".command")
 
 
@@ -68,8 +71,17 @@ def _files(site: Path, source: Path, start: str) -> Iterator[tuple[str, bytes]]:
         yield f"{TOP}/{path.name}", text.encode("utf-8-sig" if path.suffix == ".txt" else "utf-8")
     for path in sorted(site.rglob("*")):
         name = path.relative_to(site).as_posix()
-        if path.is_file() and not name.startswith(HIDDEN) and not name.endswith(NOT_NEEDED):
-            yield f"{TOP}/{SITE}/{name}", path.read_bytes()
+        if path.is_file() and not _is_hidden(name) and not name.endswith(NOT_NEEDED):
+            content = path.read_bytes()
+            if path.suffix == ".html":
+                content = TO_HIDDEN.sub("", content.decode()).encode()
+            yield f"{TOP}/{SITE}/{name}", content
+
+
+def _is_hidden(name: str) -> bool:
+    """In any language, and what only such a page loads."""
+    in_language = name.partition("/")[2] if name.partition("/")[0] in languages() else name
+    return in_language.startswith(HIDDEN) or name.startswith("assets/check-")
 
 
 def _entry(name: str) -> zipfile.ZipInfo:
