@@ -1,7 +1,7 @@
 /** A lecture: what can be read from the last row, what goes while the pointer rests, and what a clicker does. */
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state, until } from "./browser.mjs";
 import { readScene, readWords } from "./scene-files.mjs";
 
 const rich = richScene();

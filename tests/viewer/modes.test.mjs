@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, settled, state, until } from "./browser.mjs";
+import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, state, until } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { PNG } from "pngjs";
-import { DIST, follow, launch, newPage, ON_DISK, open, openMenu, richScene, stats } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, openMenu, richScene, stats } from "./browser.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, state } from "./browser.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const { path } = scenesOfSite().find(({ id }) => id === "02-shadows"); // its second step has a camera ray's
