@@ -17,7 +17,7 @@ import { raysLeftIn } from "./strip-rays.mjs";
 const HERE = fileURLToPath(new URL("./", import.meta.url));
 const PAGE = ["./page/broken.js", "./page/kiosk.js", "./page/language.js", "./page/offline.js"]; // in every page's head
 const TARGET = ["chrome100", "firefox113", "safari16.4"]; // the first with DecompressionStream
-const BANNERS = { viewer: "/* Holds three.js, MIT */", other: "/* Raywalk, MIT */" };
+const BANNERS = { viewer: "/* Holds three.js, MIT */", check: "/* Holds fast-png, fflate, iobuffer, jpeg-js: LICENSES.txt */", other: "/* Raywalk, MIT */" };
 
 /** Our own shaders without comments and spaces, as three's: template texts with a shader's main in them. */
 const tightShaders = {
@@ -91,7 +91,7 @@ async function main() {
   const left = raysLeftIn(viewer);
   if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
   const kiosk = await bundled('import "./viewer/kiosk/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.other } });
-  const check = await bundled('import "./check/page/main"', { noteInputs, format: "iife", minify: true, banner: { js: "/* Holds fast-png, iobuffer and jpeg-js (MIT, BSD), fflate (MIT) */" } });
+  const check = await bundled('import "./check/page/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.check } });
   const page = await Promise.all(PAGE.map((path) => readFile(join(HERE, path), "utf8")));
   const scripts = { viewer, kiosk: kiosk.text, check: check.text, page: (await transform(page.join("\n"), { minify: true, target: TARGET })).code, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
   await mkdir(folder, { recursive: true });

@@ -155,9 +155,12 @@ def test_the_licences_name_every_model_that_a_scene_shows():
 def test_the_licences_name_every_package_that_is_in_a_script():
     """In full, as their licences ask for."""
     assert "three 0." in LICENCES and "three.js authors" in LICENCES
-    held = {match for path in (DIST / "assets").glob("*.js")
-            for match in re.findall(r"Holds ([\w.]+)", path.read_text("utf-8"))}  # fmt: skip
-    assert held == {"three.js"}
+    said = [re.search(r"Holds ([^*]+?)(?:, MIT|:)", path.read_text("utf-8"))
+            for path in (DIST / "assets").glob("*.js")]  # fmt: skip
+    held = {name for match in said if match for name in match[1].split(", ")}
+    assert held == {"three.js", "fast-png", "fflate", "iobuffer", "jpeg-js"}
+    for name in held - {"three.js"}:
+        assert re.search(rf"^{name} \d", LICENCES, re.MULTILINE)
     assert (ROOT / "LICENSE").read_text("utf-8").strip() in LICENCES
 
 

@@ -36,7 +36,7 @@ def write_licences(out: Path, scenes: Iterable[Scene], bundled: Path, has_slides
     """bundled: the folder of the viewer's script, with packages.json, the names of npm's packages
     that are in it."""
     names = json.loads((bundled / "packages.json").read_text(encoding="utf-8"))
-    parts = [own(), *(npm_package(name, "the viewer's script") for name in names)]
+    parts = [own(), *(npm_package(name, "the pages' scripts") for name in names)]
     parts += models(scenes)
     if has_slides:
         parts += [font(), powerpoint_template()]

@@ -6,4 +6,6 @@ import type { PictureFault } from "./fault";
 type Of<K> = K extends `check.fault.${infer Word}` ? Word : never;
 export type FaultWord = Of<keyof WordKeys>;
 
-export const sentenceOf = ({ word, figures }: PictureFault) => (say as (key: string, figures: PictureFault["figures"]) => string)(`check.fault.${word}`, figures);
+const tell = say as (key: string, figures: PictureFault["figures"]) => string; // a fault has the figures of its word
+
+export const sentenceOf = ({ word, figures }: PictureFault) => tell(`check.fault.${word}`, figures);
