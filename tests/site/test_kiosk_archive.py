@@ -1,6 +1,7 @@
 """The kiosk's archive: whole, small, the same bytes each time, and started by flags that exist."""
 
 from __future__ import annotations
+
 import hashlib
 import mmap
 import os
