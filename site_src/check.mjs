@@ -2,24 +2,26 @@
  * node site_src/check.mjs: answers requests, a line of JSON each, until its input ends. What is wrong with a picture is known by
  * check/ alone, in pages as here.
  *
- *   {do: "check", picture, data, language}     all that the page check/ tells: Checked (check/check.ts) without the heat map, and
- *                                              {width, height, square: {size, isCut, isLossy, hadAlpha}, source, nearest}; or {refusal}, or
- *                                              {fault: sentence} of what is no picture
+ *   {do: "check", picture, data, names, language}   all that the page check/ tells: Checked (check/check.ts) without the heat map,
+ *                                              {width, height, square: {size, isCut, isLossy, hadAlpha}, source, nearest, leftOut}; or
+ *                                              {refusal}, or {fault: sentence} of what is no picture; and the report of each, {lines: Line[],
+ *                                              written: [text]} (check/report.ts)
  *   {do: "recognise", picture, right, atlas}   which mistakes it looks like: Recognised (check/recognise.ts)
  *
- * picture and right name files of any format that check/formats reads. data is a folder of a scene's scripts
+ * picture and right name files of any format that check/formats reads. names is what objects and mistakes are called in the language
+ * (Names of check/report.ts). data is a folder of a scene's scripts
  * (build/raywalk/check/write.py), atlas one with about.json and atlas.png. An answer is {answer}, or {fault: sentence}, in the
  * language if one is named.
  */
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const place = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { outputFiles } = await build({ entryPoints: [place("./check/main.ts")], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, rightOf, sceneOf, sourceFor, squareOf, taken } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, taken, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 function speak(language = "en") {
   if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(place(`./words/${language}.json`), "utf8"));
@@ -46,18 +48,23 @@ const sceneIn = keeping((folder) => {
   return sceneOf(about, scriptIn(folder, "places"), about.leftOut ? null : scriptIn(folder, "atlas"));
 });
 
-function checked({ picture: file, data }) {
+const told = (found, lines) => ({ ...found, lines, written: written(lines) });
+
+function checked({ picture: file, data, names }) {
   const { picture, sentence } = pictureOrSentence(readFileSync(file));
-  if (!picture) return { fault: sentence };
+  if (!picture) return told({ fault: sentence }, sentenceAlone(sentence));
   const { width, height, isLossy, hadAlpha } = picture;
   const square = squareOf(picture);
-  if (isRefusal(square)) return { width, height, refusal: square };
+  if (isRefusal(square)) return told({ width, height, refusal: square }, sentenceAlone(refused(square)));
   const scene = sceneIn(data);
   const size = square.picture.width;
   const source = sourceFor(size, scene.about);
+  const nearest = nearestSize(size, scene.about);
+  const { leftOut } = scene.about;
   const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), source.isExact, scene);
+  const lines = reportOf({ file: { name: basename(file), width, height }, square, source, checked: found, leftOut, nearest }, names);
   const { heat, ...comparison } = found.comparison;
-  return { ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest: nearestSize(size, scene.about), leftOut: scene.about.leftOut };
+  return told({ ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest, leftOut }, lines);
 }
 
 const DOES = { check: checked, recognise: ({ picture, right, atlas }) => recogniserIn(atlas).recognise(pictureIn(picture), pictureIn(right)) };

@@ -237,7 +237,7 @@ def test_checks_of_pictures_know_no_browser_and_no_viewer() -> None:
         packages = {n for n in named if not n.startswith(".")}
         viewers = {name.rpartition("/")[2] for name in outside - packages}
         of_page = file.parent.name == "page"
-        assert viewers <= (FOR_ANYONE if of_page else {"words", "word-keys"}), file
+        assert viewers <= (FOR_ANYONE if of_page else {"words", "word-keys", "articles"}), file
         assert packages <= {"fast-png", "fflate", "jpeg-js/lib/decoder"}, file
     assert "DOM" not in (folder / "tsconfig.json").read_text("utf-8")
 

@@ -9,5 +9,6 @@ export { pictureOrSentence, readPicture } from "./formats/read";
 export { sentenceOf } from "./formats/sentences";
 export { placeAt, whereWrong } from "./places";
 export { recogniserOf } from "./recognise";
+export { refused, reportOf, sentenceAlone, written } from "./report";
 export { isRefusal, nearestSize, sourceFor, squareOf, taken } from "./square";
 export { gridFor, worstTiles } from "./tiles";

@@ -58,6 +58,12 @@ def test_a_wrong_one_ends_with_1_and_is_named(folder) -> None:
     assert done.stderr.strip() == "1 of 1 pictures not right"
 
 
+def test_in_german_objects_and_mistakes_have_their_german_names(folder) -> None:
+    done = compared(folder / "bela.ppm", "--scene", "03", "--language", "de")
+    assert "Das Licht kommt von der Gegenseite" in done.stdout and "(light-reversed)" in done.stdout
+    assert not any(obj.name in done.stdout for obj in SCENE.objects), done.stdout
+
+
 def test_a_wider_picture_is_cut_to_its_middle_and_may_be_right(folder) -> None:
     done = compared(folder / "wide.bmp", "--scene", "03")
     assert done.returncode == 0
@@ -82,6 +88,9 @@ def test_json_says_all_and_nothing_else(folder) -> None:
     assert [each["isRight"] for each in (right, wrong, broken)] == [True, False, False]
     assert wrong["answers"][0]["names"] == ["light-reversed"]
     assert "fault" in broken and "comparison" not in broken
+    assert [line["words"] for line in broken["lines"]] == [broken["fault"]]
+    parts = list(dict.fromkeys(line["part"] for line in wrong["lines"]))
+    assert parts == ["verdict", "how", "where", "looks", "walk"]
 
 
 def test_junit_has_a_case_a_picture(folder) -> None:

@@ -1,7 +1,11 @@
 /** The page check/ from a disk, as a student uses it: a file of each kind, right and wrong pictures, by keyboard, in both languages. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { PNG } from "pngjs";
 import { DIST, launch, newPage, ON_DISK, PATIENCE, until } from "./browser.mjs";
 import { GOOD, HEIGHT, HOSTILE, WIDTH } from "./picture-files.mjs";
@@ -91,6 +95,23 @@ for (const [scene, name] of [["02-shadows", "shadows-forgotten"], ["03-two-light
     assert.match(first, /\d\s?% agreement/);
   });
 }
+
+test("what is copied is what the command says, line by line", async () => {
+  await visit("#scene=02-shadows");
+  const [file, bytes] = [join(mkdtempSync(join(tmpdir(), "raywalk-check-")), "mine.png"), wrongPicture("02-shadows", "shadows-forgotten")];
+  writeFileSync(file, bytes);
+  await drop(bytes, "mine.png");
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void (window.copied = text) }, configurable: true }));
+  await page.getByRole("button", { name: EN.report.copy }).click();
+  await page.getByRole("button", { name: EN.report.copied }).waitFor();
+  const objects = JSON.parse(await page.locator("[value='02-shadows']").getAttribute("data-objects"));
+  const names = { objects, mistakes: Object.fromEntries(Object.entries(mistakes).map(([name, { title }]) => [name, title])) };
+  const request = { do: "check", picture: file, data: `${DIST}/check/02-shadows`, language: "en", names };
+  const { answer } = JSON.parse(execFileSync("node", [fileURLToPath(new URL("../../site_src/check.mjs", import.meta.url))], { input: JSON.stringify(request), encoding: "utf8" }));
+  const [, ...copied] = (await page.evaluate(() => window.copied)).trimEnd().split("\n");
+  assert.deepEqual(copied, answer.written);
+  rmSync(dirname(file), { recursive: true });
+});
 
 test("a pixel that is far off leads to its rays", async () => {
   await visit("#scene=02-shadows");

@@ -46,27 +46,24 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str | Message]:
     """Traces what is not kept, then tells of each picture. Raises UserError if one is not right."""
     from raywalk.check.report import as_json, as_junit, as_table, as_text
-    from raywalk.mistakes.table import BY_NAME
     from raywalk.scene.read import read_scene
-    from raywalk.site.mistakes import read_said
     from raywalk.stops.process import Stops
-    from raywalk.words import read_words
 
     scene = read_scene(scene_named(chosen.scene, chosen.scenes))
     files = list(pictures_in(chosen.picture))
+    asked = {"do": "check", "language": chosen.language, "names": _names(scene, chosen.language)}
     entry = yield from right_pictures(scene, chosen)
-    words, said = read_words(chosen.language), read_said(SITE_SOURCE, chosen.language)
-    titles = {name: said[name]["title"] for name in BY_NAME}
+    asked |= {"data": str(entry.folder)}
     with Stops(SITE_SOURCE / "check.mjs") as node:
-        reports = [_asked(node, file, entry.folder, chosen.language) for file in files]
+        reports = [_asked(node, file, asked) for file in files]
     if chosen.json:
         yield as_json(scene, reports)
     elif chosen.junit:
-        yield as_junit(scene, reports, words, titles)
+        yield as_junit(scene, reports)
     elif len(reports) > 1:
-        yield as_table(reports, words)
+        yield as_table(reports)
     else:
-        yield as_text(scene, reports[0], words, titles)
+        yield as_text(reports[0])
     wrong = [each for each in reports if not each.is_right]
     if wrong:
         raise NotRight(f"{len(wrong)} of {len(reports)} pictures not right")
@@ -147,10 +144,23 @@ def _silently(work: Generator[Any, None, Any]) -> Generator[str, None, Any]:
             return end.value
 
 
-def _asked(node: Stops, file: Path, data: Path, language: str) -> Report:
+def _names(scene: Scene, language: str) -> dict[str, Any]:
+    """What check.mjs calls objects and mistakes."""
+    from raywalk.mistakes.table import BY_NAME
+    from raywalk.scene.translation import read_spoken
+    from raywalk.site.mistakes import read_said
+
+    [spoken] = read_spoken([scene], language)
+    said = read_said(SITE_SOURCE, language)
+    return {
+        "objects": [each.name for each in spoken.scene.objects],
+        "mistakes": {name: said[name]["title"] for name in BY_NAME},
+    }
+
+
+def _asked(node: Stops, file: Path, asked: dict[str, Any]) -> Report:
     """What is found about a picture; a file that cannot be read is a finding, too."""
     from raywalk.check.report import Report
 
-    request = {"do": "check", "picture": str(file), "data": str(data), "language": language}
-    answer: dict[str, Any] = json.loads(node.ask(request, file))
+    answer: dict[str, Any] = json.loads(node.ask(asked | {"picture": str(file)}, file))
     return Report(shown_path(file), answer)

@@ -3,6 +3,7 @@ import { say } from "../../viewer/words";
 import { check } from "../check";
 import type { Picture } from "../formats/picture";
 import { pictureOrSentence } from "../formats/read";
+import { refused } from "../report";
 import { isRefusal, nearestSize, sourceFor, squareOf, taken } from "../square";
 import { chosenScene, followAddress, listenToAsked, showSizes } from "./asked";
 import { createFiles } from "./files";
@@ -29,7 +30,7 @@ async function checkLast() {
   const { width, height } = picture;
   found.hidden = true;
   const square = squareOf(picture);
-  if (isRefusal(square)) return tell(say(`check.verdict.${square.word}`, square.figures));
+  if (isRefusal(square)) return tell(refused(square));
   tell(say("check.working"));
   await drawn();
   const chosen = chosenScene();
@@ -42,7 +43,7 @@ async function checkLast() {
   const right = taken(whole, size);
   const checked = check(square, right, source.isExact, scene);
   tell("");
-  showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, about: scene.about, nearest: nearestSize(size, scene.about), again });
+  showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, leftOut: scene.about.leftOut, nearest: nearestSize(size, scene.about), again });
 }
 
 function again() {
