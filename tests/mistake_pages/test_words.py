@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from raywalk.mistakes.table import BY_NAME, FAMILIES
-from raywalk.site.mistakes import ALL, FIELDS, Said, read_said
+from raywalk.site.mistakes import ALL, FIELDS, OF_TABLE, Said, read_said, typeset
 from raywalk.terms.glossary import read_glossary
 from raywalk.words import languages
+from raywalk.words.catalogue import DEFAULT
 
 SOURCE = Path(__file__).parents[2] / "site_src"
 
@@ -21,6 +22,11 @@ def own_words(code: str) -> Said:
     return said
 
 
+def fields_in(code: str) -> tuple[str, ...]:
+    """Those that stand in a language's file."""
+    return tuple(field for field in FIELDS if code != DEFAULT or field != OF_TABLE)
+
+
 @pytest.mark.parametrize("code", languages())
 def test_each_mistake_is_told_whole_and_nothing_else_is(code: str) -> None:
     """A table a mistake, with all its fields, and the families' names."""
@@ -28,10 +34,13 @@ def test_each_mistake_is_told_whole_and_nothing_else_is(code: str) -> None:
     assert set(said) == {*BY_NAME, "families"}
     assert tuple(said["families"]) == FAMILIES
     for name in BY_NAME:
-        assert tuple(said[name]) == FIELDS, name
+        assert tuple(said[name]) == fields_in(code), name
         assert all(said[name].values()), name
         assert len(said[name]["title"]) < 60 and not said[name]["title"].endswith("."), name
-        assert all(said[name][field].endswith((".", "!")) for field in FIELDS[1:]), name
+        sentences = [said[name][field] for field in FIELDS if field not in ("title", OF_TABLE)]
+        assert all(text.endswith((".", "!")) for text in sentences), name
+        does = read_said(SOURCE, code)[name][OF_TABLE]
+        assert len(does) < 80 and does[0].islower() and does[-1] not in ".!", name
 
 
 def test_each_language_has_its_own_words() -> None:
@@ -40,7 +49,7 @@ def test_each_language_has_its_own_words() -> None:
     told: set[str] = set()
     for code in languages():
         own = {text for name in BY_NAME for text in own_words(code)[name].values()}
-        assert not own & told and len(own) == len(FIELDS) * len(BY_NAME), code
+        assert not own & told and len(own) == len(fields_in(code)) * len(BY_NAME), code
         told |= own
 
 
@@ -59,4 +68,13 @@ def test_no_term_is_said_as_the_glossary_says_it_is_not(code: str) -> None:
 
 def test_a_language_that_has_no_words_yet_is_told_in_the_first_one() -> None:
     """A translation that is under way has pages, too."""
-    assert read_said(SOURCE, "xx") == own_words("en")
+    said = read_said(SOURCE, "xx")
+    assert said == read_said(SOURCE, "en") and own_words("en")["families"] == said["families"]
+    for name, own in own_words("en").items():
+        assert own.items() <= said[name].items()
+
+
+def test_what_a_program_does_is_the_tables_own_in_english_and_typeset() -> None:
+    """It stands once, in mistakes.json, which is plain ASCII."""
+    assert read_said(SOURCE, "en")["upside-down"][OF_TABLE] == BY_NAME["upside-down"].does
+    assert typeset("takes |n.l|: c - p, t >= 0") == "takes |n·l|: c − p, t ≥ 0"

@@ -71,7 +71,7 @@ const SURROUNDINGS = [
 ];
 /** Pages that are no scene's. */
 const slides = `slides/${rich.id}.html`;
-const PAGES = ["index.html", "model/index.html", "slides/index.html", "offline/index.html", "check/index.html", "mistakes/index.html", "mistakes/total-black/index.html", `${rich.path}?embed`];
+const PAGES = ["index.html", "model/index.html", "slides/index.html", "offline/index.html", "check/index.html", "mistakes/index.html", "mistakes/total-black/index.html", "mistakes/which/index.html", `${rich.path}?embed`];
 const WITHOUT_SCRIPTS = ["index.html", rich.path, "slides/index.html"];
 /** A site has the page of benchmarks once `make bench` or `make stress` has measured something. */
 const MEASURED = ["benchmarks/index.html"].filter((path) => existsSync(`${DIST}/${path}`));

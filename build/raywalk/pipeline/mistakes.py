@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raywalk.mistake_pages.best import Shown, best_scenes
+from raywalk.mistake_pages.rounds import Round, rounds_of
 from raywalk.pipeline.parts import silent
 from raywalk.pipeline.slides import ASK, Asking, sentences
 from raywalk.pipeline.tracing import by_cost
@@ -51,6 +52,7 @@ class Mistakes:
     pictures: dict[str, Entry]  # by scene
     told: dict[str, dict[str, Entry]]  # by language and scene
     others: tuple[Entry, ...]  # what decided
+    rounds: tuple[Round, ...]  # of questions: which mistake is this?
 
     def entries(self) -> Iterator[Entry]:
         """All that are used."""
@@ -102,7 +104,8 @@ def _made(
         for id, drawing in pictures.items():
             told[code][id] = yield from _told(store, asking, of[id], code, found[id].data, drawing)
     without = tuple(id for id, each in said.items() if each["left_out"])
-    return Mistakes(shown, without, pictures, told, tuple(clear.values()))
+    rounds = rounds_of(shown, said)
+    return Mistakes(shown, without, pictures, told, tuple(clear.values()), rounds)
 
 
 def _kept(
@@ -159,11 +162,12 @@ def told_in(made: Mistakes, code: str) -> Told:
     """What a language's pages say besides their words."""
     drawn = {id: _read(entry.folder / PICTURES) for id, entry in made.pictures.items()}
     events = {id: _read(entry.folder / TOLD) for id, entry in made.told[code].items()}
-    return Told(made.shown, made.left_out, drawn, events)
+    return Told(made.shown, made.left_out, drawn, events, made.rounds)
 
 
 def publish_mistakes(out: Path, site_source: Path, made: Mistakes) -> None:
-    """The pictures of all mistakes, which are the same in every language, and their style sheet."""
+    """The pictures of all mistakes, which are the same in every language, their style sheets and
+    the script of the page that asks."""
     for id, entry in made.pictures.items():
         for path in entry.files():
             if path.suffix != ".webp":
@@ -172,8 +176,10 @@ def publish_mistakes(out: Path, site_source: Path, made: Mistakes) -> None:
             to = out / ALL / (f"{RIGHT}-{id}.webp" if name == RIGHT else of_page(name, which))
             to.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(path, to)
+    files = ["mistakes.css", *(("which.css", "which.js") if made.rounds else ())]
     (out / ALL).mkdir(exist_ok=True)
-    (out / ALL / "mistakes.css").write_bytes(bytes_of(site_source / ALL / "mistakes.css"))
+    for name in files:
+        (out / ALL / name).write_bytes(bytes_of(site_source / ALL / name))
 
 
 def _read(file: Path) -> Any:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.mistake_pages.best import Shown
+from raywalk.mistake_pages.rounds import Question, Round
 from raywalk.mistakes.table import FAMILIES, TABLE
 from raywalk.scene.model import Scene
 from raywalk.site.pages import Assets, home_of, page_environment, rendered
@@ -21,7 +22,11 @@ from raywalk.work.snapshot import text_of
 
 ALL = "mistakes"  # the folder of the site, and of what is said in it
 RIGHT = "right"
-FIELDS = ("title", "seen", "why", "find")
+WHICH = "which"  # the page that asks; no mistake has this name
+LETTERS = "ABCD"
+FIELDS = ("title", "does", "seen", "why", "find")
+OF_TABLE = "does"  # in the default language the table of mistakes has it
+SIGNS = (("n.l", "n·l"), ("d.n", "d·n"), (" - ", " − "), (">=", "≥"))  # as they are typeset
 DIGITS = 6  # of numbers to test against
 Said = dict[str, dict[str, str]]
 
@@ -34,16 +39,25 @@ class Told:
     left_out: Sequence[str]  # ids of scenes
     drawn: dict[str, dict[str, Any]]  # by scene: what mistakes.json says
     events: dict[str, dict[str, Any]]  # by scene, mistake and side
+    rounds: Sequence[Round]  # of questions; none where too few mistakes show
 
 
 def read_said(site_source: Path, code: str) -> Said:
     """What is said of each mistake in a language, and its families' names; what it has not yet is
-    the default one's."""
-    said: Said = {}
+    the default one's, in which the table itself says what a program does."""
+    said: Said = {mistake.name: {OF_TABLE: typeset(mistake.does)} for mistake in TABLE}
     for each in dict.fromkeys((DEFAULT, code)):
         file = site_source / ALL / f"{each}.toml"
-        said |= tomllib.loads(text_of(file)) if file.is_file() else {}
+        for name, own in tomllib.loads(text_of(file)).items() if file.is_file() else ():
+            said[name] = said.get(name, {}) | own
     return said
+
+
+def typeset(does: str) -> str:
+    """What mistakes.json says in ASCII."""
+    for plain, sign in SIGNS:
+        does = does.replace(plain, sign)
+    return does
 
 
 def of_page(name: str, which: str) -> str:
@@ -55,8 +69,9 @@ def write_mistake_pages(
     out: Path, site_source: Path, scenes: Sequence[Scene], told: Told, assets: Assets,
     words: Words, base: str,
 ) -> None:  # fmt: skip
-    """mistakes/index.html and mistakes/NAME/index.html of one language. scenes: in that language,
-    with lessons on others' rays."""
+    """mistakes/index.html, mistakes/NAME/index.html and, where there are rounds of questions,
+    mistakes/which/index.html, of one language. scenes: in that language, with lessons on others'
+    rays."""
     said, home = read_said(site_source, words.code), home_of(words.code)
     environment = page_environment(site_source / "templates", words)
     own = {scene.id: scene for scene in scenes if not scene.base}
@@ -72,7 +87,22 @@ def write_mistake_pages(
         page.write_text(rendered(environment, template, values), encoding="utf-8")
 
     families = [(f, [m.name for m in TABLE if m.family == f]) for f in FAMILIES]
-    write(f"{ALL}/index.html", "mistakes.html", families=families, left_out=told.left_out)
+    write(
+        f"{ALL}/index.html",
+        "mistakes.html",
+        families=families,
+        left_out=told.left_out,
+        rounds=told.rounds,
+    )
+    if told.rounds:
+        rounds = [
+            {
+                "family": each.family,
+                "questions": [asked(q, told, own, words) for q in each.questions],
+            }
+            for each in told.rounds
+        ]
+        write(f"{ALL}/{WHICH}/index.html", "which.html", rounds=rounds, letters=LETTERS)
     names = [mistake.name for mistake in TABLE]
     beside = {b: (a, c) for (a, b), (_, c) in pairwise(pairwise([None, *names, None]))}
     for mistake in TABLE:
@@ -95,6 +125,15 @@ def page_of(name: str, told: Told, scenes: dict[str, Scene], words: Words) -> di
         "drawing": of["drawing"], "events": beside(events["right"], events["wrong"]),
         "ray": ray_of(of["numbers"]["ray"], words),
         "rows": [row_of(row, scene, words) for row in of["numbers"]["rows"]],
+    }  # fmt: skip
+
+
+def asked(question: Question, told: Told, scenes: dict[str, Scene], words: Words) -> dict[str, Any]:
+    """A question, and the number that gives its mistake away: of the first ray that differs."""
+    of = told.drawn[question.scene][question.name]
+    return {
+        **question._asdict(), "n": of["n"], "x": of["pixel"][0], "y": of["pixel"][1],
+        "row": row_of(of["numbers"]["rows"][0], scenes[question.scene], words),
     }  # fmt: skip
 
 

@@ -72,7 +72,8 @@ def write_pages(
         "with_mistakes": with_mistakes,
     }  # fmt: skip
     has_checks = any(has_check(scene, out) for scene in scenes)
-    write("index.html", "gallery.html", has_checks=has_checks)
+    has_which = (out / "mistakes" / "which.js").exists()
+    write("index.html", "gallery.html", has_checks=has_checks, has_which=has_which)
     write("offline/index.html", "offline.html")
     write(
         "model/index.html", "model.html",

@@ -117,7 +117,8 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
 
 
 def of_mistakes(out: Path) -> list[Size]:
-    """What each page of mistakes loads besides what all pages share; the page of all, by itself."""
+    """What each page of mistakes loads besides what all pages share; of all, by itself; of that
+    which asks, without pictures, which come as one scrolls."""
     folder = out / "mistakes"
     if not folder.is_dir():
         return []
