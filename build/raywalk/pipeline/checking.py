@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 from raywalk.pipeline.parts import models_of, shut_for, silent
+from raywalk.pipeline.scenes import Making, SceneMade
+from raywalk.pipeline.tracing import by_cost
 from raywalk.scene.model import Scene
-from raywalk.work.chains import Chain
+from raywalk.work.chains import Chain, run_chains
 from raywalk.work.digests import key_of
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.making import made, reasons
-from raywalk.work.pool import Job, Threads
-from raywalk.work.progress import Report
+from raywalk.work.pool import Job, Threads, Workers
+from raywalk.work.progress import Message, Report
 from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, Stages, note
 
@@ -28,6 +30,19 @@ def check_parts(scene: Scene, traced: Entry) -> Parts:
         "what": "check", "of": scene.id, "scene": silent(scene), "models": models_of(scene),
         "trace": traced.folder.name, **CHECK.parts(shut_for(scene)),
     }  # fmt: skip
+
+
+def make_checks(
+    making: Making, scenes: Sequence[Scene], found: Mapping[str, SceneMade], workers: Workers
+) -> Generator[str | Message, None, dict[str, Entry]]:
+    """The entries of all scenes, by id; none where pages shall not wait. After all else: lessons on
+    other scenes would wait for the longest of these."""
+    if not making.asking:
+        return {}
+    ordered = by_cost(scenes)
+    chains = [check_chain(making.store, scene, found[scene.id].traced) for scene in ordered]
+    made = yield from run_chains(chains, workers)
+    return dict(zip([scene.id for scene in ordered], made, strict=True))
 
 
 def check_chain(store: Store, scene: Scene, traced: Entry) -> Chain[Entry]:

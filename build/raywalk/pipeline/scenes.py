@@ -10,7 +10,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
-from raywalk.pipeline.checking import check_chain
 from raywalk.pipeline.homework import homework_chain
 from raywalk.pipeline.parts import (
     PAGE_DATA,
@@ -56,7 +55,6 @@ class SceneMade:
     pictures: Entry | None  # for pages; None where these do not wait for them
     worked: Entry | None  # what its lesson works out; None where it does not
     homework: Entry | None  # its vectors; None where pages do not wait for them
-    check: Entry | None  # right and wrong pictures of it; None where pages do not wait for them
     sources: list[Source]  # by language, as are plans and decks
     plans: list[Plan]
     decks: list[MadeDeck]
@@ -128,12 +126,11 @@ def scene_chain(
         homework = yield from homework_chain(store, scene)
     under = base.data if base else None
     sources = [Source(each, code, traced, data, under) for code, each in spoken.items()]
-    plans, decks, check = [], [], None
+    plans, decks = [], []
     if making.asking:
         plans = yield from planned(making.asking, sources)
         decks = yield from drawn(store, plans)
-        check = None if base else (yield from check_chain(store, scene, traced))
-    return SceneMade(traced, data, pictures, worked, homework, check, sources, plans, decks)
+    return SceneMade(traced, data, pictures, worked, homework, sources, plans, decks)
 
 
 def _page_pictures(making: Making, scene: Scene, traced: Entry) -> Chain[Entry | None]:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.pipeline.checking import make_checks
 from raywalk.pipeline.figures import filled_lessons
 from raywalk.pipeline.mistakes import make_mistakes
 from raywalk.pipeline.parts import trace_parts, viewer_parts
@@ -66,6 +67,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
             spoken = yield from filled_lessons(store, spoken, workers)
             of_scenes, decks = yield from make_scenes(making, spoken, workers)
             mistakes = yield from make_mistakes(store, making.asking, spoken, of_scenes, workers)
+            check = yield from make_checks(making, own, of_scenes, workers)
         viewer = bundled.result()
     traces = {scene.id: of_scenes[scene.id].traced for scene in scenes}
     facts = {id: facts_of(traced) for id, traced in traces.items()}
@@ -82,7 +84,6 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}
     worked = {id: each.worked for id, each in of_scenes.items() if each.worked}
     homework = {id: each.homework for id, each in of_scenes.items() if each.homework}
-    check = {id: each.check for id, each in of_scenes.items() if each.check}
     works = Made(
         spoken, facts, viewer, traces, data, pictures, worked, homework, check, mistakes, decks
     )
