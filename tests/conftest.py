@@ -7,7 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.lean_sites import build_lean_sites
 from tests.with_viewer import with_viewer
+
+build_lean_sites()
 
 
 @pytest.fixture(params=[20261122], ids=["seed 20261122"])

@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tests.causes import causes
+from tests.lean_sites import build_lean_sites
 
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
@@ -80,6 +81,7 @@ class Result:
 
 def main(steps: Sequence[Step], once: bool) -> int:
     """Every step runs, even after a failure: one run tells all that is wrong."""
+    build_lean_sites()
     with ThreadPoolExecutor(1 + (os.cpu_count() or 1)) as threads:
         results = list(threads.map(run, steps))
     if not once:

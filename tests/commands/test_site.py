@@ -265,6 +265,27 @@ def test_a_killed_build_leaves_a_whole_site_and_the_next_one_resumes(build, scen
     assert not [path.name for path in tmp_path.rglob("*.partial")]
 
 
+def test_a_site_is_whole_without_what_is_left_out(
+    tmp_path, built, with_viewer, monkeypatch, capsys
+):
+    """Pages lead to check/ and mistakes/ only where these are, and one is told what may be left
+    out. What is asked for otherwise is built anew."""
+    monkeypatch.setenv("RAYWALK_WITHOUT", "slides")
+    with pytest.raises(SystemExit):
+        site(tmp_path)
+    assert "slides cannot be left out: name check or mistakes" in capsys.readouterr().err
+    shutil.copytree(built, tmp_path, dirs_exist_ok=True)
+    for without in "mistakes", "check, mistakes", "":
+        assert site(tmp_path, "--without", without) == 0
+        page = (tmp_path / "dist/scenes/01-ball/index.html").read_text(encoding="utf-8")
+        first = (tmp_path / "dist/index.html").read_text(encoding="utf-8")
+        for part in "check", "mistakes":
+            is_there = part not in without
+            assert (tmp_path / "dist" / part / "index.html").is_file() is is_there
+            assert (f'"{part}/index.html' in first) is is_there
+        assert ("check/index.html#scene=01-ball" in page) is ("check" not in without)
+
+
 def test_two_builds_at_once_make_the_same_site_as_one(scenes, tmp_path, with_viewer):
     """Two processes on one tree, from a store that has the viewer only, into one folder."""
     before = contents(tmp_path / "dist")

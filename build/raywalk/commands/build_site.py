@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import time
-from argparse import Namespace
+from argparse import ArgumentTypeError, Namespace
 from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from raywalk.work.snapshot import one_build
 
 SITE_SOURCE = Path("site_src")
 BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
+PARTS = ("check", "mistakes")  # of the site, that it is whole without
 
 
 def add_to(commands: Any) -> None:
@@ -46,7 +47,21 @@ def add_options(parser: Any) -> None:
         "--url", default=os.environ.get("RAYWALK_URL", ""), metavar="https://HOST/PATH/",
         help="where the site will be: for its sitemap and shared links (or RAYWALK_URL)",
     )  # fmt: skip
+    parser.add_argument(
+        "--without", type=parts_left_out, default=os.environ.get("RAYWALK_WITHOUT", ""),
+        metavar="PART,PART", help="make the site without these (or RAYWALK_WITHOUT): check, the "
+        "page that pictures are checked on; mistakes, the pages of mistakes",
+    )  # fmt: skip
     parser.set_defaults(slides_later=False)
+
+
+def parts_left_out(named: str) -> frozenset[str]:
+    """Parts of the site by their names. Raises ArgumentTypeError."""
+    names = frozenset(name for name in named.replace(",", " ").split())
+    if unknown := sorted(names - set(PARTS)):
+        allowed = " or ".join(PARTS)
+        raise ArgumentTypeError(f"{', '.join(unknown)} cannot be left out: name {allowed}")
+    return names
 
 
 def run(chosen: Namespace) -> Generator[str | Message, None, None]:
@@ -61,7 +76,8 @@ def _run(chosen: Namespace) -> Iterator[str | Message]:
     refuse_out(chosen)  # before anything is traced
     last = LastBuild(chosen.work, chosen.out)
     with times.phase("look what changed"):
-        inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work) | {"url": chosen.url}
+        inputs = inputs_of(chosen.scenes, SITE_SOURCE, chosen.work)
+        inputs |= {"url": chosen.url, "without": ",".join(sorted(chosen.without))}
         said = None if chosen.stats else last.said(inputs)
     if said:
         yield from said["remarks"]

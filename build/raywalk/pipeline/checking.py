@@ -35,14 +35,17 @@ def check_parts(scene: Scene, traced: Entry) -> Parts:
 def make_checks(
     making: Making, scenes: Sequence[Scene], found: Mapping[str, SceneMade], workers: Workers
 ) -> Generator[str | Message, None, dict[str, Entry]]:
-    """The entries of all scenes, by id; none where pages shall not wait. After all else: lessons on
-    other scenes would wait for the longest of these."""
+    """The entries of scenes, by id: where pages shall not wait, of those that have one. After all
+    else: lessons on other scenes would wait for the longest of these."""
+    store = making.store
     if not making.asking:
-        return {}
+        parts = {scene.id: check_parts(scene, found[scene.id].traced) for scene in scenes}
+        kept = {id: store.find(key_of(each)) for id, each in parts.items()}
+        return {id: entry for id, entry in kept.items() if entry}
     ordered = by_cost(scenes)
-    chains = [check_chain(making.store, scene, found[scene.id].traced) for scene in ordered]
-    made = yield from run_chains(chains, workers)
-    return dict(zip([scene.id for scene in ordered], made, strict=True))
+    chains = [check_chain(store, scene, found[scene.id].traced) for scene in ordered]
+    entries = yield from run_chains(chains, workers)
+    return dict(zip([scene.id for scene in ordered], entries, strict=True))
 
 
 def check_chain(store: Store, scene: Scene, traced: Entry) -> Chain[Entry]:

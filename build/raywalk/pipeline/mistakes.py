@@ -36,7 +36,7 @@ from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, note, undivided
 
 if TYPE_CHECKING:
-    from raywalk.pipeline.scenes import SceneMade
+    from raywalk.pipeline.scenes import Making, SceneMade
 
 CLARITY = Maker("raywalk.mistake_pages.clarity", "write_clarity")
 WRITE = Maker("raywalk.mistake_pages.write", "write_mistakes")
@@ -67,13 +67,12 @@ class _Missing(Exception):
 
 
 def make_mistakes(
-    store: Store, asking: Asking | None, spoken: dict[str, list[Spoken]],
-    found: dict[str, SceneMade], workers: Workers,
-) -> Generator[str | Message, None, Mistakes | None]:  # fmt: skip
-    """asking: None where pages shall not wait: then None, unless all is there."""
+    making: Making, spoken: dict[str, list[Spoken]], found: dict[str, SceneMade], workers: Workers
+) -> Generator[str | Message, None, Mistakes | None]:
+    """None where pages shall not wait, unless all is there."""
     scenes = [each.scene for each in spoken[DEFAULT] if not each.scene.base]
     try:
-        return (yield from _made(store, asking, scenes, spoken, found, workers))
+        return (yield from _made(making.store, making.asking, scenes, spoken, found, workers))
     except _Missing:
         return None
 

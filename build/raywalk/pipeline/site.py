@@ -66,8 +66,11 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
             # First: what is wrong with a slot is said before minutes of tracing.
             spoken = yield from filled_lessons(store, spoken, workers)
             of_scenes, decks = yield from make_scenes(making, spoken, workers)
-            mistakes = yield from make_mistakes(store, making.asking, spoken, of_scenes, workers)
-            check = yield from make_checks(making, own, of_scenes, workers)
+            mistakes, check = None, {}
+            if "mistakes" not in chosen.without:
+                mistakes = yield from make_mistakes(making, spoken, of_scenes, workers)
+            if "check" not in chosen.without:
+                check = yield from make_checks(making, own, of_scenes, workers)
         viewer = bundled.result()
     traces = {scene.id: of_scenes[scene.id].traced for scene in scenes}
     facts = {id: facts_of(traced) for id, traced in traces.items()}
