@@ -137,6 +137,54 @@ def test_a_chapter_that_there_is_not_is_refused(tmp_path):
     assert key == "chapter" and message.startswith('"lights" is not one of "rays", "light"')
 
 
+@pytest.mark.parametrize(
+    ("before", "order"),
+    [
+        ({"c": "a"}, "cabd"),
+        ({"c": "a", "d": "a"}, "cdab"),  # several before one: by folder
+        ({"d": "b", "b": "a"}, "dbac"),  # one before the other
+    ],
+)
+def test_a_scene_can_stand_before_another_of_its_chapter(tmp_path, before, order):
+    """Its folder's name, which is its address, stays as it is."""
+    for name in "abcd":
+        more = f'before = "{before[name]}"' if name in before else ""
+        put_scene(tmp_path, name, f'chapter = "light"\n{more}')
+        file = tmp_path / name / "scene.toml"
+        file.write_text(file.read_text().replace('key = "1"\n', ""))
+    assert "".join(scene.id for scene in read_scenes(tmp_path)) == order
+
+
+def test_a_place_before_nothing_is_refused(tmp_path):
+    """A slip, another chapter, a circle: each is told with what can be done."""
+    put_scene(tmp_path, "light", 'chapter = "light"')
+    put_lesson(tmp_path, "slip", "light", 'chapter = "light"\nbefore = "ligth"')
+    put_lesson(tmp_path, "far", "light", 'chapter = "rays"\nbefore = "light"')
+    put_lesson(tmp_path, "one", "light", 'chapter = "light"\nbefore = "two"')
+    put_lesson(tmp_path, "two", "light", 'chapter = "light"\nbefore = "one"')
+    put_lesson(tmp_path, "self", "light", 'chapter = "light"\nbefore = "self"')
+    round_trip = "stands, by its own before, behind this one"
+    assert messages(tmp_path) == [
+        ("before", '"light": is in another chapter, "light"', ""),
+        ("before", f'"two": {round_trip}', "leave out one of them"),
+        ("before", '"self": this is the scene itself', ""),
+        ("before", '"ligth": there is no such scene', 'did you mean "light"?'),
+        ("before", f'"one": {round_trip}', "leave out one of them"),
+    ]
+
+
+def test_a_scene_with_mistakes_is_there_all_the_same(tmp_path):
+    """Who stands before it is not told that it is missing."""
+    put_scene(tmp_path, "a", "autor = 1")
+    put_scene(tmp_path, "b", 'before = "a"')
+    assert [key for key, _, _ in messages(tmp_path)] == ["autor"]
+
+
+def test_the_course_begins_with_what_a_ray_is():
+    """Scene 1 shades what rays meet: what a ray is comes first."""
+    assert [scene.id for scene in read_scenes(SCENES)][:2] == ["11-what-is-a-ray", "01-shading"]
+
+
 def test_the_ten_scenes_keep_their_order():
     """Chapters put lessons between them, and none of them elsewhere."""
     keys = [scene.key for scene in read_scenes(SCENES) if scene.key]

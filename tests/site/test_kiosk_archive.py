@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.errors import UserError
+from raywalk.scene.read import read_scenes
 from raywalk.site import kiosk
 from raywalk.site.kiosk import SITE, TOP, write_archive
 
@@ -22,6 +23,7 @@ ROOT = Path(__file__).parent.parent.parent
 DIST = ROOT / "dist"
 SOURCE = ROOT / "site_src"
 BROWSERS = ("/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome")
+FIRST = read_scenes(ROOT / "scenes")[0].id  # of the course
 # Firefox's own; --edge-kiosk-type and --kiosk-idle-timeout-minutes are Edge's, as Microsoft
 # documents them (learn.microsoft.com, "Configure Microsoft Edge kiosk mode").
 NOT_CHROMIUMS = {"no-remote", "profile", "edge-kiosk-type", "kiosk-idle-timeout-minutes"}
@@ -101,7 +103,7 @@ def test_every_script_opens_the_first_scene_as_a_kiosk_and_needs_no_relaxed_rule
         said = text(archive, script)
         assert "@" not in said.replace("$@", "").replace("@echo off", ""), "every place is filled"
         assert "kiosk=1" in said and "file://" in said
-        assert re.search(r"scenes[\\/]01-shading[\\/]index\.html", said)
+        assert re.search(rf"scenes[\\/]{FIRST}[\\/]index\.html", said)
         assert not re.search("allow-file-access|disable-web-security|no-sandbox", said)
 
 
@@ -204,7 +206,7 @@ def test_windows_script_writes_any_folder_as_an_address(archive, folder, address
     script, _, _ = script.partition('set "browser=')
     known = run_set_lines(script, {"here": folder, "1": "idle=60&warn=20"})
     assert known["address"] == (
-        f"{address}course/scenes/01-shading/index.html#kiosk=1&idle=60&warn=20"
+        f"{address}course/scenes/{FIRST}/index.html#kiosk=1&idle=60&warn=20"
     )
 
 

@@ -37,6 +37,13 @@ export function scenesOfSite() {
 /** Those that a key selects: none of them is a lesson on another, which has no rays of its own. */
 export const keyedScenes = () => scenesOfSite().filter(({ key }) => key);
 
+/** The one in this folder, whatever its place in the course. */
+export function sceneCalled(id) {
+  const scene = scenesOfSite().find((each) => each.id === id);
+  if (!scene) throw new Error(`the site has no scene ${id}`);
+  return scene;
+}
+
 /** The scene with mirrors if the site has it: its trees have several kinds of ray. */
 export const richScene = () => scenesOfSite().find((scene) => scene.key === "5") ?? scenesOfSite()[0];
 

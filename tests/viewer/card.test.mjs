@@ -1,7 +1,7 @@
 /** The ray card: its numbers are the trace's; list, tree, sum and copies say the same; a click goes to the ray's event. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseTab, follow, launch, newPage, ON_DISK, open, press, reload, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { chooseTab, follow, keyedScenes, launch, newPage, ON_DISK, open, press, reload, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -13,7 +13,7 @@ const START = "still=1&gl=none&n=15&p=5,8";
 const close = (a, b, tolerance) => assert.ok(a.every((v, k) => Math.abs(v - b[k]) <= tolerance), `${a} is not ${b}`);
 const plus = (a, b, by) => a.map((v, k) => v + by * b[k]);
 
-for (const { id } of [...new Set([rich, glass, ...scenesOfSite().slice(0, 3)])]) {
+for (const { id } of [...new Set([rich, glass, ...keyedScenes().slice(0, 3)])]) {
   const { scene, trace } = await readTrace(id, 15);
   const all = Array.from({ length: 225 }, (_, pixel) => rayRows(trace, scene, pixel));
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { chooseTab, launch, newPage, ON_DISK, open, press, scenesOfSite, stats } from "./browser.mjs";
+import { chooseTab, launch, newPage, ON_DISK, open, press, sceneCalled, scenesOfSite, stats } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -42,12 +42,12 @@ for (const { id } of scenesOfSite().filter(({ key }) => "1238".includes(key || "
 }
 
 const PIXEL = [2, 4]; // of the 5 x 5 grid of scene 1, which has no shadows: it was "faces away", "counts as seen" and a dot at once
-const first = scenesOfSite()[0];
+const shading = sceneCalled("01-shading");
 let browser, page;
 before(async () => {
   browser = await launch();
   page = await newPage(browser);
-  await open(page, ON_DISK, first.path, `still=1&gl=none&n=5&p=${PIXEL.join()}`);
+  await open(page, ON_DISK, shading.path, `still=1&gl=none&n=5&p=${PIXEL.join()}`);
 });
 after(() => browser.close());
 const UNASKED = /counts as seen|light arrives/i;
@@ -79,12 +79,12 @@ test("01#p=2,4: sentence, list, tree, player and sum say that it faces away, and
 });
 
 test("the command line's JSON says so too", { skip: existsSync(".venv/bin/python") ? false : "no Python here" }, () => {
-  const text = execFileSync(".venv/bin/python", ["-m", "raywalk", "pixel", first.id, "--size", "5", "--at", PIXEL.join(), "--json"], { encoding: "utf8" });
+  const text = execFileSync(".venv/bin/python", ["-m", "raywalk", "pixel", shading.id, "--size", "5", "--at", PIXEL.join(), "--json"], { encoding: "utf8" });
   const { tree } = JSON.parse(text);
   assert.deepEqual(tree.lights.map(({ faces_away, visible, blocker }) => [faces_away, visible, blocker]), [[true, false, tree.object]]);
   const say = (...more) => execFileSync(".venv/bin/python", ["-m", "raywalk", ...more], { encoding: "utf8" });
-  assert.match(say("pixel", first.id, "--size", "5", "--at", PIXEL.join()), /light 1 is faced away from/);
-  const filed = ["inspect", `dist/${first.path.replace("index.html", "5.js")}`, "--pixel", PIXEL.join()];
+  assert.match(say("pixel", shading.id, "--size", "5", "--at", PIXEL.join()), /light 1 is faced away from/);
+  const filed = ["inspect", `dist/${shading.path.replace("index.html", "5.js")}`, "--pixel", PIXEL.join()];
   assert.match(say(...filed), /light 1: behind the surface/);
   assert.deepEqual(JSON.parse(say(...filed, "--json")).tree.lights.map(({ facesAway }) => facesAway), [true]);
 });

@@ -1,7 +1,7 @@
 /** What the colour is made of: shares that are the whole pixel, their sum its colour; and lines as wide as what they are worth. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseTab, follow, launch, newPage, ON_DISK, open, press, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { chooseTab, follow, launch, newPage, ON_DISK, open, press, richScene, sceneCalled, scenesOfSite, settled, state, stats } from "./browser.mjs";
 import { readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -19,7 +19,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-for (const { id } of new Set([scenesOfSite()[0], rich, glass]))
+for (const { id } of new Set([sceneCalled("01-shading"), rich, glass]))
   test(`${id}: the shares of every pixel are at most the whole, and times their colours they are its sum`, () => {
     const { scene, trace } = readTrace(id, 15);
     for (let pixel = 0; pixel < 225; pixel++) {
@@ -54,8 +54,7 @@ test("on the page they sum to 100 %, the bar's pieces are as long, and the sum t
 });
 
 test("a pixel of the background is all background, and one that no ray is followed for says so", async () => {
-  const first = scenesOfSite()[0];
-  await open(page, ON_DISK, first.path, "still=1&gl=none&n=15&p=0,0");
+  await open(page, ON_DISK, sceneCalled("01-shading").path, "still=1&gl=none&n=15&p=0,0");
   assert.match(await page.locator(".share").innerText(), /100\s*%\s+background/i);
   const mirrors = scenesOfSite().find(({ key }) => key === "4"); // one bounce: a mirror in a mirror is black
   await open(page, ON_DISK, mirrors.path, "still=1&gl=none&n=15&p=10,7");

@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors, shown_path
 from raywalk.scene.compile import compile_lesson, compile_scene, light_names
 from raywalk.scene.draft import read_lesson, read_tables
 from raywalk.scene.model import Scene
 from raywalk.scene.models import find_catalogue, read_catalogue
+from raywalk.scene.order import in_order, misplaced
 from raywalk.scene.problems import Problems
-from raywalk.scene.schema import ChapterName
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 SCENE_FILE = "scene.toml"
 ON = "scene"  # the key by which a file is known as a lesson on another scene
-CHAPTERS = get_args(ChapterName)
 
 
 @dataclass(frozen=True)
@@ -45,7 +44,7 @@ def read_scene(path: Path | str) -> Scene:
 
 
 def read_scenes(folder: Path | str) -> list[Scene]:
-    """Every scene of a folder of scene folders, ordered by chapter, then by folder name.
+    """Every scene of a folder of scene folders, in the course's order.
 
     Raises SourceErrors with everything that is wrong with any of them.
     """
@@ -57,7 +56,8 @@ def read_scenes(folder: Path | str) -> list[Scene]:
         read = _read(file, known)
         errors += [each for each in read.errors if each not in errors]  # models.toml is shared
         scenes += [read.scene] if read.scene else []
-    scenes.sort(key=_chapter)
+    errors += misplaced(scenes, [file.parent.name for file in files])
+    scenes = in_order(scenes)
     errors += [*_shared_addresses(scenes), *_shared_keys(scenes)]
     if errors:
         raise SourceErrors(errors)
@@ -67,10 +67,6 @@ def read_scenes(folder: Path | str) -> list[Scene]:
 def read_own_scenes(folder: Path | str) -> list[Scene]:
     """Those that are traced: without lessons on others. Raises SourceErrors as `read_scenes`."""
     return [scene for scene in read_scenes(folder) if not scene.base]
-
-
-def _chapter(scene: Scene) -> int:
-    return CHAPTERS.index(scene.chapter) if scene.chapter else len(CHAPTERS)
 
 
 def _read(file: Path, known: dict[Path, _Reading]) -> _Reading:

@@ -261,6 +261,10 @@ class SceneFile(Table):
     chapter: Maybe[Chapter] = maybe(
         "of the course: where the scene stands among all; without one, after all that have one"
     )
+    before: Maybe[Name] = maybe(
+        "the folder of a scene of the same chapter: this one stands right before it; without it, "
+        "by its own folder's name"
+    )
     title: Text = means("a few words")
     teaches: Text = means("one sentence: what a student takes home")
     goals: Maybe[Goals] = maybe(
@@ -284,6 +288,7 @@ class LessonFile(Table):
     )
     scene: Name = means("the folder of the scene that it is about, beside its own")
     chapter: Maybe[Chapter] = maybe("of the course, as a scene's")
+    before: Maybe[Name] = maybe("its place in the chapter, as a scene's")
     title: Text = means("a few words")
     teaches: Text = means("one sentence: what a student takes home")
     goals: Maybe[Goals] = maybe(
