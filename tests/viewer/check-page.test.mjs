@@ -93,6 +93,8 @@ for (const [scene, name] of [["02-shadows", "shadows-forgotten"], ["03-two-light
     const first = await page.locator(".check-answers > li").first().innerText();
     assert.ok(first.includes(mistakes[name].title), first);
     assert.match(first, /\d\s?% agreement/);
+    const fits = await page.locator(".check-fits").allInnerTexts();
+    assert.deepEqual(fits, name === "upside-down" ? [EN.fits.upsideDown] : [], "a dark picture is no quarter of a bright one");
   });
 }
 
