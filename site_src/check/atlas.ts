@@ -26,7 +26,7 @@ export interface Atlas {
 /** strips: pictures below one another, the right one first, then what others differ from it by, modulo 256. */
 export function atlasOf({ scene, grid, mistakes }: Pick<About, "scene" | "grid" | "mistakes">, strips: Picture): Atlas {
   const bytes = 3 * grid * grid;
-  const strip = (k: number) => Uint8Array.from(strips.values.subarray(k * bytes, (k + 1) * bytes));
+  const strip = (k: number) => strips.values.slice(k * bytes, (k + 1) * bytes) as Uint8Array;
   const right = strip(0);
   const wrong = (k: number) => {
     const laid = strip(k);

@@ -8,34 +8,23 @@ export type Fit =
   | "halfSize" // the whole picture stands in its upper left quarter
   | "doubleSize"; // all of it is the upper left quarter
 
-type Change = (right: Picture) => ArrayLike<number>;
-type Place = (x: number, y: number, width: number, height: number) => [number, number] | null;
+/** What stands at (x, y) of the changed picture, of its channel c. */
+export type Change = (right: Picture, x: number, y: number, c: number) => number;
 
 const GAMMA = 2.2;
 const OF_THE_BACK = 0; // where a picture at half size leaves its page
 
-/** source: the pixel of the right picture that stands at (x, y), null where nothing does. */
-const moved = (source: Place): Change => ({ width, height, values }) => {
-  const result = new Float32Array(values.length);
-  for (let to = 0, y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      const from = source(x, y, width, height);
-      for (let c = 0; c < 3; c++) result[to++] = from ? values[3 * (from[1] * width + from[0]) + c] : OF_THE_BACK;
-    }
-  }
-  return result;
-};
-
-const channels = (order: [number, number, number]): Change => ({ values }) => Float32Array.from(values, (_, i) => values[i - (i % 3) + order[i % 3]]);
-const curved = (exponent: number): Change => ({ values }) => Float32Array.from(values, (value) => 255 * (value / 255) ** exponent);
+const at = ({ width, values }: Picture, x: number, y: number, c: number) => values[3 * (y * width + x) + c];
+const channels = (order: [number, number, number]): Change => (right, x, y, c) => at(right, x, y, order[c]);
+const curved = (exponent: number): Change => (right, x, y, c) => 255 * (at(right, x, y, c) / 255) ** exponent;
 
 export const FITS: [Fit, Change][] = [
-  ["upsideDown", moved((x, y, _, height) => [x, height - 1 - y])],
-  ["mirrored", moved((x, y, width) => [width - 1 - x, y])],
-  ["turned", moved((x, y, width, height) => [width - 1 - x, height - 1 - y])],
-  ["transposed", moved((x, y) => [y, x])], // pictures are square
+  ["upsideDown", (right, x, y, c) => at(right, x, right.height - 1 - y, c)],
+  ["mirrored", (right, x, y, c) => at(right, right.width - 1 - x, y, c)],
+  ["turned", (right, x, y, c) => at(right, right.width - 1 - x, right.height - 1 - y, c)],
+  ["transposed", (right, x, y, c) => at(right, y, x, c)], // pictures are square
   ["bgr", channels([2, 1, 0])], ["gbr", channels([1, 2, 0])], ["brg", channels([2, 0, 1])], ["rbg", channels([0, 2, 1])], ["grb", channels([1, 0, 2])],
   ["gammaApplied", curved(1 / GAMMA)], ["gammaTaken", curved(GAMMA)],
-  ["halfSize", moved((x, y, width, height) => (2 * x < width - 1 && 2 * y < height - 1 ? [2 * x, 2 * y] : null))],
-  ["doubleSize", moved((x, y) => [x >> 1, y >> 1])],
+  ["halfSize", (right, x, y, c) => (2 * x < right.width - 1 && 2 * y < right.height - 1 ? at(right, 2 * x, 2 * y, c) : OF_THE_BACK)],
+  ["doubleSize", (right, x, y, c) => at(right, x >> 1, y >> 1, c)],
 ];

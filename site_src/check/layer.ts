@@ -18,18 +18,29 @@ export interface Layer {
   most: number;
 }
 
-/** wrong - right on a layer, and what counts of it, a pixel. */
+/** wrong - right on a layer, what counts of it a pixel, and in all. */
 export interface Deviation {
   colours: Float32Array;
   sizes: Float32Array;
+  amount: number;
 }
+
+/** For each of a layer's rows or columns, of which of an n x n picture's it takes its colours: that at the centre of its pixels. */
+export const centresOf = (n: number, size: number): Int32Array => Int32Array.from({ length: size }, (_, i) => Math.min(Math.floor(((i + 0.5) * n) / size), n - 1));
 
 /** Of an n x n picture of any size, its colours at the centres of a layer's pixels. */
 export function sampled(values: ArrayLike<number>, n: number, size: number): Float32Array {
-  const places = Int32Array.from({ length: size }, (_, i) => Math.min(Math.floor(((i + 0.5) * n) / size), n - 1));
+  const places = centresOf(n, size);
   const found = new Float32Array(3 * size * size);
-  let to = 0;
-  for (const y of places) for (const x of places) for (let c = 0; c < 3; c++) found[to++] = values[3 * (y * n + x) + c];
+  for (let v = 0, to = 0; v < size; v++) {
+    const row = places[v] * n;
+    for (let u = 0; u < size; u++, to += 3) {
+      const from = 3 * (row + places[u]);
+      found[to] = values[from];
+      found[to + 1] = values[from + 1];
+      found[to + 2] = values[from + 2];
+    }
+  }
   return found;
 }
 
@@ -37,10 +48,19 @@ export function sampled(values: ArrayLike<number>, n: number, size: number): Flo
 export function meansOf(colours: Float32Array, n: number, by: number): Float32Array {
   const size = Math.floor(n / by);
   const means = new Float32Array(3 * size * size);
-  for (let y = 0; y < size * by; y++) {
-    for (let x = 0; x < size * by; x++) {
-      const to = 3 * (Math.floor(y / by) * size + Math.floor(x / by));
-      for (let c = 0; c < 3; c++) means[to + c] += colours[3 * (y * n + x) + c] / (by * by);
+  for (let v = 0, to = 0; v < size; v++) {
+    for (let u = 0; u < size; u++, to += 3) {
+      let [r, g, b] = [0, 0, 0];
+      for (let y = v * by; y < (v + 1) * by; y++) {
+        for (let from = 3 * (y * n + u * by), end = from + 3 * by; from < end; from += 3) {
+          r += colours[from];
+          g += colours[from + 1];
+          b += colours[from + 2];
+        }
+      }
+      means[to] = r / (by * by);
+      means[to + 1] = g / (by * by);
+      means[to + 2] = b / (by * by);
     }
   }
   return means;
@@ -79,13 +99,19 @@ export function counted(r: number, g: number, b: number, most: number): number {
   return size < 0 ? 0 : size > most ? most : size;
 }
 
-export function deviationOf(layer: Layer, wrong: Float32Array): Deviation {
-  const { right, most } = layer;
+export function deviationOf({ right, most, weights }: Layer, wrong: Float32Array): Deviation {
   const colours = new Float32Array(wrong.length);
-  for (let i = 0; i < wrong.length; i++) colours[i] = wrong[i] - right[i];
   const sizes = new Float32Array(wrong.length / 3);
-  for (let i = 0, j = 0; i < sizes.length; i++, j += 3) sizes[i] = counted(colours[j], colours[j + 1], colours[j + 2], most);
-  return { colours, sizes };
+  let amount = 0;
+  for (let i = 0, j = 0; i < sizes.length; i++, j += 3) {
+    const [r, g, b] = [wrong[j] - right[j], wrong[j + 1] - right[j + 1], wrong[j + 2] - right[j + 2]];
+    colours[j] = r;
+    colours[j + 1] = g;
+    colours[j + 2] = b;
+    sizes[i] = counted(r, g, b, most);
+    amount += weights[i] * sizes[i];
+  }
+  return { colours, sizes, amount };
 }
 
 /** 1: the same; 0: nothing of it. A Jaccard index (shared over all) of amounts in place of sets. */

@@ -46,9 +46,8 @@ export function placeAt(places: Picture, n: number, x: number, y: number): { obj
 
 /** The worst of a pixel's three colours, steps of 255. i: of its red. */
 export function worstAt(a: Picture, b: Picture, i: number): number {
-  let worst = 0;
-  for (let c = i; c < i + 3; c++) worst = Math.max(worst, Math.abs(a.values[c] - b.values[c]));
-  return worst;
+  const [p, q] = [a.values, b.values];
+  return Math.max(Math.abs(p[i] - q[i]), Math.abs(p[i + 1] - q[i + 1]), Math.abs(p[i + 2] - q[i + 2]));
 }
 
 /** Pixels, and wrong ones, for each pixel of the grid of places. */

@@ -3,8 +3,8 @@ import { namesLike } from "./alike";
 import type { Atlas } from "./atlas";
 import type { Picture } from "./formats/picture";
 import { agreement, deviationOf, layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, sampled, type Deviation, type Layer } from "./layer";
-import { halfAPixelOff, shiftedHalfWay, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
-import { agreementOfPair } from "./together";
+import { shifted, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
+import { agreementOfPair, aloneOf, type Alone } from "./together";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
@@ -67,21 +67,22 @@ interface Scored {
 /** An atlas made ready, once a scene. */
 export function recogniserOf(atlas: Atlas) {
   const { size } = atlas;
-  const right = layered(Float32Array.from(atlas.right), size);
+  const right = layered(new Float32Array(atlas.right), size);
   const along = Math.floor(size / BLOCK);
   const layers = { pixels: layerOf(right.pixels, size, MOST_OF_PIXEL), blocks: layerOf(right.blocks, along, MOST_OF_BLOCK), middles: layerOf(right.middles, along, MOST_OF_PIXEL) };
   const references = atlas.mistakes.flatMap(({ name, family, pictures }) =>
-    pictures.map((picture) => ({ name, family, picture, on: deviations(layers, layered(Float32Array.from(picture), size)) }))).filter(({ on }) => on.pixels.sizes.some((of) => of > 0));
+    pictures.map((picture) => ({ name, family, picture, on: deviations(layers, layered(new Float32Array(picture), size)) }))).filter(({ on }) => on.pixels.sizes.some((of) => of > 0));
 
   function singlesOf(student: Picture, expected: Picture): { seen: Layered<Deviation>; singles: Scored[] } {
-    const onLayers = (picture: Picture) => deviations(layers, layered(asIfOnGrid(picture, expected, layers.pixels), size));
-    const seen = onLayers(student);
+    const of = sampled(expected.values, expected.width, size);
+    const onLayers = (own: Float32Array) => deviations(layers, layered(asIfOnGrid(own, of, layers.pixels), size));
+    const seen = onLayers(sampled(student.values, student.width, size));
     const singles = references.map((one) => {
       if (one.name !== SHIFT) return { references: [one], agreement: mean((key) => agreement(layers[key], seen[key], one.on[key])) };
-      const own = { ...one, on: onLayers(halfAPixelOff(student, expected)) };
-      const usual = onLayers(shiftedHalfWay(expected));
-      const share = Math.min(amount(layers.pixels, own.on.pixels) / (LEAST_OF_SHIFT * amount(layers.pixels, usual.pixels)), 1);
-      return { references: [{ ...one, on: usual }], agreement: share * mean((key) => agreement(layers[key], seen[key], own.on[key])) };
+      const { nearest, halfWay } = shifted(student, expected, size);
+      const [own, usual] = [onLayers(nearest), onLayers(halfWay)];
+      const share = Math.min(own.pixels.amount / (LEAST_OF_SHIFT * usual.pixels.amount), 1);
+      return { references: [{ ...one, on: usual }], agreement: share * mean((key) => agreement(layers[key], seen[key], own[key])) };
     });
     return { seen, singles: singles.sort(byAgreement) };
   }
@@ -124,20 +125,16 @@ const deviations = (layers: Layered<Layer>, of: Layered<Float32Array>): Layered<
   pixels: deviationOf(layers.pixels, of.pixels), blocks: deviationOf(layers.blocks, of.blocks), middles: deviationOf(layers.middles, of.middles),
 });
 
-function areFew({ length }: number[], { width, height }: Picture): boolean {
+function areFew({ length }: Int32Array, { width, height }: Picture): boolean {
   return length < RIGHT * width * height || (length === 1 && width * height >= ONE_MAY_BE_WRONG);
 }
 
 /** JPEG moves single pixels, and hardly the mean of a block. */
 const looksPacked = ({ sizes }: Deviation) => sizes.filter((size) => size > 0).length < BLOCKS_OF_JPEG * sizes.length;
 
-/** Of a deviation: what counts of it. */
-const amount = ({ weights }: Layer, { sizes }: Deviation) => sizes.reduce((sum, size, i) => sum + weights[i] * size, 0);
-
-/** The right picture of the grid with what the student's deviates from that of its own size: sampling at other places adds nothing. */
-function asIfOnGrid(student: Picture, expected: Picture, { right, size }: Layer): Float32Array {
-  const own = sampled(student.values, student.width, size);
-  const of = sampled(expected.values, expected.width, size);
+/** The right picture of the grid with what the student's deviates from that of its own size: sampling at other places adds nothing.
+ *  In place. */
+function asIfOnGrid(own: Float32Array, of: Float32Array, { right }: Layer): Float32Array {
   for (let i = 0; i < own.length; i++) own[i] += right[i] - of[i];
   return own;
 }
@@ -147,15 +144,31 @@ const mean = (of: (key: "pixels" | "blocks") => number) => (of("pixels") + of("b
 /** The best pairs of different families: all by blocks and their middles, the best of these by all pixels. */
 function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Deviation>): Scored[] {
   const known = singles.map(({ references: [one] }) => one);
-  const on = (key: keyof Layered<Layer>, a: Reference, b: Reference) => agreementOfPair(layers[key], seen[key], { name: a.name, deviation: a.on[key] }, { name: b.name, deviation: b.on[key] });
-  const found: Scored[] = [];
+  const kept = { pixels: new Map<Reference, Alone>(), blocks: new Map<Reference, Alone>(), middles: new Map<Reference, Alone>() };
+  const alone = (key: keyof Layered<Layer>, one: Reference) => {
+    const made = kept[key].get(one) ?? aloneOf(layers[key], seen[key], one.name, one.on[key]);
+    kept[key].set(one, made);
+    return made;
+  };
+  const on = (key: keyof Layered<Layer>, a: Reference, b: Reference, least = 0) => agreementOfPair(layers[key], seen[key], alone(key, a), alone(key, b), least);
+  const best: Scored[] = []; // so far, PAIRS_LOOKED_AT at most
   known.forEach((a, i) => {
     for (const b of known.slice(i + 1)) {
-      if (a.family !== b.family) found.push({ references: [a, b], agreement: (on("middles", a, b) + on("blocks", a, b)) / 2 });
+      if (a.family === b.family) continue;
+      const least = best.length < PAIRS_LOOKED_AT ? 0 : best[PAIRS_LOOKED_AT - 1].agreement;
+      const ofMiddles = on("middles", a, b, 2 * least - 1); // with blocks that agree wholly
+      if ((ofMiddles + 1) / 2 < least) continue;
+      insert(best, { references: [a, b], agreement: (ofMiddles + on("blocks", a, b, 2 * least - ofMiddles)) / 2 });
     }
   });
-  const best = found.sort(byAgreement).slice(0, PAIRS_LOOKED_AT);
   return best.map(({ references: [a, b] }) => ({ references: [a, b], agreement: (on("pixels", a, b) + on("blocks", a, b)) / 2 })).sort(byAgreement);
+}
+
+/** Where it belongs among the best so far, behind equals; the last one goes when they are too many. */
+function insert(best: Scored[], one: Scored): void {
+  const at = best.findIndex(({ agreement }) => agreement < one.agreement);
+  best.splice(at < 0 ? best.length : at, 0, one);
+  if (best.length > PAIRS_LOOKED_AT) best.pop();
 }
 
 /** One is believed before two: of these the one that explains more comes first. */

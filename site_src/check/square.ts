@@ -41,7 +41,7 @@ export function sourceFor(n: number, { own, others }: Pick<About, "own" | "other
 }
 
 export function taken(from: Picture, n: number): Picture {
-  return from.width === n ? from : { ...from, width: n, height: n, values: Uint8Array.from(sampled(from.values, from.width, n)) };
+  return from.width === n ? from : { ...from, width: n, height: n, values: new Uint8Array(sampled(from.values, from.width, n)) };
 }
 
 /** The size next to n that can be checked exactly. */

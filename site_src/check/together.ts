@@ -2,7 +2,7 @@
  * What two mistakes make together, out of what each makes alone. Some act on a whole picture, whatever is in it: which pixel shows
  * what, which byte a colour becomes. Others change what they change: that adds up, or the one hides the other.
  */
-import { agreement, counted, deviationOf, index, type Deviation, type Layer } from "./layer";
+import { agreement, counted, deviationOf, index, NOISE, type Deviation, type Layer } from "./layer";
 
 type Whole = (picture: Float32Array, size: number) => Float32Array;
 
@@ -41,17 +41,30 @@ export const ON_WHOLE_PICTURES: Record<string, Whole> = {
   "gamma-applied": brightened,
 };
 
-/** A mistake's deviation on the layer at hand, and its name. */
+/** A mistake's name, its deviation on the layer at hand, and how it alone agrees there with what is seen. */
 export interface Alone {
   name: string;
   deviation: Deviation;
+  apart: Float64Array; // of each pixel what of both is apart, and what there is in all
+  all: Float64Array;
 }
 
-/** How far what both make together agrees with what is seen, in the best of the ways in which they may act together. */
-export function agreementOfPair(layer: Layer, seen: Deviation, a: Alone, b: Alone): number {
+export function aloneOf({ weights, most }: Layer, seen: Deviation, name: string, deviation: Deviation): Alone {
+  const [apart, all] = [new Float64Array(weights.length), new Float64Array(weights.length)];
+  const [p, s] = [deviation.colours, seen.colours];
+  for (let i = 0, j = 0; i < weights.length; i++, j += 3) {
+    apart[i] = weights[i] * counted(s[j] - p[j], s[j + 1] - p[j + 1], s[j + 2] - p[j + 2], most);
+    all[i] = weights[i] * Math.max(seen.sizes[i], deviation.sizes[i]);
+  }
+  return { name, deviation, apart, all };
+}
+
+/** How far what both make together agrees with what is seen, in the best of the ways in which they may act together; any figure
+ *  below `least` if it is less than that. */
+export function agreementOfPair(layer: Layer, seen: Deviation, a: Alone, b: Alone, least: number): number {
   const onB = ON_WHOLE_PICTURES[a.name] ? afterAll(layer, seen, a, b) : 0;
   const onA = ON_WHOLE_PICTURES[b.name] ? afterAll(layer, seen, b, a) : 0;
-  return onA || onB ? Math.max(onA, onB) : sideBySide(layer, seen, a.deviation, b.deviation);
+  return onA || onB ? Math.max(onA, onB) : sideBySide(layer, seen, a, b, least);
 }
 
 function afterAll(layer: Layer, seen: Deviation, last: Alone, { deviation }: Alone): number {
@@ -61,27 +74,29 @@ function afterAll(layer: Layer, seen: Deviation, last: Alone, { deviation }: Alo
 }
 
 /** Added up; the first over the second; the second over the first. Where one changes nothing, all are the same. */
-function sideBySide({ weights, right, most }: Layer, seen: Deviation, a: Deviation, b: Deviation): number {
-  const [p, q, s] = [a.colours, b.colours, seen.colours];
+function sideBySide({ weights, right, most, size }: Layer, seen: Deviation, a: Alone, b: Alone, least: number): number {
+  const [p, q, s] = [a.deviation.colours, b.deviation.colours, seen.colours];
+  const [sizesA, sizesB, sizes] = [a.deviation.sizes, b.deviation.sizes, seen.sizes];
+  // What both make is no more than what each makes, and what noise of both makes together.
+  const mostOfAll = seen.amount + a.deviation.amount + b.deviation.amount + NOISE * weights.length;
+  const tooFar = (1 - least) * mostOfAll;
   let [apart, apartFirst, apartSecond, all, allFirst, allSecond] = [0, 0, 0, 0, 0, 0];
   for (let i = 0, j = 0; i < weights.length; i++, j += 3) {
-    const [ofA, ofB, own, weight] = [a.sizes[i], b.sizes[i], seen.sizes[i], weights[i]];
-    if (ofA === 0 && ofB === 0 && own === 0) continue;
+    if (i % size === 0 && apart > tooFar && apartFirst > tooFar && apartSecond > tooFar) return 0;
+    const [hasA, hasB, own, weight] = [sizesA[i] !== 0, sizesB[i] !== 0, sizes[i], weights[i]];
+    if (!hasA && !hasB && own === 0) continue;
     const r = sum(right[j], p[j], q[j]);
     const g = sum(right[j + 1], p[j + 1], q[j + 1]);
     const d = sum(right[j + 2], p[j + 2], q[j + 2]);
-    const added = weight * counted(s[j] - r, s[j + 1] - g, s[j + 2] - d, most);
-    const most1 = weight * Math.max(own, counted(r, g, d, most));
-    apart += added;
-    all += most1;
-    if (ofA === 0 || ofB === 0) {
-      [apartFirst, apartSecond, allFirst, allSecond] = [apartFirst + added, apartSecond + added, allFirst + most1, allSecond + most1];
-      continue;
-    }
-    apartFirst += weight * counted(s[j] - p[j], s[j + 1] - p[j + 1], s[j + 2] - p[j + 2], most);
-    allFirst += weight * Math.max(own, ofA);
-    apartSecond += weight * counted(s[j] - q[j], s[j + 1] - q[j + 1], s[j + 2] - q[j + 2], most);
-    allSecond += weight * Math.max(own, ofB);
+    const addedApart = weight * counted(s[j] - r, s[j + 1] - g, s[j + 2] - d, most);
+    const both = counted(r, g, d, most);
+    const addedAll = weight * (own > both ? own : both);
+    apart += addedApart;
+    all += addedAll;
+    apartFirst += hasA && hasB ? a.apart[i] : addedApart;
+    apartSecond += hasA && hasB ? b.apart[i] : addedApart;
+    allFirst += hasA && hasB ? a.all[i] : addedAll;
+    allSecond += hasA && hasB ? b.all[i] : addedAll;
   }
   return Math.max(index(apart, all), index(apartFirst, allFirst), index(apartSecond, allSecond));
 }

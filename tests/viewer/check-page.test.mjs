@@ -159,6 +159,13 @@ test("by keyboard alone: a scene, a file, what is found, another picture", async
   assert.ok(!(await page.locator("#found").isVisible()));
 });
 
+test("a scene's data come while a file is being chosen", async () => {
+  await visit("#scene=04-one-bounce");
+  const [atlas, chooser] = [page.waitForRequest(/04-one-bounce\/atlas\.js$/), page.waitForEvent("filechooser")];
+  await page.locator(".check-choose").click();
+  await Promise.all([atlas, chooser]);
+});
+
 test("another scene checks the same picture again", async () => {
   await visit("#scene=01-shading");
   const { found } = await drop(dataOf("02-shadows", "256"));

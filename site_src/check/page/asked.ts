@@ -16,14 +16,16 @@ export function chosenScene(): Chosen {
   return { id: value, title: dataset.title!, objects: JSON.parse(dataset.objects!), url: dataset.url! };
 }
 
-/** given: a file. changed: another scene. */
-export function listenToAsked(given: (file: File) => void, changed: () => void) {
+/** given: a file. changed: another scene. coming: a file is being chosen or dragged here. */
+export function listenToAsked(given: (file: File) => void, changed: () => void, coming: () => void) {
   const [drop, input] = [find("#drop"), find<HTMLInputElement>("#file")];
   const first = (files: FileList | null | undefined) => files?.[0] && given(files[0]);
   input.addEventListener("change", () => {
     first(input.files);
     input.value = ""; // the same file again, mended meanwhile, is a change too
   });
+  input.addEventListener("click", coming);
+  document.addEventListener("dragenter", coming);
   // On all of the page: a picture that misses the field must not take the page's place.
   document.addEventListener("dragover", (event) => {
     event.preventDefault();

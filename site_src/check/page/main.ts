@@ -75,6 +75,8 @@ listenToAsked(
     sizes();
     void checkLast().catch(failing);
   },
+  // Loading and preparing takes longer than a check: it is done while a person looks for the file. What fails is told when it is wanted.
+  () => void files.scene(chosenScene().id).catch(() => {}),
 );
 window.addEventListener("hashchange", () => {
   followAddress();

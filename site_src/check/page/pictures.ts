@@ -70,8 +70,12 @@ const put = (canvas: HTMLCanvasElement, image: ImageData) => canvas.getContext("
 
 function imageOf({ width, height, values }: Picture): ImageData {
   const image = new ImageData(width, height);
+  const { data } = image;
   for (let i = 0, j = 0; i < values.length; i += 3, j += 4) {
-    [image.data[j], image.data[j + 1], image.data[j + 2], image.data[j + 3]] = [values[i], values[i + 1], values[i + 2], 255];
+    data[j] = values[i];
+    data[j + 1] = values[i + 1];
+    data[j + 2] = values[i + 2];
+    data[j + 3] = 255;
   }
   return image;
 }
