@@ -5,6 +5,7 @@ import type { Picture } from "./formats/picture";
 import { agreement, deviationOf, layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, sampled, type Deviation, type Layer } from "./layer";
 import { shifted, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
 import { agreementOfPair, aloneOf, type Alone } from "./together";
+import { isRough, UNDONE, without } from "./undone";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
@@ -32,6 +33,8 @@ const LEFT_BY_SECOND = 0.7;
 const LEFT_BY_PERHAPS = 0.995;
 /** Where one explains so much no two are told, and from the second figure on none is looked for beside it. */
 const [EXPLAINED, WHOLLY] = [0.97, 0.998];
+/** What is left once one is undone is a second mistake if it agrees this far: another gamma than ours leaves something, too. */
+const LEFT_IS_KNOWN = 0.75;
 const ANSWERS = 3;
 const BLOCK = 7; // pixels along: of the grid's 231, 33 blocks
 const PAIRS_LOOKED_AT = 16; // of all, by all pixels
@@ -87,22 +90,57 @@ export function recogniserOf(atlas: Atlas) {
     return { seen, singles: singles.sort(byAgreement) };
   }
 
+  /** A mistake that acts on a whole picture, and what deviates once that is undone; null if nothing does that we know. */
+  function besideUndone(whole: Reference, student: Picture, expected: Picture): Scored | null {
+    const onGrid = { ...expected, width: size, height: size, values: sampled(expected.values, expected.width, size) };
+    const undone = { ...onGrid, values: without(whole.name, student.values, student.width, size) };
+    const left = (isRough(whole.name) ? withoutEdges : withoutTies)(undone, onGrid, wrongPixels(undone, onGrid));
+    const wrong = wrongPixels(left, onGrid);
+    if (areFew(wrong, onGrid) || (isRough(whole.name) && wrong.length < NEARLY_RIGHT * size * size)) return null;
+    const { seen, singles } = singlesOf(left, onGrid);
+    if (student.isLossy && looksPacked(seen.blocks)) return null;
+    const second = singles.find(({ references: [one] }) => one.family !== whole.family);
+    return second && second.agreement >= LEFT_IS_KNOWN ? { references: [whole, ...second.references], agreement: second.agreement } : null;
+  }
+
+  /** The same of the one to undo: the first that is named, or else that which leaves most of a likeness, by blocks. */
+  function undonePair(student: Picture, expected: Picture, { references: [first], agreement: most }: Scored): Scored | null {
+    if (UNDONE[first.name]) return most >= KNOWN ? besideUndone(first, student, expected) : null;
+    if (most >= EXPLAINED) return null;
+    const of = sampled(expected.values, expected.width, size);
+    const likeness = (whole: Reference) => {
+      const left = without(whole.name, student.values, student.width, size);
+      for (let i = 0; i < left.length; i++) left[i] += layers.pixels.right[i] - of[i];
+      const seen = deviationOf(layers.blocks, meansOf(left, size, BLOCK));
+      return Math.max(...references.map((one) => (one.family === whole.family ? 0 : agreement(layers.blocks, seen, one.on.blocks))));
+    };
+    const wholes = references.filter(({ name }) => UNDONE[name]).map((whole) => ({ whole, agreement: likeness(whole) })).sort(byAgreement);
+    return wholes[0]?.agreement > most ? besideUndone(wholes[0].whole, student, expected) : null;
+  }
+
+  /** mayUndo: not where the right picture only stands in for one of the size, as all edges would be left. */
+  function named(student: Picture, expected: Picture, mayUndo: boolean): Recognised {
+    const wrong = wrongPixels(student, expected);
+    if (areFew(wrong, expected)) return RIGHT_INDEED;
+    let given = withoutTies(student, expected, wrong);
+    if (given !== student && areFew(wrongPixels(given, expected), expected)) {
+      if (singlesOf(student, expected).singles[0].agreement < SURE) return RIGHT_INDEED;
+      given = student;
+    }
+    const { seen, singles } = singlesOf(given, expected);
+    if (student.isLossy && looksPacked(seen.blocks)) return RIGHT_INDEED;
+    const undone = mayUndo ? undonePair(student, expected, singles[0]) : null;
+    const pairs = singles[0].agreement < WHOLLY ? pairsOf(layers, singles, seen) : [];
+    const isFaint = wrong.length < FEW * expected.width * expected.height;
+    return ranked(singles, pairs, undone, isFaint, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
+  }
+
   return {
     /** Both pictures of one size, whichever. isExact: as in isAsRight. */
     recognise(student: Picture, expected: Picture, isExact = true): Recognised {
-      const wrong = wrongPixels(student, expected);
-      if (areFew(wrong, expected)) return RIGHT_INDEED;
-      if (!isExact) return isAsRight(student, expected, false) ? RIGHT_INDEED : this.recognise(withoutEdges(student, expected, wrong), expected);
-      let given = withoutTies(student, expected, wrong);
-      if (given !== student && areFew(wrongPixels(given, expected), expected)) {
-        if (singlesOf(student, expected).singles[0].agreement < SURE) return RIGHT_INDEED;
-        given = student;
-      }
-      const { seen, singles } = singlesOf(given, expected);
-      if (student.isLossy && looksPacked(seen.blocks)) return RIGHT_INDEED;
-      const pairs = singles[0].agreement < WHOLLY ? pairsOf(layers, singles, seen) : [];
-      const isFaint = wrong.length < FEW * expected.width * expected.height;
-      return ranked(singles, pairs, isFaint, (reference) => [...new Set([reference.name, ...namesLike(reference.picture, atlas)])]);
+      if (isExact) return named(student, expected, true);
+      if (isAsRight(student, expected, false)) return RIGHT_INDEED;
+      return named(withoutEdges(student, expected, wrongPixels(student, expected)), expected, false);
     },
   };
 }
@@ -171,18 +209,21 @@ function insert(best: Scored[], one: Scored): void {
   if (best.length > PAIRS_LOOKED_AT) best.pop();
 }
 
-/** One is believed before two: of these the one that explains more comes first. */
-function ranked(singles: Scored[], pairs: Scored[], isFaint: boolean, namesOf: (reference: Reference) => string[]): Recognised {
-  const [single, pair] = [singles[0], pairs[0]];
-  const isPair = !!pair && single.agreement < EXPLAINED && 1 - pair.agreement < LEFT_BY_SECOND * (1 - single.agreement);
+/** One is believed before two: of these the one that explains more comes first. undone: two that are, as one was undone. */
+function ranked(singles: Scored[], added: Scored[], undone: Scored | null, isFaint: boolean, namesOf: (reference: Reference) => string[]): Recognised {
+  const [single] = singles;
+  const isSure = undone?.references[0] === single.references[0];
+  const pairs = undone && (isSure || undone.agreement > (added[0]?.agreement ?? 0)) ? [undone, ...added] : added;
+  const [pair] = pairs;
+  const isPair = isSure || (!!pair && single.agreement < EXPLAINED && 1 - pair.agreement < LEFT_BY_SECOND * (1 - single.agreement));
   const alone = new Map(singles.map(({ references: [one], agreement }) => [one, agreement]));
-  const better = pairs.filter(({ agreement }) => 1 - agreement < (isPair ? 1 : LEFT_BY_PERHAPS) * (1 - single.agreement));
+  const better = pairs.filter((each) => each === undone || 1 - each.agreement < (isPair ? 1 : LEFT_BY_PERHAPS) * (1 - single.agreement));
   const ofPairs = better.flatMap(({ references, agreement }) => [...references].sort((a, b) => alone.get(b)! - alone.get(a)!).map((one) => ({ references: [one], agreement })));
   const answers: Answer[] = [];
   const names = namesOf(single.references[0]);
   const next = singles.find(({ references: [one] }) => !names.includes(one.name))?.agreement ?? 0;
   const [least, ahead] = isFaint ? [FAINT, AHEAD] : [SPECKLED, TWICE];
-  if (single.agreement < KNOWN && single.agreement >= least && single.agreement > ahead * next) answers.push({ names, agreement: single.agreement });
+  if (!isPair && single.agreement < KNOWN && single.agreement >= least && single.agreement > ahead * next) answers.push({ names, agreement: single.agreement });
   for (const { references: [one], agreement } of [...(isPair ? [] : [single]), ...ofPairs, ...singles]) {
     if (answers.length === ANSWERS) break;
     if (agreement < KNOWN) continue;

@@ -1,0 +1,66 @@
+/** Two mistakes, one of which acts on the whole picture: it is undone, and what is left is named. On the atlases of the built site. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { DIST } from "./browser.mjs";
+import { load } from "./typescript.mjs";
+
+const { aboutOf, atlasOf, recogniserOf, rightOf } = await load("../check/main.ts");
+const { UNDONE, without } = await load("../check/undone.ts");
+const { ON_WHOLE_PICTURES } = await load("../check/together.ts");
+
+const dataOf = (scene, name) => new Uint8Array(Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64"));
+function atlasIn(scene) {
+  const atlas = atlasOf(aboutOf(dataOf(scene, "about")), rightOf(dataOf(scene, "atlas")));
+  return { ...atlas, recogniser: recogniserOf(atlas), wrong: (name) => atlas.mistakes.find((each) => each.name === name).pictures[0] };
+}
+const SCENES = Object.fromEntries(["01-shading", "02-shadows", "08-glass"].map((scene) => [scene, atlasIn(scene)]));
+const pictureOf = (values, size) => ({ width: size, height: size, values: Uint8Array.from(values, Math.round), isLossy: false, hadAlpha: false });
+
+function recognised(scene, values) {
+  const { size, right, recogniser } = SCENES[scene];
+  return recogniser.recognise(pictureOf(values, size), pictureOf(right, size));
+}
+
+const PAIRS = [
+  ["01-shading", "gamma-applied", "highlight-forgotten"], ["02-shadows", "gamma-applied", "view-reversed"],
+  ["02-shadows", "gamma-applied", "shadow-darkens-ambient"], ["08-glass", "gamma-applied", "total-black"],
+  ["08-glass", "red-and-blue-swapped", "no-fresnel"], ["02-shadows", "upside-down", "highlight-forgotten"],
+  ["01-shading", "rows-and-columns-swapped", "highlight-forgotten"],
+];
+for (const [scene, whole, second] of PAIRS) {
+  test(`${whole} hides no ${second}: both are named, together`, () => {
+    const { size, wrong } = SCENES[scene];
+    const { answers, isPair } = recognised(scene, ON_WHOLE_PICTURES[whole](Float32Array.from(wrong(second)), size));
+    assert.ok(isPair);
+    const named = answers.slice(0, 2).map(({ names }) => names);
+    for (const name of [whole, second]) assert.ok(named.some((names) => names.includes(name)), JSON.stringify(named));
+  });
+}
+
+test("what can be undone is one mistake where it is alone", () => {
+  for (const scene of Object.keys(SCENES)) {
+    for (const name of Object.keys(UNDONE)) {
+      const { answers, isPair } = recognised(scene, SCENES[scene].wrong(name));
+      assert.deepEqual([scene, answers[0].names.includes(name), isPair], [scene, true, false], name);
+    }
+  }
+});
+
+const CURVES = { "a root": (v) => v ** (1 / 2), "sRGB's curve": (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055), "a gamma of 2.4": (v) => v ** (1 / 2.4) };
+for (const [curve, of] of Object.entries(CURVES)) {
+  test(`${curve} is a gamma, and no second mistake is made up for what it leaves`, () => {
+    for (const scene of Object.keys(SCENES)) {
+      const { answers, isPair } = recognised(scene, Float32Array.from(SCENES[scene].right, (value) => 255 * of(value / 255)));
+      assert.deepEqual([scene, answers[0].names[0], isPair], [scene, "gamma-applied", false]);
+    }
+  });
+}
+
+test("what is undone is the picture as it was", () => {
+  const { right, size } = SCENES["01-shading"];
+  for (const [name, act] of Object.entries(ON_WHOLE_PICTURES)) {
+    const back = without(name, act(Float32Array.from(right), size), size, size);
+    back.forEach((value, i) => assert.ok(Math.abs(value - right[i]) < 0.01, name)); // float32
+  }
+});
