@@ -44,6 +44,7 @@ MAY_IMPORT = {
         "trace_file",
         "mistakes.table",
         "mistake_pages.best",
+        "mistake_pages.rounds",
         "words",
         "terms",
         "errors",

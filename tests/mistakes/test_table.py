@@ -14,7 +14,7 @@ from raywalk.mistakes import table
 from raywalk.mistakes.features import FEATURES, GRID, SEEN, Right, shown_in, shows
 from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.table import BY_NAME, FAMILIES, TABLE, checked
-from raywalk.mistakes.tracer import picture
+from raywalk.mistakes.tracer import Version, picture, pictures
 from raywalk.scene.model import Material
 
 from .course import NAMES, right, scene
@@ -28,13 +28,15 @@ EITHER_WAY = 0.2
 
 def changed(name: str, mistake: str) -> float:
     """Share of the pixels of a scene that a mistake changes."""
-    wrong = picture(scene(name), GRID, frozenset([mistake])).bytes
-    return float((wrong != right_picture(name)).any(axis=2).mean())
+    right, *wrong = all_pictures(name)
+    return float((wrong[list(BY_NAME).index(mistake)] != right).any(axis=2).mean())
 
 
 @cache
-def right_picture(name: str) -> np.ndarray:
-    return picture(scene(name), GRID).bytes
+def all_pictures(name: str) -> list[np.ndarray]:
+    """The right one, then each mistake's."""
+    versions = [Version(), *(Version(frozenset([mistake])) for mistake in BY_NAME)]
+    return pictures(scene(name), GRID, versions)
 
 
 def test_there_are_all_families_with_names_of_their_own() -> None:

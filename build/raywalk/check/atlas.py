@@ -1,6 +1,6 @@
 """A scene's atlas: its right picture and the wrong ones that mistakes make of it, on one grid.
 
-Wrong pictures are made by the numpy tracer, exactly, and once more as most programs calculate: in
+Wrong pictures are made by the numpy tracer, exactly, and once more as most versions calculate: in
 float32 with an offset. The second is kept where it is another picture. What shows hardly at all is
 found on a coarse grid, at a ninth of the work.
 """
@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raywalk.mistakes.habits import Habits
+from raywalk.mistakes.habits import EXACT, Habits
 from raywalk.mistakes.table import TABLE, Mistake
-from raywalk.mistakes.tracer import picture
+from raywalk.mistakes.tracer import Version, pictures
 from raywalk.scene.model import Scene
 
 GRID, COARSE = 231, 77
@@ -42,26 +42,30 @@ class Atlas:
 
 def atlas_of(scene: Scene) -> Atlas:
     """Raises SourceErrors that name what the numpy tracer leaves out."""
-    right, coarse = (picture(scene, n).bytes for n in (GRID, COARSE))
-    found = ((mistake, _pictures(scene, mistake.name, right, coarse)) for mistake in TABLE)
-    return Atlas(right, [Wrong(mistake, made) for mistake, made in found if made])
+    hinted = _hinted(scene)
+    versions = [Version(), *(each for of_one in hinted.values() for each in of_one)]
+    right, *others = pictures(scene, GRID, versions)
+    made, wrong = iter(others), []
+    for mistake, of_one in hinted.items():
+        own = [next(made) for _ in of_one]
+        if max(changed(each, right) for each in own) > CHANGED:
+            is_other = changed(own[0], own[-1], OTHER) > CHANGED
+            wrong.append(Wrong(mistake, own if is_other else own[:1]))
+    return Atlas(right, wrong)
 
 
-def _pictures(
-    scene: Scene, name: str, right: np.ndarray, coarse: np.ndarray
-) -> list[np.ndarray]:  # fmt: skip
-    """None of a mistake that does not show."""
-    mistakes = frozenset([name])
-    quick = [picture(scene, COARSE, mistakes, habits).bytes for habits in (Habits(), USUAL)]
-    if max(changed(each, coarse) for each in quick) <= HINT:
-        return []
-    wrong = picture(scene, GRID, mistakes).bytes
-    if changed(quick[0], quick[1], OTHER) <= HINT:
-        return [wrong] if changed(wrong, right) > CHANGED else []
-    usual = picture(scene, GRID, mistakes, USUAL).bytes
-    if max(changed(wrong, right), changed(usual, right)) <= CHANGED:
-        return []
-    return [wrong, usual] if changed(usual, wrong, OTHER) > CHANGED else [wrong]
+def _hinted(scene: Scene) -> dict[Mistake, list[Version]]:
+    """The versions worth a fine picture, of mistakes that show on the coarse grid: the exact one,
+    and the usual one where its picture seems to be another."""
+    both = [
+        [Version(frozenset([each.name]), habits) for habits in (EXACT, USUAL)] for each in TABLE
+    ]
+    right, *made = pictures(scene, COARSE, [Version(), *(each for two in both for each in two)])
+    hinted = {}
+    for mistake, two, exact, usual in zip(TABLE, both, made[::2], made[1::2], strict=True):
+        if max(changed(exact, right), changed(usual, right)) > HINT:
+            hinted[mistake] = two if changed(exact, usual, OTHER) > HINT else two[:1]
+    return hinted
 
 
 def changed(a: np.ndarray, b: np.ndarray, steps: int = 1) -> float:

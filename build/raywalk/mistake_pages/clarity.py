@@ -14,7 +14,7 @@ from raywalk.mistake_pages.best import Clarity
 from raywalk.mistakes.features import SEEN
 from raywalk.mistakes.sights import STEP
 from raywalk.mistakes.table import TABLE
-from raywalk.mistakes.tracer import picture
+from raywalk.mistakes.tracer import Version, pictures
 from raywalk.mistakes.world import left_out
 from raywalk.scene.model import Scene
 
@@ -50,13 +50,10 @@ def write_clarity(scene: Scene, folder: Path) -> None:
 def _pictures(scene: Scene) -> tuple[np.ndarray, Bytes]:
     """The right one, and those that differ from it."""
     n = COARSE if len(scene.lights) > MANY_LAMPS else GRID
-    right = picture(scene, n, least_share=STEP).bytes.astype(int)
-    wrong = {}
-    for mistake in TABLE:
-        made = picture(scene, n, frozenset([mistake.name]), least_share=STEP).bytes.astype(int)
-        if (made != right).any():
-            wrong[mistake.name] = made
-    return right, wrong
+    versions = [Version(), *(Version(frozenset([mistake.name])) for mistake in TABLE)]
+    right, *made = (each.astype(int) for each in pictures(scene, n, versions, STEP))
+    both = zip(TABLE, made, strict=True)
+    return right, {mistake.name: each for mistake, each in both if (each != right).any()}
 
 
 def _clarity(right: np.ndarray, wrong: Bytes) -> dict[str, Clarity]:

@@ -13,7 +13,7 @@ from raywalk.mistake_pages.figure import figure_of
 from raywalk.mistake_pages.numbers import numbers_of
 from raywalk.mistake_pages.telling import Program, grids_of, telling_pixel, traced
 from raywalk.mistake_pages.walked import walked
-from raywalk.mistakes.tracer import picture
+from raywalk.mistakes.tracer import Version, pictures
 from raywalk.scene.model import Scene
 
 FILE = "mistakes.json"
@@ -25,11 +25,12 @@ RIGHT = "right"
 def write_mistakes(scene: Scene, names: list[str], folder: Path) -> None:
     """mistakes.json: by mistake grid and pixel, both trees, what differs, the drawing; beside it
     right.webp, and of each NAME--wrong.webp, NAME--small.webp and NAME--rays.webp."""
-    save(folder, RIGHT, picture(scene, SIDE).bytes)
+    versions = [Version(), *(Version(frozenset([name])) for name in names)]
+    right, *wrongs = pictures(scene, SIDE, versions)
+    save(folder, RIGHT, right)
     programs: dict[int, Program] = {}
     told: dict[str, Any] = {}
-    for name in names:
-        wrong = picture(scene, SIDE, frozenset([name])).bytes
+    for name, wrong in zip(names, wrongs, strict=True):
         save(folder, f"{name}--wrong", wrong)
         save(folder, f"{name}--small", wrong[1 :: SIDE // SMALL, 1 :: SIDE // SMALL])
         n, pixel = place_of(scene, name, programs)

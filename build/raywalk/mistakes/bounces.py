@@ -9,8 +9,9 @@ import numpy as np
 from raywalk.mistakes.glass import border_at, crossed, refracted_direction, shares
 from raywalk.mistakes.mirrors import mirror_direction
 from raywalk.mistakes.rays import Hits, Rays, rays_off, rays_off_rounded
+from raywalk.mistakes.remembered import remembered
 from raywalk.mistakes.table import Mistakes
-from raywalk.mistakes.world import World
+from raywalk.mistakes.world import Optics
 from raywalk.trace.tree import Kind
 
 
@@ -25,18 +26,19 @@ class Sent(NamedTuple):
     media: np.ndarray  # (w, n) the glass that each is in
 
 
-def bounced(world: World, sent: Sent, hits: Hits, least_share: float, mistakes: Mistakes) -> Sent:
+@remembered
+def bounced(optics: Optics, sent: Sent, hits: Hits, least_share: float, mistakes: Mistakes) -> Sent:
     """The rays that the hits of `sent` send on: reflected ones first, then refracted ones, each in
     the order of their parents. A ray whose share in its pixel would not be above least_share is not
     sent."""
-    mirrored = world.surfaces.reflect[hits.material]
+    mirrored = optics.reflect[hits.material]
     through, total = np.zeros_like(mirrored), np.zeros(len(mirrored), bool)
     bent, beyond = sent.rays.direction.copy(), sent.media.copy()
-    glass = np.flatnonzero(world.surfaces.transmit[hits.material] > 0)
+    glass = np.flatnonzero(optics.transmit[hits.material] > 0)
     if len(glass):
         at, media = hits.take(glass), sent.media[:, glass]
-        border = border_at(world, sent.rays.direction[:, glass], at, media, mistakes)
-        mirrored[glass], through[glass] = shares(border, at, world.surfaces, mistakes)
+        border = border_at(optics, sent.rays.direction[:, glass], at, media, mistakes)
+        mirrored[glass], through[glass] = shares(border, at, optics, mistakes)
         total[glass] = border.is_total & (through[glass] == 0)
         bent[:, glass] = refracted_direction(border, at, mistakes)
         beyond[:, glass] = crossed(media, at)

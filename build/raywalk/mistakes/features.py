@@ -69,7 +69,7 @@ def limit_reached(right: Right) -> float:
     if len(right.waves) - 1 < right.scene.render.depth:
         return 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        cut = bounced(right.world, last.sent, last.hits, STEP, frozenset())
+        cut = bounced(right.world.optics, last.sent, last.hits, STEP, frozenset())
     pixel = right.pixels_of(len(right.waves) - 1)
     return len(np.unique(pixel[cut.parent])) / (GRID * GRID)
 

@@ -9,7 +9,7 @@ import numpy as np
 from raywalk.mistakes.rays import NOTHING, Hits
 from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import dot
-from raywalk.mistakes.world import Surfaces, World
+from raywalk.mistakes.world import Optics
 
 
 class Border(NamedTuple):
@@ -39,13 +39,13 @@ class Border(NamedTuple):
 
 
 def border_at(
-    world: World, d: np.ndarray, hits: Hits, media: np.ndarray, mistakes: Mistakes
+    optics: Optics, d: np.ndarray, hits: Hits, media: np.ndarray, mistakes: Mistakes
 ) -> Border:
     """At hits on glass; media: (w, n), what the rays are in."""
-    n1 = indices_before(world, hits, media)
-    n2 = indices_in(world, crossed(media, hits))
+    n1 = indices_before(optics, hits, media)
+    n2 = indices_in(optics, crossed(media, hits))
     if "inside-not-told" in mistakes:
-        n1, n2 = np.ones_like(n1), world.ior_of[hits.object]
+        n1, n2 = np.ones_like(n1), optics.ior_of[hits.object]
     if "index-ratio-inverted" in mistakes:
         n1, n2 = n2, n1
     return Border(d, hits.normal, -dot(d, hits.normal), n1, n2)
@@ -64,16 +64,16 @@ def refracted_direction(border: Border, hits: Hits, mistakes: Mistakes) -> np.nd
 
 
 def shares(
-    border: Border, hits: Hits, surfaces: Surfaces, mistakes: Mistakes
+    border: Border, hits: Hits, optics: Optics, mistakes: Mistakes
 ) -> tuple[np.ndarray, np.ndarray]:
     """(n,) each: shares of the reflected and of the refracted ray.
 
     Total reflection moves all that would go through to the reflected ray. A Fresnel material's two
     shares are split anew at each angle.
     """
-    kr, kt = surfaces.reflect[hits.material], surfaces.transmit[hits.material]
+    kr, kt = optics.reflect[hits.material], optics.transmit[hits.material]
     mirrored = fresnel(border, mistakes)
-    is_fresnel, both = surfaces.fresnel[hits.material], kr + kt
+    is_fresnel, both = optics.fresnel[hits.material], kr + kt
     reflected = np.where(is_fresnel, both * mirrored, kr)
     refracted = np.where(is_fresnel, both * (1 - mirrored), kt)
     total = border.is_total
@@ -117,14 +117,14 @@ def crossed(media: np.ndarray, hits: Hits) -> np.ndarray:
     return np.where(hits.inside, left, entered)
 
 
-def indices_in(world: World, media: np.ndarray) -> np.ndarray:
+def indices_in(optics: Optics, media: np.ndarray) -> np.ndarray:
     """(n,) index of refraction on top of each stack; 1 outside everything."""
     count = (media != NOTHING).sum(axis=0)
     top = np.take_along_axis(media, np.maximum(count - 1, 0)[None], axis=0)[0]
-    return np.where(count > 0, world.ior_of[top], 1).astype(world.ior_of.dtype)
+    return np.where(count > 0, optics.ior_of[top], 1).astype(optics.ior_of.dtype)
 
 
-def indices_before(world: World, hits: Hits, media: np.ndarray) -> np.ndarray:
+def indices_before(optics: Optics, hits: Hits, media: np.ndarray) -> np.ndarray:
     """(n,) index that rays come from. What a ray leaves without having entered it, it was in."""
     is_lone = hits.inside & (media[0] == NOTHING)
-    return np.where(is_lone, world.ior_of[hits.object], indices_in(world, media))
+    return np.where(is_lone, optics.ior_of[hits.object], indices_in(optics, media))

@@ -11,7 +11,7 @@ from raywalk.mistakes.rays import NOTHING, Hits, Rays
 from raywalk.mistakes.shadows import ask_light
 from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import column, dot, length, unit
-from raywalk.mistakes.world import Surfaces, World
+from raywalk.mistakes.world import Optics, Surfaces, World
 from raywalk.scene.model import Light
 from raywalk.trace.tree import LIT, Visibility
 
@@ -51,7 +51,7 @@ def light_hits(
         specular=np.zeros((len(lights), count), direction.dtype),
         base=np.ones(count, direction.dtype),
         local=np.zeros_like(direction),
-        local_weight=own_share(surfaces, hits, mistakes),
+        local_weight=own_share(world.optics, hits, mistakes),
     )
     asked = np.flatnonzero(out.local_weight > 0)
     at, came = hits.take(asked), rays.take(asked)
@@ -78,9 +78,9 @@ def light_hits(
     return out
 
 
-def own_share(surfaces: Surfaces, hits: Hits, mistakes: Mistakes) -> np.ndarray:
+def own_share(optics: Optics, hits: Hits, mistakes: Mistakes) -> np.ndarray:
     """(n,) 1 - kr - kt: what mirrors and glass leave of a surface's own colour."""
-    reflect, transmit = surfaces.reflect[hits.material], surfaces.transmit[hits.material]
+    reflect, transmit = optics.reflect[hits.material], optics.transmit[hits.material]
     share = 1 - reflect - transmit
     if "mirror-adds-own-colour" in mistakes:
         share = np.where((reflect > 0) & (transmit == 0), np.ones_like(share), share)

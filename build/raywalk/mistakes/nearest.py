@@ -10,9 +10,10 @@ from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.intersection import roots
 from raywalk.mistakes.normals import outward_normal, programs_normal
 from raywalk.mistakes.rays import NOTHING, Hits, Rays
+from raywalk.mistakes.remembered import remembered
 from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import dot, length
-from raywalk.mistakes.world import FLAT, Body, World
+from raywalk.mistakes.world import FLAT, Body, World, asked_in_turn
 
 # Of others it would be the surface that they leave: all of it would be in its own shadow.
 OF_CAMERA_RAYS = frozenset(["behind-the-eye"])
@@ -22,8 +23,8 @@ MET_IN_ITS_OWN = ("ellipsoid", "box", "cylinder", "tube")  # where a ray has ano
 def nearest(
     bodies: Iterable[Body], rays: Rays, mistakes: Mistakes, habits: Habits
 ) -> tuple[np.ndarray, np.ndarray]:
-    """t (n,), inf if nothing, and object (n,) of what each ray meets first. bodies: as World gives
-    them in turn."""
+    """t (n,), inf if nothing, and object (n,) of what each ray meets first. bodies: asked
+    in turn."""
     count = rays.direction.shape[1]
     best = np.full(count, np.inf, rays.direction.dtype)  # of what is compared: t
     t, met = best.copy(), np.full(count, NOTHING)
@@ -76,20 +77,21 @@ def roots_ahead(
     return np.where(near > least, near, np.inf), np.where(far > least, far, np.inf)
 
 
-def hits_of(world: World, rays: Rays, mistakes: Mistakes, habits: Habits) -> Hits:
+@remembered
+def hits_of(bodies: tuple[Body, ...], rays: Rays, mistakes: Mistakes, habits: Habits) -> Hits:
     """What each ray meets first, and the surface there."""
-    t, met = nearest(world.asked_in_turn, rays, mistakes, habits)
-    return surface_at(world, rays, t, met, mistakes)
+    t, met = nearest(asked_in_turn(bodies), rays, mistakes, habits)
+    return surface_at(bodies, rays, t, met, mistakes)
 
 
 def surface_at(
-    world: World, rays: Rays, t: np.ndarray, met: np.ndarray, mistakes: Mistakes
+    bodies: Iterable[Body], rays: Rays, t: np.ndarray, met: np.ndarray, mistakes: Mistakes
 ) -> Hits:
     """The surfaces that rays meet at t (n,), of the objects `met` (n,)."""
     point = rays.origin + np.where(met == NOTHING, 0, t) * rays.direction
     normal, outward = np.zeros_like(rays.direction), np.zeros_like(rays.direction)
     inside, material = np.zeros(len(t), bool), np.full(len(t), -1)
-    for body in world.bodies:
+    for body in bodies:
         here = np.flatnonzero(met == body.number)
         if not len(here):
             continue
@@ -123,7 +125,7 @@ def all_hits(
     """Every hit of n rays, nearest first: ray (h,), t (h,), object (h,)."""
     every: list[np.ndarray] = []
     who: list[int] = []
-    for body in world.asked_in_turn:
+    for body in asked_in_turn(world.bodies):
         every += roots_ahead(body, rays, mistakes, habits)
         who += [body.number, body.number]
     t = np.stack(every) if every else np.empty((0, rays.direction.shape[1]))

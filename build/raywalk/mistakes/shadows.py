@@ -10,9 +10,10 @@ import numpy as np
 from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.nearest import OF_CAMERA_RAYS, nearest, roots_ahead
 from raywalk.mistakes.rays import NOTHING, Hits, Rays, rays_off, rays_off_rounded
+from raywalk.mistakes.remembered import remembered
 from raywalk.mistakes.table import Mistakes
 from raywalk.mistakes.vectors import column, dot, length
-from raywalk.mistakes.world import World
+from raywalk.mistakes.world import Body, World, asked_in_turn
 from raywalk.trace.tree import Visibility
 
 SHORT_OF_LIGHT = 1 - 1e-12  # share of its way that a shadow ray goes: a light may lie on a surface
@@ -58,7 +59,7 @@ def ask_light(
     mistakes = mistakes - OF_CAMERA_RAYS
     if mistakes & WITHOUT_OFFSET:
         habits = replace(habits, offset=None)
-    t, met, passed = stopped(world, rays, reach, mistakes, habits)
+    t, met, passed = stopped(world.bodies, passed_by(world), rays, reach, mistakes, habits)
     part = t / reach_of(rays, away)
     if "shadow-from-the-light" in mistakes:
         part = 1 - part
@@ -99,20 +100,28 @@ def reach_of(rays: Rays, distance: np.ndarray) -> np.ndarray:
     return distance / length(rays.direction)
 
 
+def passed_by(world: World) -> np.ndarray | None:
+    """(materials,) the share of light that a surface lets pass, where the scene says that light
+    crosses glass, unbent; else None."""
+    return world.optics.transmit if world.scene.render.glass_shadows == "pass" else None
+
+
+@remembered
 def stopped(
-    world: World, rays: Rays, reach: np.ndarray, mistakes: Mistakes, habits: Habits
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    bodies: tuple[Body, ...], passing: np.ndarray | None, rays: Rays, reach: np.ndarray,
+    mistakes: Mistakes, habits: Habits,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:  # fmt: skip
     """t and object of what stops each ray before `reach` (n,), inf and NOTHING if nothing; and the
-    share that glass on the way lets pass: glass is crossed unbent where the scene says so."""
-    is_clear = world.scene.render.glass_shadows == "pass"
-    opaque = [body for body in world.asked_in_turn if not (is_clear and body.is_clear)]
+    share that glass on the way lets pass, if any passes."""
+    in_turn = asked_in_turn(bodies)
+    crossed = [body for body in in_turn if body.is_clear and passing is not None]
+    opaque = [body for body in in_turn if body not in crossed]
     t, met = nearest(opaque, rays, mistakes, habits)
     stops = (t < reach) & (met != NOTHING)
     t, met = np.where(stops, t, np.inf), np.where(stops, met, NOTHING)
     passed, end = np.ones_like(reach), np.minimum(t, reach)
-    for body in world.asked_in_turn:
-        if is_clear and body.is_clear:
-            near, far = roots_ahead(body, rays, mistakes, habits)
-            crossed = (near < end).astype(int) + (far < end)
-            passed = passed * world.surfaces.transmit[body.material] ** crossed
+    for body in crossed:
+        near, far = roots_ahead(body, rays, mistakes, habits)
+        times = (near < end).astype(int) + (far < end)
+        passed = passed * passing[body.material] ** times  # type: ignore[index]
     return t, met, passed

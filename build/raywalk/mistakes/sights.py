@@ -22,17 +22,17 @@ Test = Callable[[World, Wave], np.ndarray]
 
 def is_mirror(world: World, wave: Wave) -> np.ndarray:
     """Hits on opaque mirrors."""
-    return np.asarray(world.surfaces.reflect[wave.hits.material] > 0) & ~is_glass(world, wave)
+    return np.asarray(world.optics.reflect[wave.hits.material] > 0) & ~is_glass(world, wave)
 
 
 def is_glass(world: World, wave: Wave) -> np.ndarray:
     """Hits on what light goes through."""
-    return np.asarray(world.surfaces.transmit[wave.hits.material] > 0)
+    return np.asarray(world.optics.transmit[wave.hits.material] > 0)
 
 
 def is_fresnel(world: World, wave: Wave) -> np.ndarray:
     """Hits on glass that mirrors the more, the flatter a ray comes."""
-    return np.asarray(world.surfaces.fresnel[wave.hits.material])
+    return np.asarray(world.optics.fresnel[wave.hits.material])
 
 
 def is_total(world: World, wave: Wave) -> np.ndarray:

@@ -11,6 +11,7 @@ behind the line that does it rightly; any may be made together.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -25,6 +26,7 @@ from raywalk.mistakes.habits import EXACT, Habits
 from raywalk.mistakes.lighting import Lighting, light_hits
 from raywalk.mistakes.nearest import OF_CAMERA_RAYS, hits_of
 from raywalk.mistakes.rays import NOTHING, Hits, Rays, free_rays
+from raywalk.mistakes.remembered import remembering
 from raywalk.mistakes.table import Mistakes, checked
 from raywalk.mistakes.vectors import column
 from raywalk.mistakes.world import World, holding, refuse_left_out, world_of
@@ -34,7 +36,7 @@ from raywalk.trace.tree import Kind
 # A ray with a smaller share in its pixel is not followed in pictures: 0.06 of one step of a byte.
 LEAST_SHARE = 1 / 4096
 WHITE = 1.0
-STRIP = 32_768  # pixels traced at once: what their rays need stays small
+STRIP = 16_384  # pixels traced at once: what their rays need, and are remembered by, stays small
 
 
 class Wave(NamedTuple):
@@ -44,6 +46,13 @@ class Wave(NamedTuple):
     hits: Hits
     lighting: Lighting
     colour: np.ndarray  # (3, n) what each brings back: final once the waves behind are gathered
+
+
+class Version(NamedTuple):
+    """A way to write the program."""
+
+    mistakes: Mistakes = frozenset()
+    habits: Habits = EXACT
 
 
 class Picture(NamedTuple):
@@ -59,10 +68,30 @@ def picture(
 ) -> Picture:  # fmt: skip
     """An n x n picture of a scene. Raises SourceErrors that name what this tracer leaves out, and
     ValueError for a mistake that there is not."""
-    strips = np.array_split(np.arange(n * n), -(-n * n // STRIP))
-    traced = (trace(scene, n, strip, mistakes, habits, least_share)[1][0] for strip in strips)
+    traced = (trace(scene, n, one, mistakes, habits, least_share)[1][0] for one in strips_of(n))
     linear = np.concatenate([wave.colour.T for wave in traced]).reshape(n, n, 3)
     return Picture(linear, to_bytes(linear, mistakes, habits))
+
+
+def strips_of(n: int) -> list[np.ndarray]:
+    """The pixels of an n x n picture, in parts."""
+    return np.array_split(np.arange(n * n), -(-n * n // STRIP))
+
+
+def pictures(
+    scene: Scene, n: int, versions: Sequence[Version], least_share: float = LEAST_SHARE
+) -> list[np.ndarray]:
+    """Of each version its n x n picture's bytes, as `picture` has them, which would trace for each
+    what all have in common. Raises as `picture` does."""
+    found: list[list[np.ndarray]] = [[] for _ in versions]
+    for strip in strips_of(n):
+        with remembering():
+            for habits in {each.habits: None for each in versions}:
+                trace(scene, n, strip, frozenset(), habits, least_share)
+            for made, (mistakes, habits) in zip(found, versions, strict=True):
+                waves = trace(scene, n, strip, mistakes, habits, least_share)[1]
+                made.append(to_bytes(waves[0].colour.T, mistakes, habits))
+    return [np.concatenate(made).reshape(n, n, 3) for made in found]
 
 
 def trace(
@@ -87,14 +116,14 @@ def follow(
     with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
         waves = [wave_of(world, from_the_eye(world, rays), mistakes, habits)]
         for _ in range(world.scene.render.depth):
-            sent = bounced(world, waves[-1].sent, waves[-1].hits, least_share, mistakes)
+            sent = bounced(world.optics, waves[-1].sent, waves[-1].hits, least_share, mistakes)
             if not len(sent.parent):
                 break
             waves.append(wave_of(world, sent, mistakes, habits))
         else:
             last = waves[-1]
             if "white-at-the-limit" in mistakes:
-                beyond = bounced(world, last.sent, last.hits, least_share, mistakes)
+                beyond = bounced(world.optics, last.sent, last.hits, least_share, mistakes)
                 for channel in last.colour:
                     np.add.at(channel, beyond.parent, beyond.weight * WHITE)
     gather(waves)
@@ -117,7 +146,9 @@ def wave_of(world: World, sent: Sent, mistakes: Mistakes, habits: Habits) -> Wav
     """Rays that have been sent, traced to their hits."""
     own = replace(habits, offset=None) if "mirror-acne" in mistakes else habits
     is_camera = sent.parent[0] < 0
-    hits = hits_of(world, sent.rays, mistakes if is_camera else mistakes - OF_CAMERA_RAYS, own)
+    hits = hits_of(
+        world.bodies, sent.rays, mistakes if is_camera else mistakes - OF_CAMERA_RAYS, own
+    )
     lighting = light_hits(world, sent.rays, hits, mistakes, habits)
     background = column(world.scene.background).astype(lighting.local.dtype)
     own = lighting.local_weight * lighting.local

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike
@@ -66,10 +68,15 @@ class Surfaces:
     diffuse: np.ndarray  # (m, 3)
     specular: np.ndarray  # (m, 3)
     shininess: np.ndarray  # (m,)
+
+
+class Optics(NamedTuple):
+    """What sends rays on: of materials, likewise, and of objects."""
+
     reflect: np.ndarray  # (m,)
     transmit: np.ndarray  # (m,)
-    ior: np.ndarray  # (m,)
     fresnel: np.ndarray  # (m,) bool
+    ior_of: np.ndarray  # (objects,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,22 +86,20 @@ class World:
     scene: Scene
     bodies: tuple[Body, ...]  # by number
     surfaces: Surfaces
-    ior_of: np.ndarray  # (objects,)
+    optics: Optics
 
-    @property
-    def asked_in_turn(self) -> list[Body]:
-        """Opaque bodies first, then in the scene's order: of hits at one distance the first counts
-        (a glass that stands on a floor does not let light through it)."""
-        return sorted(self.bodies, key=lambda body: body.is_clear)
+
+def asked_in_turn(bodies: Iterable[Body]) -> list[Body]:
+    """Opaque bodies first, then in the scene's order: of hits at one distance the first counts (a
+    glass that stands on a floor does not let light through it)."""
+    return sorted(bodies, key=lambda body: body.is_clear)
 
 
 def world_of(scene: Scene, precision: DTypeLike = np.float64) -> World:
     """Raises SourceErrors that name what this tracer leaves out."""
     refuse_left_out(scene)
     bodies = tuple(body_of(scene, k, obj, precision) for k, obj in enumerate(scene.objects))
-    surfaces = surfaces_of(scene, precision)
-    material = np.array([obj.material for obj in scene.objects], int)
-    return World(scene, bodies, surfaces, surfaces.ior[material])
+    return World(scene, bodies, surfaces_of(scene, precision), optics_of(scene, precision))
 
 
 def refuse_left_out(scene: Scene) -> None:
@@ -145,15 +150,20 @@ def squares_of(checker: Checker | None, plane: Plane) -> Squares | None:
 
 def surfaces_of(scene: Scene, precision: DTypeLike) -> Surfaces:
     """The scene's materials as columns."""
+    rows = _column_of(scene, precision)
+    return Surfaces(rows("ambient"), rows("diffuse"), rows("specular"), rows("shininess"))
+
+
+def optics_of(scene: Scene, precision: DTypeLike) -> Optics:
+    """The same of what sends rays on."""
+    rows, material = _column_of(scene, precision), [obj.material for obj in scene.objects]
+    ior_of = rows("ior")[np.array(material, int)]
+    return Optics(rows("reflect"), rows("transmit"), rows("fresnel") > 0, ior_of)
+
+
+def _column_of(scene: Scene, precision: DTypeLike) -> Callable[[str], np.ndarray]:
     nothing = Material("nothing")
-
-    def rows(name: str) -> np.ndarray:
-        return np.array([getattr(m, name) for m in (*scene.materials, nothing)], precision)
-
-    return Surfaces(
-        rows("ambient"), rows("diffuse"), rows("specular"), rows("shininess"),
-        rows("reflect"), rows("transmit"), rows("ior"), rows("fresnel") > 0,
-    )  # fmt: skip
+    return lambda name: np.array([getattr(m, name) for m in (*scene.materials, nothing)], precision)
 
 
 def plane_normal(body: Body) -> np.ndarray:
