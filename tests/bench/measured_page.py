@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from test_page import TEMPLATES, report
+from test_page import TEMPLATES, named, report
 
 from raywalk.bench.cases import Case
 from raywalk.bench.report import keep_bench, keep_stress
@@ -16,5 +16,6 @@ from raywalk.site.reports import publish_reports
 
 out = Path(sys.argv[1])
 keep_bench(out / "work", report())
+named(out / "work")
 keep_stress(out / "work", [Case("s", "c", "m", 0.0, float("inf"), 5, 9)], 5, 9)
 publish_reports(out, TEMPLATES, {"style_css": sys.argv[2]}, (), out / "work")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from raywalk.bench.bench import beats, says
 from raywalk.bench.cases import Case
-from raywalk.bench.report import keep_bench, keep_stress
+from raywalk.bench.recognition import Tally, as_table, cases, lines
+from raywalk.bench.report import keep_bench, keep_mistakes, keep_stress
 from raywalk.site.plots import front_of
 from raywalk.site.reports import publish_reports
 
@@ -71,6 +73,32 @@ def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
         ElementTree.parse(out / f"benchmarks/{plot}.svg")
     kept = json.loads((out / "benchmarks/benchmarks.json").read_text(encoding="utf-8"))
     assert kept["bench"]["tasks"][0]["methods"][0]["name"] == "ours"
+
+
+def named(work: Path) -> None:
+    """Keeps tallies of four pictures with one mistake and one with two."""
+    tallies = {"single": Tally(), "pairs": Tally(missed=["a + b: a"]), "right": Tally()}
+    for size, family, is_first in (("at 105", "light", True), ("at 231", "camera", False)) * 2:
+        tallies["single"].count([size, family], is_first, True)
+    tallies["pairs"].count([], True, False)
+    told = {"lines": list(lines(tallies)), "table": as_table(tallies)}
+    keep_mistakes(work, told, cases(tallies, 7), "raywalk bench --only mistakes --seed 7")
+
+
+def test_how_often_mistakes_are_named_stands_on_the_page_by_itself(tmp_path: Path) -> None:
+    """Measured without the rest: by size and family, with the command, its bounds, and what was
+    missed; what was not asked has no share and breaks its bound."""
+    named(tmp_path / "work")
+    assert publish_reports(tmp_path, TEMPLATES, ASSETS, (), tmp_path / "work")
+    page = (tmp_path / "benchmarks/index.html").read_text(encoding="utf-8")
+    cells = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in page.split("<tr>")]
+    assert ["one mistake", "4", "50.0", "100.0"] in cells
+    assert ["... at 105", "2", "100.0", "100.0"] in cells
+    assert ["... camera", "2", "0.0", "100.0"] in cells
+    assert ["right pictures: called right", "0", "", ""] in cells
+    assert "raywalk bench --only mistakes --seed 7" in page and "<li>a + b: a</li>" in page
+    assert page.count("holds") == 1 and page.count('class="broken"') == 3
+    assert "Time against error" not in page
 
 
 def test_the_front_holds_what_nothing_beats() -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path
@@ -20,7 +20,7 @@ from raywalk.bench.cases import Case
 from raywalk.check.atlas import CHANGED, GRID, USUAL, atlas_of, changed
 from raywalk.check.write import about_of, strips
 from raywalk.mistakes.habits import EXACT, Habits
-from raywalk.mistakes.table import BY_NAME
+from raywalk.mistakes.table import BY_NAME, FAMILIES
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.model import Scene
 from raywalk.stops.process import Stops
@@ -36,6 +36,8 @@ HABITS = (
     Habits(precision=np.float32, offset=3e-3),
 )
 SIZES = (105, 231, 512)
+FINE = 1155  # pixels across: one picture takes the numpy tracer up to half a minute
+SAMPLE = 3  # every so-maniest mistake, unless all are asked
 PAIRS = 200
 SCENES = ("01", "02", "03", "04", "05", "08", "10")  # those without meshes and textures
 BOUNDS = {"first": 5.0, "among three": 1.0, "pairs": 20.0, "alarms": 0.0}  # percent that are not
@@ -52,10 +54,20 @@ class Tally:
     among: int = 0
     missed: list[str] = field(default_factory=list)
     alike: list[int] = field(default_factory=list)  # names in the first answer
+    by: dict[str, list[int]] = field(default_factory=dict)  # size or family: asked, first, among
 
     def missing(self, named: int) -> float:
         """Percent; NaN of none, which breaks every bound."""
         return 100 * (1 - named / self.asked) if self.asked else float("nan")
+
+    def count(self, parts: Iterable[str], is_first: bool, is_among: bool) -> None:
+        """One picture, for all and for each part that it belongs to."""
+        self.asked += 1
+        self.first += is_first
+        self.among += is_among
+        for part in parts:
+            own = self.by.setdefault(part, [0, 0, 0])
+            self.by[part] = [n + m for n, m in zip(own, (1, is_first, is_among), strict=True)]
 
 
 class Asked:
@@ -122,8 +134,7 @@ def tally_right(found: Tally, node: Stops, atlas: Asked, right: np.ndarray) -> N
     for habits in HABITS:
         own = picture(atlas.scene, len(right), frozenset(), habits).bytes
         is_right = atlas.ask(node, own, right)["isRight"]
-        found.asked += 1
-        found.first += is_right
+        found.count([], is_right, is_right)
         if not is_right:
             found.missed.append(f"{atlas.scene.id} at {len(right)}, {habits}")
 
@@ -136,12 +147,11 @@ def tally(
     if not changed(student, right) > CHANGED:
         return
     answers = [set(answer["names"]) for answer in atlas.ask(node, student, right)["answers"]]
-    found.asked += 1
-    found.first += bool(answers) and bool(names & answers[0])
-    is_among = names <= set().union(*answers)
-    found.among += is_among
+    is_first, is_among = bool(answers and names & answers[0]), names <= set().union(*answers)
+    families = [BY_NAME[name].family for name in sorted(names)] if len(names) == 1 else []
+    found.count([f"at {len(right)}", *families], is_first, is_among)
     found.alike += [len(answers[0])] if answers else []
-    if not is_among or not (names & answers[0]):
+    if not is_among or not is_first:
         told = "; ".join(", ".join(sorted(answer)) for answer in answers) or "nothing"
         found.missed.append(
             f"{atlas.scene.id} at {len(right)}: {' + '.join(sorted(names))}: {told}"
@@ -189,3 +199,25 @@ def lines(tallies: dict[str, Tally]) -> Iterator[str]:
         alike = f", {np.mean(found.alike):.2f} names in the first answer" if found.alike else ""
         yield f"  {kind}: {found.asked} pictures{alike}"
         yield from (f"    not named: {each}" for each in found.missed)
+
+
+def as_table(tallies: dict[str, Tally]) -> dict[str, Any]:
+    """For the page: how many were asked, and how many of a hundred were named."""
+    single = tallies["single"]
+    sizes = [part for part in single.by if part.startswith("at ")]
+    families = [family for family in FAMILIES if family in single.by]
+    rows = [_row("one mistake", single.asked, single.first, single.among)]
+    rows += [_row(f"... {part}", *single.by[part]) for part in [*sizes, *families]]
+    pairs, right = tallies["pairs"], tallies["right"]
+    rows += [
+        _row(
+            "two mistakes of different families: one, both", pairs.asked, pairs.first, pairs.among
+        ),
+        [*_row("right pictures: called right", right.asked, right.first, right.first)[:3], ""],
+    ]
+    return {"head": ["pictures", "asked", "first answer, %", "among three, %"], "rows": rows}
+
+
+def _row(what: str, asked: int, first: int, among: int) -> list[str]:
+    shares = (f"{100 * named / asked:.1f}" if asked else "" for named in (first, among))
+    return [what, str(asked), *shares]

@@ -31,6 +31,14 @@ def keep_bench(work: Path, measured: dict[str, Any]) -> None:
     _keep(work, "bench", measured)
 
 
+def keep_mistakes(
+    work: Path, measurement: dict[str, Any], cases: Iterable[Case], command: str
+) -> None:
+    """Keeps how often mistakes in students' pictures are named. command: what measures the same."""
+    listed = [case.as_dict() for case in cases]
+    _keep(work, "mistakes", {**measurement, "cases": listed, "command": command})
+
+
 def publish_page(work: Path, out: Path) -> Iterator[str]:
     """Renders the kept reports into a site that is there or not; tells where."""
     assets = {"style_css": _style_of(out)}

@@ -60,7 +60,10 @@ def _mistakes(chosen: Namespace) -> dict[str, recognition.Tally]:
     scenes = recognition.shown_in(read_own_scenes(chosen.scenes))
     if chosen.quick:
         return recognition.recognised(scenes[:3], (105,), 12, chosen.seed, 4)
-    return recognition.recognised(scenes, seed=chosen.seed)
+    if chosen.full:
+        sizes = (*recognition.SIZES, recognition.FINE)
+        return recognition.recognised(scenes, sizes, seed=chosen.seed)
+    return recognition.recognised(scenes, seed=chosen.seed, every=recognition.SAMPLE)
 
 
 def _triangles(chosen: Namespace) -> list[dict[str, Any]]:
@@ -119,6 +122,7 @@ PARTS = {
         speed_rebuild.rebuild_cases, speed_rebuild.as_table,
     ),
     "mistakes": Part(
-        "Mistakes in students' pictures, named", _mistakes, recognition.cases, recognition.lines
+        "Mistakes in students' pictures, named", _mistakes, recognition.cases,
+        recognition.lines, recognition.as_table,
     ),
 }  # fmt: skip

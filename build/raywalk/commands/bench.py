@@ -12,13 +12,20 @@ PARTS = (
     "skips", "floor", "cores", "memory", "many", "triangles", "primitives", "counters", "cluster",
     "look", "rebuild", "mistakes",
 )  # fmt: skip
+MISTAKES = "mistakes"  # which the page has a section of, measured with the rest or by itself
 
 
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
     parser = commands.add_parser("bench", help="measure run time against error, beside peers")
     parser.add_argument("--quick", action="store_true", help="fewer rays, rounds and scenes")
-    parser.add_argument("--only", choices=PARTS, help="one part of what a build costs, no page")
+    parser.add_argument(
+        "--only", choices=PARTS, help="one part of what is measured; only mistakes get on the page"
+    )
+    parser.add_argument(
+        "--full", action="store_true",
+        help="all mistakes in students' pictures, of 1155 x 1155 too: hours; else every third",
+    )  # fmt: skip
     parser.add_argument(
         "--meshes", type=Path, nargs="+", default=[], metavar="FILE",
         help="one mesh in several finenesses, coarsest first: in place of the subdivided dragon",
@@ -32,13 +39,16 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """Tells what is measured. Raises BrokenBounds at the end if a bound of ours is broken."""
     from raywalk.bench.cases import Case, refuse_broken
-    from raywalk.bench.report import keep_bench, publish_page
+    from raywalk.bench.report import keep_bench, keep_mistakes, publish_page
     from raywalk.bench.speed import part
 
     cases: list[Case] = []
     if chosen.only:
-        yield from part(chosen.only, chosen, cases)["lines"]
-        yield from (case.as_line() for case in cases)
+        measurement = part(chosen.only, chosen, cases)
+        yield from [*measurement["lines"], *(case.as_line() for case in cases)]
+        if chosen.only == MISTAKES:
+            keep_mistakes(chosen.work, measurement, cases, _asked_with(chosen))
+            yield from publish_page(chosen.work, chosen.out)
         refuse_broken(cases)
         return
     yield f"seed {chosen.seed}"
@@ -50,7 +60,10 @@ def run(chosen: Namespace) -> Iterator[str]:
         own: list[Case] = []
         measurement = part(key, chosen, own)
         yield from [measurement["title"], *measurement["lines"], *(case.as_line() for case in own)]
-        measured["builds"].append({**measurement, "cases": [case.as_dict() for case in own]})
+        if key == MISTAKES:
+            keep_mistakes(chosen.work, measurement, own, _asked_with(chosen))
+        else:
+            measured["builds"].append({**measurement, "cases": [case.as_dict() for case in own]})
         cases += own
     keep_bench(chosen.work, measured)
     yield from publish_page(chosen.work, chosen.out)
@@ -85,3 +98,9 @@ def _tracing(chosen: Namespace, measured: dict[str, Any], cases: list[Any]) -> I
     cases += quantisation(read_own_scenes(chosen.scenes))
     yield from measured["says"]
     yield from (case.as_line() for case in cases)
+
+
+def _asked_with(chosen: Namespace) -> str:
+    """The command that asks the same pictures again."""
+    size = " --quick" if chosen.quick else " --full" if chosen.full else ""
+    return f"raywalk bench --only {MISTAKES}{size} --seed {chosen.seed}"

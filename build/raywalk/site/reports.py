@@ -22,7 +22,7 @@ def publish_reports(
     work: Path = Path(".work"),
 ) -> bool:  # fmt: skip
     """Writes benchmarks/ (page, plots, JSON) below `out` from what was kept; False if nothing."""
-    kept = {name: kept_report(work, name) for name in ("bench", "stress")}
+    kept = {name: kept_report(work, name) for name in ("bench", "stress", "mistakes")}
     if not any(kept.values()):
         return False
     folder = out / "benchmarks"
