@@ -23,10 +23,10 @@ const LEAST_OF_SHIFT = 0.4;
 const SURE = 0.8;
 /** What agrees less is none that we know. */
 const KNOWN = 0.5;
-/** But where so few pixels are wrong, noise is much of what is seen: then one that agrees this far, so many times better than any other. */
+/** But where so few pixels are wrong, noise is much of what is seen: one that agrees this far will do, so many times better than any other. */
 const [FEW, FAINT, AHEAD] = [0.02, 0.12, 3];
-/** Speckles of another size fall elsewhere: half of an agreement is lost, but no other agrees half as far. */
-const [SPECKLED, TWICE] = [0.25, 2];
+/** Speckles of another size fall elsewhere: three quarters of an agreement may be lost, but no other agrees nearly as far. */
+const [SPECKLED, FURTHER] = [0.2, 1.75];
 /** A second mistake is named if it leaves less than this share of what the first leaves unexplained. */
 const LEFT_BY_SECOND = 0.7;
 /** One that leaves less than this is worth a look: it stands behind the first, though not as one of two. */
@@ -222,8 +222,8 @@ function ranked(singles: Scored[], added: Scored[], undone: Scored | null, isFai
   const answers: Answer[] = [];
   const names = namesOf(single.references[0]);
   const next = singles.find(({ references: [one] }) => !names.includes(one.name))?.agreement ?? 0;
-  const [least, ahead] = isFaint ? [FAINT, AHEAD] : [SPECKLED, TWICE];
-  if (!isPair && single.agreement < KNOWN && single.agreement >= least && single.agreement > ahead * next) answers.push({ names, agreement: single.agreement });
+  const standsOut = (least: number, ahead: number) => single.agreement >= least && single.agreement > ahead * next;
+  if (!isPair && single.agreement < KNOWN && (standsOut(SPECKLED, FURTHER) || (isFaint && standsOut(FAINT, AHEAD)))) answers.push({ names, agreement: single.agreement });
   for (const { references: [one], agreement } of [...(isPair ? [] : [single]), ...ofPairs, ...singles]) {
     if (answers.length === ANSWERS) break;
     if (agreement < KNOWN) continue;
