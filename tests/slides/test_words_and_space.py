@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 
+import numpy as np
 import pytest
 from pptx import Presentation
 from pypdf import PdfReader
@@ -150,7 +151,7 @@ def test_labels_take_a_faint_lines_place_only_if_there_is_no_other():
     right = [((x, 0.0), (x, 120.0)) for x in range(104, 200, 4)]
     everywhere = [((0.0, y), (200.0, y)) for y in range(0, 120, 4)]
     for strokes, faint, places in (([], right, 1), ([], everywhere, 1), (everywhere, [], 0)):
-        taken = Places(frame)
+        taken = Places(frame, np.zeros((1, 1, 4), np.uint8))
         taken.strokes, taken.faint = list(strokes), list(faint)
         words = [i for i in taken.put([Label("light 1", at)]) if isinstance(i, Text)]
         assert len(words) == places

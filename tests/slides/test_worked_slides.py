@@ -12,9 +12,21 @@ from tests.slides.course import ROOT, CourseDeck, course_decks
 
 from raywalk.scene.read import read_scene
 from raywalk.slides import worked_tree
-from raywalk.slides.figure import Group, Item, Picture, Polygon, Slide, Table, Text, flat
+from raywalk.slides.figure import (
+    Dot,
+    Group,
+    Item,
+    Line,
+    Picture,
+    Polygon,
+    Slide,
+    Table,
+    Text,
+    flat,
+)
 from raywalk.slides.stops import Stop
 from raywalk.slides.words import numbers, say, speaking
+from raywalk.slides.worked_curve import OF
 from raywalk.slides.worked_figures import MOST_ROWS, view_of
 from raywalk.slides.worked_panel import walks_tree
 from raywalk.trace.equations import equations_of
@@ -55,6 +67,10 @@ def figure_of(slide: Slide) -> Group:
     return slide.figure
 
 
+def curves_on(slide: Slide) -> list[Group]:
+    return [i for i in figure_of(slide).items if isinstance(i, Group) and i.name == OF]
+
+
 def tables_behind(each: CourseDeck) -> list[list[str]]:
     """The rows of all tables of what was worked out, their cells' words."""
     names = {say("slides.table"), say("slides.sumTable")}
@@ -80,7 +96,7 @@ def test_a_step_shows_its_key_rows_and_no_more(of_lesson):
                     i for i in flat(figure_of(slide).items)
                     if isinstance(i, Polygon) and i.name == say("slides.worked.plate")
                 ]  # fmt: skip
-                assert len(plates) == 1
+                assert len(plates) == (2 if curves_on(slide) else 1)
                 assert not any(
                     s.figure and rows_on(s.figure.items) for s in each.slides if s.kind == "build"
                 )
@@ -135,6 +151,37 @@ def test_roots_and_discriminants_are_the_tracers_and_those_of_raywalk_pixel():
                 numbers().fixed(blue["b"], 2), numbers().fixed(blue["c"], 2),
                 numbers().fixed(blue["discriminant"], 2), *map(numbers().number, blue["t"]),
             ]  # fmt: skip
+
+
+def test_a_step_that_speaks_of_a_curve_shows_it():
+    """From D on, for each sphere it is about: it crosses the line at the roots, touches it where
+    the ray grazes, and stays above it where the ray misses. None while a question is open."""
+    for each in decks_of(EQUATION):
+        rays = each.lesson.worked["equations"]
+        with speaking(each.language):
+            shown = [(stop, curves_on(slide)) for stop, slide in firsts(each)]
+        assert [bool(curves) for _, curves in shown[:4]] == [False, False, False, True]
+        assert not any(curves for stop, curves in shown if stop.kind == "question")
+        seen = set()
+        for stop, curves in shown:
+            for curve in curves:
+                meant = view_of(each.lesson.scene, stop)["highlight"]
+                ray = next(r for r in rays if tuple(r["pixel"]) == stop.pixel)
+                spheres = [
+                    s
+                    for s in ray["spheres"]
+                    if each.lesson.scene.objects[s["object"]].name in meant
+                ]
+                zero, *pieces = [i for i in curve.items if isinstance(i, Line)]
+                line = zero.start[1]
+                dots = [i for i in curve.items if isinstance(i, Dot)]
+                assert len(dots) == sum(len(s["t"]) for s in spheres)
+                assert all(dot.centre[1] == line for dot in dots)
+                least = max(max(i.start[1], i.end[1]) for i in pieces)  # y goes down
+                misses = not dots
+                assert misses == (least < line)
+                seen.add("misses" if misses else "meets")
+        assert seen == {"misses", "meets"}
 
 
 def test_means_are_those_of_the_pictures_own_pixels():

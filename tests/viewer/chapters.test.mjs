@@ -49,6 +49,23 @@ test("on a phone they are scrolled through, and none is cut off", async () => {
   assert.deepEqual(page.faults, []);
 });
 
+for (const [width, height] of [[390, 844], [360, 640]])
+  for (const home of ["", "de/"])
+    test(`above the scene its title is seen whole, however long, at ${width} x ${height} (${home || "en/"})`, async () => {
+      await page.setViewportSize({ width, height });
+      await open(page, ON_DISK, home + scenes[0].path, "gl=none");
+      const cut = await page.evaluate(() => {
+        const title = document.querySelector("#title");
+        const row = document.querySelector(".top").getBoundingClientRect().height;
+        return [...document.querySelectorAll("nav.scenes [data-scene]")].flatMap((link) => {
+          title.textContent = `${link.dataset.key && `${link.dataset.key} · `}${link.title}`;
+          const isWhole = title.scrollWidth <= title.clientWidth && title.scrollHeight <= title.clientHeight + 1;
+          return isWhole && document.querySelector(".top").getBoundingClientRect().height === row ? [] : [title.textContent];
+        });
+      });
+      assert.deepEqual(cut, []);
+    });
+
 test("the first page leads to each chapter", async () => {
   const home = await newPage(browser);
   await home.goto(`${ON_DISK}index.html`);

@@ -61,6 +61,17 @@ test("a ray that misses has a discriminant below 0 and no roots", async () => {
   assert.deepEqual((await cells(3)).slice(2), ["\u22122.66", "\u2013", "\u2013"]);
 });
 
+test("the curve of a sphere that the ray misses is seen down to its lowest point, above the line", async () => {
+  await show("11-what-is-a-ray", 5);
+  await page.locator(".worked-curves").waitFor();
+  const [axis, lowest] = await page.evaluate(() => {
+    const curves = document.querySelector(".worked-curves");
+    const ys = [...curves.querySelectorAll("polyline")].map((line) => Math.max(...line.getAttribute("points").split(" ").map((point) => Number(point.split(",")[1]))));
+    return [Number(curves.querySelector(".axis").getAttribute("y1")), Math.max(...ys)]; // y goes down
+  });
+  assert.ok(lowest > 20 && lowest < axis - 20, `its lowest point is at ${lowest}, the line at ${axis}`);
+});
+
 test("another pixel than the step's has no numbers, and it says so", async () => {
   await page.evaluate(() => document.activeElement.blur());
   await press(page, "ArrowDown");

@@ -9,6 +9,8 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+import numpy as np
+
 from raywalk.slides.clip import clipped_line
 from raywalk.slides.figure import Item, Point, Polygon, Run, Text
 from raywalk.slides.layout import SMALLEST, Box
@@ -29,10 +31,15 @@ class Label:
 
 
 class Places:
-    """What is taken in a figure: boxes of labels, strokes of lines, faint ones of thin lines."""
+    """What is taken in a figure: boxes of labels, strokes of lines, faint ones of thin lines.
 
-    def __init__(self, frame: Box):
+    view: (rows, columns, 4) 8-bit, the shaded view behind it all, as wide and high as the frame;
+    where its last number is 0 nothing is seen.
+    """
+
+    def __init__(self, frame: Box, view: np.ndarray):
         self.frame = frame
+        self.view = view
         self.boxes: list[Box] = []
         self.strokes: list[tuple[Point, Point]] = []
         # Of less weight: a plate may lie on them where there is no place beside.
@@ -56,6 +63,14 @@ class Places:
         box = Box(left, top, width(text, SMALLEST) + 2 * PAD, SMALLEST * 1.15)
         self.boxes.append(box)
         return _drawn(box, text, Label(text, (left, top)))
+
+    def seen(self, box: Box) -> float:
+        """The share of a box in the frame where the scene is seen."""
+        rows, columns, _ = self.view.shape
+        x = [(end - self.frame.left) / self.frame.width * columns for end in (box.left, box.right)]
+        y = [(end - self.frame.top) / self.frame.height * rows for end in (box.top, box.bottom)]
+        part = self.view[round(y[0]) : round(y[1]), round(x[0]) : round(x[1]), 3]
+        return float((part > 0).mean())
 
     def is_struck(self, box: Box) -> bool:
         """Whether a ray that matters runs through it."""

@@ -29,10 +29,16 @@ TITLE_SIDE = 640
 
 
 @cache
+def view_pixels(view: Path) -> np.ndarray:
+    """(rows, columns, 4) 8-bit, of a shaded view's file."""
+    return np.asarray(Image.open(view))
+
+
+@cache
 def washed(view: Path) -> tuple[bytes, bytes, bytes]:
     """The view (RGBA file) laid pale on the ground: JPEG for the screen and for paper; and pale
     by itself for browsers, which lay it on either."""
-    pixels = np.asarray(Image.open(view), np.float32)
+    pixels = view_pixels(view).astype(np.float32)
     presence = pixels[..., 3:] / 255
     lifted = 255 * (pixels[..., :3] / 255) ** LIFT
     pale = np.concatenate([lifted, pixels[..., 3:] * WEB_WASH], axis=-1)

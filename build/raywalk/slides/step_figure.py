@@ -19,6 +19,7 @@ from raywalk.slides.pictures import (
     picture_of,
     tiles_picture,
     traced_picture,
+    view_pixels,
     washed,
 )
 from raywalk.slides.stops import ChosenLine, ThinLine
@@ -47,7 +48,7 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
     """Everything of a step that is drawn; the group's alt tells it in words. insets: what else is
     drawn, one after the other."""
     stop = drawing.stop
-    places = Places(drawing.box)
+    places = Places(drawing.box, view_pixels(drawing.view))
     rays = _rays(drawing, stop.chosen, CHOSEN_WIDTH, places)
     parts: list[Item] = [
         _view(drawing),
@@ -61,9 +62,9 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
         *_dots(drawing, places),
         *_normals(drawing, places),
     ]
-    parts += _switched(drawing, places)
     for inset in insets:
         parts += inset(places)
+    parts += _switched(drawing, places)
     parts += legend(parts, places, CHOSEN_WIDTH, CHOSEN_WIDTH * HIDDEN_SHARE * 1.2)
     parts += places.put(labels_of(drawing))
     return Group(
@@ -72,16 +73,19 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
 
 
 def _switched(drawing: Drawing, places: Places) -> list[Item]:
-    """What is not as traced, in the figure's upper left corner."""
+    """What is not as traced, in the figure's upper left corner, or under what stands there."""
     settings = switched(drawing.stop.switches)
     if drawing.stop.colours != "picture":
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
     if view_of(drawing.scene, drawing.stop).get("look") == "approximate":
         settings.append(say("slides.seeLive"))  # a pale view is traced, and shows no such tricks
     items: list[Item] = []
+    left, top = drawing.box.left + 10, drawing.box.top + 8
+    if settings:
+        corner = Box(left, top, PLATE, PLATE * len(settings))
+        top = max([top, *(each.bottom + 8 for each in places.boxes if each.overlaps(corner))])
     for k, words in enumerate(settings):
-        top = drawing.box.top + 8 + k * PLATE
-        items += places.plate(words, drawing.box.left + 10, top)
+        items += places.plate(words, left, top + k * PLATE)
     return items
 
 

@@ -47,7 +47,7 @@ class Lesson:
         panel = panel_of(self.scene, self.stops, stop, self.worked) if now is None else None
         if not panel:
             return step_figure(drawing, insets)
-        figure = step_figure(drawing, [*insets, panel_inset(panel, stop, self.worked)])
+        figure = step_figure(drawing, [*insets, panel_inset(panel, self.scene, stop, self.worked)])
         return replace(figure, alt=f"{figure.alt} {panel.figures.in_words}")
 
     @property

@@ -8,9 +8,10 @@ from typing import Any
 
 from raywalk.scene.formula import FORMULA
 from raywalk.scene.model import Scene
-from raywalk.slides.figure import Cell, hex_of
+from raywalk.slides.figure import Cell
 from raywalk.slides.stops import Stop
 from raywalk.slides.words import numbers, say
+from raywalk.slides.worked_curve import colour_of
 from raywalk.slides.worked_figures import MOST_ROWS, Figures, Worked, at_pixel, heading, view_of
 
 HALF_WAY = 2.0  # units from the eye: a point of the ray between eye and hit
@@ -33,9 +34,18 @@ def key_figures(scene: Scene, stop: Stop, ray: Json) -> Figures:
     letters = letters_until(scene, stop.step)
     if "b" not in letters:
         return ray_figures(stop, ray, with_points="t" in letters)
-    meant = view_of(scene, stop).get("highlight") or ()
-    spheres = [each for each in ray["spheres"] if scene.objects[each["object"]].name in meant]
-    return _spheres(scene, stop, spheres[:MOST_ROWS], has_roots="D" in letters)
+    return _spheres(scene, stop, _meant(scene, stop, ray), has_roots="D" in letters)
+
+
+def key_curves(scene: Scene, stop: Stop, ray: Json) -> list[Json]:
+    """The spheres whose curve a stop shows: of those it is about, once D has been told of."""
+    return _meant(scene, stop, ray) if "D" in letters_until(scene, stop.step) else []
+
+
+def _meant(scene: Scene, stop: Stop, ray: Json) -> list[Json]:
+    names = view_of(scene, stop).get("highlight") or ()
+    spheres = [each for each in ray["spheres"] if scene.objects[each["object"]].name in names]
+    return spheres[:MOST_ROWS]
 
 
 def all_figures(scene: Scene, stop: Stop, ray: Json) -> list[Figures]:
@@ -77,9 +87,8 @@ def _spheres(scene: Scene, stop: Stop, spheres: list[Json], has_roots: bool) -> 
 def _sphere(scene: Scene, sphere: Json, has_roots: bool) -> tuple[Cell, ...]:
     """As the page writes them."""
     obj, discriminant = scene.objects[sphere["object"]], sphere["discriminant"]
-    paint = scene.materials[obj.material].diffuse
     cells = [
-        Cell(swatch=hex_of([round(255 * min(1.0, part)) for part in paint])), Cell(obj.name),
+        Cell(swatch=colour_of(scene, sphere)), Cell(obj.name),
         Cell(numbers().fixed(sphere["b"], 2)), Cell(numbers().fixed(sphere["c"], 2)),
     ]  # fmt: skip
     if has_roots:

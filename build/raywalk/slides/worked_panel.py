@@ -1,4 +1,5 @@
-"""What a step works out, on its slide: its key rows on a plate in the figure."""
+"""What a step works out, on its slide: its key rows on a plate in the figure, with a tile enlarged
+above them or curves on another."""
 
 from __future__ import annotations
 
@@ -6,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from raywalk.scene.model import Scene
-from raywalk.slides import worked_average, worked_equation, worked_tree
+from raywalk.slides import worked_average, worked_curve, worked_equation, worked_tree
 from raywalk.slides.clip import clipped_line
-from raywalk.slides.figure import Item, Picture, Polygon
+from raywalk.slides.figure import Item, Picture, Point, Polygon
 from raywalk.slides.labels import Inset, Places
 from raywalk.slides.layout import Box
 from raywalk.slides.stops import Stop
@@ -19,6 +20,7 @@ from raywalk.slides.worked_figures import MOST_ROWS, Figures, Worked, table_of, 
 SIDE = 150.0  # of a tile, enlarged
 PAD, EDGE = 8.0, 10.0  # round what stands on the plate; from it to the figure's edge
 OPACITY = 0.9
+TENTHS = 10  # of a plate: less of the scene under it is no reason
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +29,7 @@ class Panel:
 
     figures: Figures
     rays_inside: int = 0  # of the selected tile, shown enlarged
+    spheres: Sequence[worked_equation.Json] = ()  # whose curves are drawn, on a plate beside
 
 
 def panel_of(scene: Scene, stops: Sequence[Stop], stop: Stop, worked: Worked) -> Panel | None:
@@ -39,7 +42,10 @@ def panel_of(scene: Scene, stops: Sequence[Stop], stop: Stop, worked: Worked) ->
         return Panel(worked_average.key_figures(scene, stop, worked), count if count > 1 else 0)
     if works == "equation":
         ray = worked_equation.equation_of(worked, stop)
-        return Panel(worked_equation.key_figures(scene, stop, ray)) if ray else None
+        if not ray:
+            return None
+        spheres = worked_equation.key_curves(scene, stop, ray)
+        return Panel(worked_equation.key_figures(scene, stop, ray), spheres=spheres)
     return Panel(_of_tree(scene, stops, stop, worked))
 
 
@@ -70,19 +76,19 @@ def walks_tree(scene: Scene, stop: Stop) -> bool:
     return view.get("works") == "tree" and is_whole and stop.kind != "question"
 
 
-def panel_inset(panel: Panel, stop: Stop, worked: Worked) -> Inset:
+def panel_inset(panel: Panel, scene: Scene, stop: Stop, worked: Worked) -> Inset:
     """What draws it where it covers least of the figure."""
 
     def draw(places: Places) -> list[Item]:
         table = table_of(panel.figures, 0.0, 0.0)
+        items: list[Item] = []
+        if panel.spheres:
+            ground, left, top = _plate(places, worked_curve.WIDE, worked_curve.HIGH)
+            items += [ground, worked_curve.curves(scene, panel.spheres, left, top)]
         above = SIDE + PAD if panel.rays_inside else 0.0
-        wide = max(table.box.width, SIDE if panel.rays_inside else 0.0) + 2 * PAD
-        plate = _free(places, wide, table.box.height + above + 2 * PAD)
-        places.boxes.append(plate)
-        left, top = plate.left + PAD, plate.top + PAD
-        items: list[Item] = [
-            Polygon(plate.corners, "ground", "rule", 0.75, OPACITY, say("slides.worked.plate"))
-        ]
+        wide = max(table.box.width, SIDE if panel.rays_inside else 0.0)
+        ground, left, top = _plate(places, wide, table.box.height + above)
+        items.append(ground)
         if panel.rays_inside:
             frame = Box(left, top, SIDE, SIDE)
             inner: Picture = worked_average.inside(worked, stop, panel.rays_inside, frame)
@@ -93,20 +99,30 @@ def panel_inset(panel: Panel, stop: Stop, worked: Worked) -> Inset:
     return draw
 
 
+def _plate(places: Places, wide: float, high: float) -> tuple[Polygon, float, float]:
+    """A plate where it covers little, and where what stands on it begins: left, top."""
+    box = _free(places, wide + 2 * PAD, high + 2 * PAD)
+    places.boxes.append(box)
+    name = say("slides.worked.plate")
+    ground = Polygon(box.corners, "ground", "rule", 0.75, OPACITY, name)
+    return ground, box.left + PAD, box.top + PAD
+
+
 def _free(places: Places, wide: float, high: float) -> Box:
-    """Where it covers the least of other plates, then of lines; of equal places the first."""
+    """Where it covers the least of other plates, then of rays, of the scene, of thin lines; of
+    equal places the first."""
     frame = places.frame
     lefts = (frame.left + EDGE, frame.right - EDGE - wide, frame.left + (frame.width - wide) / 2)
     tops = (frame.top + EDGE, frame.bottom - EDGE - high, frame.top + (frame.height - high) / 2)
     found = [Box(left, top, wide, high) for left in lefts for top in tops]
 
-    def covers(box: Box) -> tuple[float, int, int]:
+    def crossed(box: Box, lines: list[tuple[Point, Point]]) -> int:
+        return sum(clipped_line(*line, box) is not None for line in lines)
+
+    def covers(box: Box) -> tuple[float, int, int, int]:
         taken = sum(_common(box, other) for other in places.boxes)
-        crossed = (
-            sum(clipped_line(*line, box) is not None for line in lines)
-            for lines in (places.strokes, places.faint)
-        )
-        return (taken, *crossed)  # type: ignore[return-value]
+        seen = round(TENTHS * places.seen(box))
+        return taken, crossed(box, places.strokes), seen, crossed(box, places.faint)
 
     return min(found, key=covers)
 

@@ -14,24 +14,26 @@ const STEPS = 1000; // of the slider
 const FARTHEST = 8; // t at its end
 const BEGINS = 2; // t
 const [WIDE, HIGH] = [256, 110]; // of the curves
-const [LOW, TOP] = [-1.2, 3]; // values that they show
+const [LOW, ABOVE] = [-1.2, 3]; // the least value that they show, and how much more than a curve's least
 
 const along = ({ origin, direction }: WorkedRay, t: number): Vec3 => [0, 1, 2].map((k) => origin[k] + t * direction[k]) as unknown as Vec3;
 const value = ({ b, c }: Sphere, t: number): number => t * t + 2 * b * t + c;
 const left = (t: number): number => (t / FARTHEST) * WIDE;
-const down = (y: number): number => ((TOP - Math.min(TOP, Math.max(LOW, y))) / (TOP - LOW)) * HIGH;
 const colourOf = ({ objects, materials }: SceneData, sphere: Sphere): string => hexOf(materials[objects[sphere.object].material].diffuse);
 
-function curve(sphere: Sphere, colour: string): SVGElement[] {
+function curve(sphere: Sphere, colour: string, down: (y: number) => number): SVGElement[] {
   const path = Array.from({ length: 97 }, (_, k) => (k / 96) * FARTHEST).map((t) => `${left(t).toFixed(1)},${down(value(sphere, t)).toFixed(1)}`);
   const roots = sphere.t.map((t) => svg("circle", { cx: left(t), cy: down(0), r: 3.5, fill: colour }));
   return [svg("polyline", { points: path.join(" "), stroke: colour, fill: "none", "stroke-width": 2 }), ...roots];
 }
 
-function curves({ spheres }: WorkedRay, scene: SceneData, t: number): SVGElement {
+/** The curves of the spheres that are meant are seen down to their least value, also where it is above zero: the ray misses. */
+function curves({ spheres }: WorkedRay, scene: SceneData, t: number, meant: readonly string[]): SVGElement {
+  const top = ABOVE - Math.min(0, ...spheres.filter(({ object }) => meant.includes(scene.objects[object].name)).map(({ discriminant }) => discriminant));
+  const down = (y: number): number => ((top - Math.min(top, Math.max(LOW, y))) / (top - LOW)) * HIGH;
   const zero = svg("line", { x1: 0, x2: WIDE, y1: down(0), y2: down(0), class: "axis" });
   const now = svg("line", { x1: left(t), x2: left(t), y1: 0, y2: HIGH, class: "now" });
-  return svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, class: "worked-curves", role: "img", "aria-label": say("worked.equation.curves") }, zero, ...spheres.flatMap((sphere) => curve(sphere, colourOf(scene, sphere))), now);
+  return svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, class: "worked-curves", role: "img", "aria-label": say("worked.equation.curves") }, zero, ...spheres.flatMap((sphere) => curve(sphere, colourOf(scene, sphere), down)), now);
 }
 
 /** D and the roots are the answer to a question that is still open. */
@@ -86,7 +88,7 @@ export function createEquation(changed: () => void): WorkedPanel {
         const name = scene.objects[sphere.object].name;
         return element("p", "worked-note", say(value(sphere, t) > 0 ? "worked.equation.outside" : "worked.equation.inside", { name, value: fixed(value(sphere, t), 2) }));
       });
-      below.replaceChildren(...(isAsking ? [] : [curves(ray, scene, t)]), ...said, table(ray, scene, meant, isAsking));
+      below.replaceChildren(...(isAsking ? [] : [curves(ray, scene, t, meant)]), ...said, table(ray, scene, meant, isAsking));
       lines.append(...points(drawn, ray, t, meant, isAsking));
       return true;
     },
