@@ -15,7 +15,7 @@ from raywalk.mistake_pages.clarity import EYE, nearest, seen_apart
 from raywalk.mistake_pages.rounds import CHOICES, MOST, Round, rounds_of
 from raywalk.mistakes.table import BY_NAME
 from raywalk.mistakes.tracer import picture
-from raywalk.site.mistakes import read_said
+from raywalk.site.mistake_words import read_said
 from raywalk.site.pages import home_of
 from raywalk.words import languages
 

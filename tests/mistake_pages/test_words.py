@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from raywalk.mistakes.table import BY_NAME, FAMILIES
-from raywalk.site.mistakes import ALL, FIELDS, OF_TABLE, Said, read_said, typeset
+from raywalk.site.mistake_words import ALL, FIELDS, OF_TABLE, Said, of_terms, read_said, typeset
 from raywalk.terms.glossary import read_glossary
 from raywalk.words import languages
 from raywalk.words.catalogue import DEFAULT
@@ -72,6 +72,14 @@ def test_a_language_that_has_no_words_yet_is_told_in_the_first_one() -> None:
     assert said == read_said(SOURCE, "en") and own_words("en")["families"] == said["families"]
     for name, own in own_words("en").items():
         assert own.items() <= said[name].items()
+
+
+def test_terms_of_the_glossary_lead_to_mistakes_that_there_are() -> None:
+    """Each mistake with one term, if it has one."""
+    terms = of_terms(SOURCE)
+    assert set(terms) <= {term.id for term in read_glossary("en").terms}
+    named = [name for names in terms.values() for name in names]
+    assert len(named) == len(set(named)) and set(named) <= set(BY_NAME)
 
 
 def test_what_a_program_does_is_the_tables_own_in_english_and_typeset() -> None:

@@ -148,7 +148,7 @@ def _names(scene: Scene, language: str) -> dict[str, Any]:
     """What check.mjs calls objects and mistakes."""
     from raywalk.mistakes.table import BY_NAME
     from raywalk.scene.translation import read_spoken
-    from raywalk.site.mistakes import read_said
+    from raywalk.site.mistake_words import read_said
 
     [spoken] = read_spoken([scene], language)
     said = read_said(SITE_SOURCE, language)

@@ -21,7 +21,8 @@ from raywalk.pipeline.slides import ASK, Asking, sentences
 from raywalk.pipeline.tracing import by_cost
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
-from raywalk.site.mistakes import ALL, RIGHT, Told, of_page
+from raywalk.site.mistake_words import ALL
+from raywalk.site.mistakes import RIGHT, Told, of_page
 from raywalk.site.scene_data import scene_words
 from raywalk.words import read_words
 from raywalk.words.catalogue import DEFAULT

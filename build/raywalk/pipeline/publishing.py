@@ -23,7 +23,8 @@ from raywalk.site.assets import write_assets, write_check_words, write_words
 from raywalk.site.check_page import write_check_page
 from raywalk.site.figures import scene_figures
 from raywalk.site.licences import write_licences
-from raywalk.site.mistakes import read_said, write_mistake_pages
+from raywalk.site.mistake_words import read_said
+from raywalk.site.mistakes import write_mistake_pages
 from raywalk.site.offline import write_icons, write_manifest, write_worker
 from raywalk.site.pages import face_of, home_of, write_pages, write_sizes
 from raywalk.site.reports import publish_reports

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from raywalk.mistakes.table import TABLE
 from raywalk.scene.model import Scene
-from raywalk.site.mistakes import ALL, Said
+from raywalk.site.mistake_words import ALL, Said
 from raywalk.site.pages import (
     Assets,
     card_of,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
@@ -15,20 +14,14 @@ from raywalk.mistake_pages.best import Shown
 from raywalk.mistake_pages.rounds import Question, Round
 from raywalk.mistakes.table import FAMILIES, TABLE
 from raywalk.scene.model import Scene
+from raywalk.site.mistake_words import ALL, read_said
 from raywalk.site.pages import Assets, home_of, page_environment, rendered
 from raywalk.words import Words
-from raywalk.words.catalogue import DEFAULT
-from raywalk.work.snapshot import text_of
 
-ALL = "mistakes"  # the folder of the site, and of what is said in it
 RIGHT = "right"
 WHICH = "which"  # the page that asks; no mistake has this name
 LETTERS = "ABCD"
-FIELDS = ("title", "does", "seen", "why", "find")
-OF_TABLE = "does"  # in the default language the table of mistakes has it
-SIGNS = (("n.l", "n·l"), ("d.n", "d·n"), (" - ", " − "), (">=", "≥"))  # as they are typeset
 DIGITS = 6  # of numbers to test against
-Said = dict[str, dict[str, str]]
 
 
 @dataclass(frozen=True)
@@ -40,24 +33,6 @@ class Told:
     drawn: dict[str, dict[str, Any]]  # by scene: what mistakes.json says
     events: dict[str, dict[str, Any]]  # by scene, mistake and side
     rounds: Sequence[Round]  # of questions; none where too few mistakes show
-
-
-def read_said(site_source: Path, code: str) -> Said:
-    """What is said of each mistake in a language, and its families' names; what it has not yet is
-    the default one's, in which the table itself says what a program does."""
-    said: Said = {mistake.name: {OF_TABLE: typeset(mistake.does)} for mistake in TABLE}
-    for each in dict.fromkeys((DEFAULT, code)):
-        file = site_source / ALL / f"{each}.toml"
-        for name, own in tomllib.loads(text_of(file)).items() if file.is_file() else ():
-            said[name] = said.get(name, {}) | own
-    return said
-
-
-def typeset(does: str) -> str:
-    """What mistakes.json says in ASCII."""
-    for plain, sign in SIGNS:
-        does = does.replace(plain, sign)
-    return does
 
 
 def of_page(name: str, which: str) -> str:

@@ -26,6 +26,7 @@ from raywalk.scene.lesson_text import inline_html, lesson_html
 from raywalk.scene.model import Choice, Scene
 from raywalk.site.downloads import FORMS, sorted_downloads
 from raywalk.site.figures import Figures
+from raywalk.site.mistake_words import of_terms, read_said
 from raywalk.site.preview import NAME as PREVIEW
 from raywalk.site.saying import sayings
 from raywalk.site.shown_picture import shown_picture
@@ -86,6 +87,8 @@ def write_pages(
     write(
         "glossary/index.html", "glossary.html", terms=glossary.terms,
         seen=first_seen(glossary, scenes), letters=letters_of(glossary.terms),
+        wrong=of_terms(templates.parent) if with_mistakes else {},
+        said=read_said(templates.parent, words.code),
     )  # fmt: skip
     (out / home / "glossary" / "terms.js").write_text(terms_script(glossary.terms), "utf-8")
     if decks:

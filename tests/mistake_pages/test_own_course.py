@@ -1,0 +1,93 @@
+"""A course of one's own has pages of mistakes of its scenes, without a word more in its files."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from raywalk.mistake_pages.best import Shown, best_scenes
+from raywalk.mistake_pages.clarity import write_clarity
+from raywalk.mistake_pages.rounds import rounds_of
+from raywalk.mistake_pages.write import write_mistakes
+from raywalk.mistakes.table import BY_NAME
+from raywalk.scene.model import Scene
+from raywalk.scene.read import read_scene
+from raywalk.site.mistakes import Told, write_mistake_pages
+from raywalk.words import read_words
+
+ROOT = Path(__file__).parents[2]
+ASSETS = {
+    "style_css": "style.css",
+    "page_js": "page.js",
+    "words_js": "words.js",
+    "kiosk_js": "k.js",
+}
+NOBODY = {"right": [], "wrong": []}  # what the viewer would tell of rays; it is asked elsewhere
+
+
+@pytest.fixture(scope="module")
+def own(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    """Two balls under a lamp, no mirror and no glass, in a folder of another name."""
+    folder = tmp_path_factory.mktemp("course") / "my-balls"
+    shutil.copytree(ROOT / "scenes" / "02-shadows", folder)
+    return read_scene(folder)
+
+
+@pytest.fixture(scope="module")
+def told(own: Scene, tmp_path_factory: pytest.TempPathFactory) -> Told:
+    """All that pages of this course show: those of its questions' mistakes, which are enough."""
+    folder = tmp_path_factory.mktemp("made")
+    write_clarity(own, folder)
+    said = {own.id: json.loads((folder / "clarity.json").read_text("utf-8"))}
+    shown = best_scenes(said)
+    rounds = rounds_of(shown, said)
+    names = [question.name for each in rounds for question in each.questions]
+    write_mistakes(own, names, folder)
+    drawn: dict[str, Any] = json.loads((folder / "mistakes.json").read_text("utf-8"))
+    few: dict[str, Shown] = {name: shown[name] for name in names}
+    return Told(few, [], {own.id: drawn}, {own.id: dict.fromkeys(names, NOBODY)}, rounds)
+
+
+def written(told: Told, own: Scene, out: Path) -> dict[str, str]:
+    """Pages by their paths."""
+    write_mistake_pages(out, ROOT / "site_src", [own], told, ASSETS, read_words("en"), "")
+    return {
+        page.relative_to(out / "mistakes").as_posix(): page.read_text("utf-8")
+        for page in (out / "mistakes").rglob("*.html")
+    }
+
+
+def test_what_shows_in_its_scene_is_shown_and_asked(told: Told, own: Scene, tmp_path: Path) -> None:
+    """Each question's pictures are of the own scene, and its choices have pages."""
+    pages = written(told, own, tmp_path)
+    assert set(pages) == {"index.html", "which/index.html", *(f"{m}/index.html" for m in BY_NAME)}
+    asked = pages["which/index.html"]
+    assert set(re.findall(r"/right-([\w-]+)\.webp", asked)) == {"my-balls"}
+    for link in re.findall(r'href="(\.\./[\w-]+/index\.html)"', asked):
+        assert link.removeprefix("../") in pages
+    assert "scenes/my-balls/index.html#n=" in pages["shadows-forgotten/index.html"]
+
+
+def test_no_family_is_asked_that_shows_nothing_in_it(told: Told) -> None:
+    """Without mirrors and glass there is no round of them; shadows have one."""
+    families = {each.family for each in told.rounds}
+    assert {"camera", "shadow"} <= families and not families & {"mirror", "glass"}
+
+
+def test_what_shows_nowhere_is_said_and_without_rounds_nothing_leads_to_them(
+    told: Told, own: Scene, tmp_path: Path
+) -> None:
+    """A page has words without a picture; the page of all leads to no page that is not there."""
+    assert "which/index.html" in written(told, own, tmp_path / "asked")["index.html"]
+    silent = Told(told.shown, told.left_out, told.drawn, told.events, ())
+    pages = written(silent, own, tmp_path / "silent")
+    assert "which/index.html" not in pages and "which/index.html" not in pages["index.html"]
+    nowhere = read_words("en").say("pages.mistakes.showsNowhere")
+    assert (
+        nowhere in pages["total-black/index.html"] and "<img" not in pages["total-black/index.html"]
+    )
