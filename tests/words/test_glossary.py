@@ -126,6 +126,8 @@ def test_each_wording_to_avoid_is_found_and_what_to_say_instead_is_not(code):
         ("de", "wegen des ambienten Anteils", ["ambient"]),
         ("de", "Snelliussche Gesetze", ["snell"]),
         ("de", "Ein Strahlensatz, eine Pixelei", []),
+        ("de", "Streifend trifft er. Streift er sie, ist er teuer", ["grazing"]),
+        ("de", "ein Streifen dieser Kachel", ["tile"]),
         ("de", "An den Spiegeln, im Halbschatten", ["mirror", "penumbra"]),
         ("en", "Shadow\nrays, camera rays and rays", ["shadow-ray", "camera-ray", "ray"]),
         ("en", "The boxes in boxes hold boxes", ["bvh", "box"]),

@@ -114,6 +114,11 @@ class Glossary:
             yield Avoided(" ".join(text[start:end].split()), say, why)
 
 
+# Of a sentence: behind no word and no comma. Elsewhere a capital letter makes another word of it,
+# "ein Streifen" of "streifen".
+BEGINNING = r"(?<![^\W_]\s)(?<![,;]\s)"
+
+
 class _Patterns(Generic[Of]):
     """Words, each as a pattern with its length and what it belongs to, all looked for at once."""
 
@@ -139,7 +144,7 @@ def _pattern(code: str, form: str) -> str:
         words[-1] += ENDINGS.get(code, "")
     first = words[0]
     if code == "de" and first[:1].islower():
-        words[0] = f"[{first[0]}{first[0].upper()}]{first[1:]}"
+        words[0] = f"(?:{first[0]}|{BEGINNING}{first[0].upper()}){first[1:]}"
     return r"\s+".join(words)
 
 
