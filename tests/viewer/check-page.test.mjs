@@ -7,11 +7,12 @@ import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { PNG } from "pngjs";
-import { DIST, launch, newPage, ON_DISK, PATIENCE, until } from "./browser.mjs";
+import { DIST, isWhole, launch, newPage, ON_DISK, open, PATIENCE, press, reload, showsScene, until } from "./browser.mjs";
 import { GOOD, HEIGHT, HOSTILE, WIDTH } from "./picture-files.mjs";
 import { load, wordsOf } from "./typescript.mjs";
 
 const { aboutOf, atlasOf, pictureOrSentence, rightOf } = await load("../check/main.ts");
+const { readYours } = await load("panels/yours.ts");
 const [EN, DE] = ["en", "de"].map((language) => wordsOf(language).check);
 const mistakes = JSON.parse(readFileSync(`${DIST}/check/index.html`, "utf8").match(/data-mistakes="([^"]*)"/)[1].replaceAll("&#34;", '"').replaceAll("&#39;", "'").replaceAll("&amp;", "&"));
 const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
@@ -120,8 +121,36 @@ test("a pixel that is far off leads to its rays", async () => {
   await drop(wrongPicture("02-shadows", "shadows-forgotten"));
   const link = page.locator(".check-tiles a").first();
   const [, x, y, n] = (await link.innerText()).match(/Tile (\d+), (\d+) of (\d+)/);
+  const [, yours] = (await link.innerText()).match(/yours \(([\d, ]+)\)/);
+  const [, right] = (await link.innerText()).match(/right \(([\d, ]+)\)/);
   await Promise.all([page.waitForURL("**/scenes/02-shadows/**"), link.click()]);
+  await isWhole(page);
   await until(page, (s, t, wanted) => JSON.stringify([s.scene, s.pixel, s.n]) === wanted, JSON.stringify(["02-shadows", [Number(x), Number(y)], Number(n)]));
+  const told = page.locator(".card-head .yours");
+  assert.equal(await told.innerText(), wordsOf("en").card.yours.replace("{yours}", yours), "what the student's program gave");
+  assert.equal(await page.locator(".pixel-colour").innerText(), right, "beside the right colour");
+  await reload(page);
+  assert.ok(await told.isVisible(), "the page loaded anew still knows it");
+  await press(page, "ArrowRight");
+  assert.ok(!(await told.isVisible()), "another pixel has none");
+  await press(page, "ArrowLeft");
+  assert.ok(await told.isVisible());
+});
+
+test("another scene forgets what the student's program gave", async () => {
+  await open(page, ON_DISK, "scenes/02-shadows/index.html?yours=15,7,7,1,2,3", "n=15&p=7,7&gl=none&still=1");
+  assert.match(await page.locator(".card-head .yours").innerText(), /1, 2, 3/);
+  await press(page, "3");
+  await showsScene(page, "03-two-lights");
+  await until(page, () => !location.search);
+  await press(page, "2");
+  await showsScene(page, "02-shadows");
+  assert.ok(!(await page.locator(".card-head .yours").isVisible()));
+});
+
+test("what is not a pixel and three bytes is passed over", () => {
+  assert.deepEqual(readYours("?yours=15,7,8,255,0,9"), { n: 15, pixel: [7, 8], bytes: [255, 0, 9] });
+  for (const bad of ["", "yours=", "yours=15,7,8,256,0,9", "yours=15,15,8,1,2,3", "yours=15,7,8,1,2", "yours=15,7,8,1,2,3,4", "yours=a,b,c,d,e,f", "yours=15,-1,8,1,2,3", "yours=15,7,8,1e2,2,3", "yours=<b>"]) assert.equal(readYours(`?${bad}`), null, bad);
 });
 
 test("the wipe moves by keys and by hand, other views are a press away, and a pixel tells both colours", async () => {

@@ -39,7 +39,7 @@ export function showFound(place: HTMLElement, found: Found) {
 function linksOf({ url }: Chosen): Links {
   const { root } = document.body.dataset;
   return {
-    tile: ({ n, x, y }) => `${root}${url}#n=${n}&p=${x},${y}`,
+    tile: ({ n, x, y, own }) => `${root}${url}?yours=${[n, x, y, ...own].join()}#n=${n}&p=${x},${y}`,
     mistake: (name) => mistakes[name].url && `${root}${mistakes[name].url}`,
   };
 }

@@ -9,6 +9,7 @@ import { say } from "../words";
 import { element } from "../element";
 import { listenToFingers } from "./fingers";
 import { createPointed } from "./pointed";
+import { createYours } from "./yours";
 
 const RESTS = 500; // ms: while arrows are held down nothing is spoken
 
@@ -35,12 +36,14 @@ export function createSpoken(home: HTMLElement) {
   home.append(root);
   const spoken = memo<void>();
   const pointed = createPointed(home);
+  const yours = createYours(home);
   listenToFingers(home); // here, because this part comes by itself
   let timer = 0;
   return {
     show(state: ViewState, scene: SceneData, trace: Trace | null, isCovered: boolean) {
       const isBusy = !trace || isCovered || state.playing || state.tiles === "filling" || state.event !== null; // an event's sentence is read out where it stands
       pointed.show(state, scene, isCovered ? null : trace);
+      yours?.show(state, isCovered);
       spoken(isBusy ? [] : [trace, pixelIndex(state)], () => {
         clearTimeout(timer);
         if (!isBusy) timer = window.setTimeout(() => (root.textContent = selectionInWords(state, scene, trace)), RESTS);
