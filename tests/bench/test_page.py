@@ -77,7 +77,12 @@ def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
 
 def named(work: Path) -> None:
     """Keeps tallies of four pictures with one mistake and one with two."""
-    tallies = {"single": Tally(), "pairs": Tally(missed=["a + b: a"]), "right": Tally()}
+    tallies = {
+        "single": Tally(),
+        "pairs": Tally(missed=["a + b: a"]),
+        "right": Tally(),
+        "other sizes": Tally(),
+    }
     for size, family, is_first in (("at 105", "light", True), ("at 231", "camera", False)) * 2:
         tallies["single"].count([size, family], is_first, True)
     tallies["pairs"].count([], True, False)

@@ -84,5 +84,10 @@ def test_a_good_jpeg_of_the_right_picture_is_called_right(atlas, node, tmp_path)
 
 
 def test_a_tally_without_pictures_breaks_every_bound():
-    empty = {key: Tally() for key in ("single", "pairs", "right")}
+    empty = {key: Tally() for key in ("single", "pairs", "right", "other sizes")}
     assert not any(case.holds for case in recognition.cases(empty, SEED))
+
+
+def test_other_sizes_are_asked_of_what_is_built_alone(tmp_path):
+    """Without a built site none are, which breaks the bound."""
+    assert recognition.at_other_sizes([read_scene(SCENE)], tmp_path).asked == 0

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from raywalk.bench import look, speed
+from raywalk.bench import check_work, look, speed
 from raywalk.bench.bench import TIMES, time_bounds
 from raywalk.bench.made_scenes import icosphere, write_ply
 from raywalk.bench.picture_error import pictures
@@ -160,3 +160,13 @@ def test_whole_pictures_of_all_methods_are_made_and_ours_is_right():
     assert len(made["methods"]) >= 2
     ours = next(method for method in made["methods"] if method["ours"])
     assert ours["wrong"] == 0
+
+
+def test_a_check_that_takes_too_long_breaks_its_bound():
+    """By its multiple of the floor: a slow machine makes both slow."""
+    row = {"scene": "08-glass", "size": 512, "floor": 10.0}
+    times = {which: 10.0 * check_work.MOST[which, 512] for which in ("first", "again")}
+    assert all(case.holds for case in check_work.check_cases([row | times], 0))
+    slow = {which: 1.01 * time for which, time in times.items()}
+    assert not any(case.holds for case in check_work.check_cases([row | slow], 0))
+    assert "not measured" in next(check_work.as_lines([]))

@@ -40,6 +40,8 @@ FINE = 1155  # pixels across: one picture takes the numpy tracer up to half a mi
 SAMPLE = 3  # every so-maniest mistake, unless all are asked
 PAIRS = 200
 SCENES = ("01", "02", "03", "04", "05", "08", "10")  # those without meshes and textures
+#: Sizes that no scene has a right picture of, and scenes with edges, glass and mirrors.
+OTHER_SIZES, FINE_SCENES = (64, 300, 480), ("02", "08", "10")
 BOUNDS = {"first": 5.0, "among three": 1.0, "pairs": 20.0, "alarms": 0.0}  # percent that are not
 
 Student = tuple[Scene, int, frozenset[str], Habits]
@@ -83,8 +85,7 @@ class Asked:
 
     def written(self, name: str, values: np.ndarray) -> str:
         """(n, n, 3) uint8 as P6; the file's name."""
-        height, width = values.shape[:2]
-        (self.folder / name).write_bytes(b"P6 %d %d 255\n" % (width, height) + values.tobytes())
+        (self.folder / name).write_bytes(ppm(values))
         return name
 
     def ask(self, node: Stops, student: np.ndarray, right: np.ndarray) -> dict[str, Any]:
@@ -103,9 +104,9 @@ class Asked:
         return found
 
 
-def shown_in(scenes: list[Scene]) -> list[Scene]:
+def shown_in(scenes: list[Scene], named: tuple[str, ...] = SCENES) -> list[Scene]:
     """Those that the evaluation asks of."""
-    return [scene for scene in scenes if scene.id.split("-")[0] in SCENES]
+    return [scene for scene in scenes if scene.id.split("-")[0] in named]
 
 
 def recognised(
@@ -127,6 +128,31 @@ def recognised(
                     tally(tallies["single"], node, atlas, right, {name}, habits)
             tally_pairs(tallies["pairs"], node, atlas, share, rng)
     return tallies
+
+
+def at_other_sizes(scenes: list[Scene], site: Path, sizes: tuple[int, ...] = OTHER_SIZES) -> Tally:
+    """Right pictures, made as most programs do, held against those of other sizes that the built
+    site has: first counts those that look right. None are asked where nothing is built."""
+    found = Tally()
+    with tempfile.TemporaryDirectory() as folder, Stops(SCRIPT) as node:
+        file = Path(folder) / "asked.ppm"
+        request = {"do": "check", "picture": str(file), "names": {"objects": [], "mistakes": {}}}
+        for scene in scenes:
+            data = site / "check" / scene.id
+            for n in sizes if data.exists() else ():
+                values = picture(scene, n, frozenset(), USUAL).bytes
+                file.write_bytes(ppm(values))
+                is_right = json.loads(node.ask(request | {"data": str(data)}))["isRight"]
+                found.asked += 1
+                found.first += is_right
+                found.missed += [] if is_right else [f"{scene.id} at {n}"]
+    return found
+
+
+def ppm(values: np.ndarray) -> bytes:
+    """(h, w, 3) uint8 as P6."""
+    height, width = values.shape[:2]
+    return b"P6 %d %d 255\n" % (width, height) + values.tobytes()
 
 
 def tally_right(found: Tally, node: Stops, atlas: Asked, right: np.ndarray) -> None:
@@ -183,12 +209,18 @@ def tally_pairs(
 
 def cases(tallies: dict[str, Tally], seed: int) -> Iterator[Case]:
     """The shares that are not named, in percent, with their bounds."""
-    single, pairs, right = (tallies[key] for key in ("single", "pairs", "right"))
+    single, pairs, right, other = (
+        tallies[key] for key in ("single", "pairs", "right", "other sizes")
+    )
     for subject, metric, key, missing, asked in (
         ("one mistake", "not first", "first", single.missing(single.first), single.asked),
         ("one mistake", "not in three", "among three", single.missing(single.among), single.asked),
         ("two mistakes", "not both in three", "pairs", pairs.missing(pairs.among), pairs.asked),
         ("right pictures", "called wrong", "alarms", right.missing(right.first), right.asked),
+        (
+            "right pictures at sizes that there is none of", "called wrong", "alarms",
+            other.missing(other.first), other.asked,
+        ),
     ):  # fmt: skip
         yield Case("recognition", subject, f"{metric}, %", BOUNDS[key], missing, asked, seed)
 
@@ -208,12 +240,13 @@ def as_table(tallies: dict[str, Tally]) -> dict[str, Any]:
     families = [family for family in FAMILIES if family in single.by]
     rows = [_row("one mistake", single.asked, single.first, single.among)]
     rows += [_row(f"... {part}", *single.by[part]) for part in [*sizes, *families]]
-    pairs, right = tallies["pairs"], tallies["right"]
+    pairs, right, other = (tallies[key] for key in ("pairs", "right", "other sizes"))
     rows += [
         _row(
             "two mistakes of different families: one, both", pairs.asked, pairs.first, pairs.among
         ),
         [*_row("right pictures: called right", right.asked, right.first, right.first)[:3], ""],
+        [*_row("... of sizes that there is none of", other.asked, other.first, 0)[:3], ""],
     ]
     return {"head": ["pictures", "asked", "first answer, %", "among three, %"], "rows": rows}
 

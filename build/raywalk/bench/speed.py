@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from raywalk.bench import (
+    check_work,
     look,
     recognition,
     speed_cluster,
@@ -21,6 +22,7 @@ from raywalk.bench import (
     speed_triangles,
 )
 from raywalk.bench.cases import Case
+from raywalk.scene.model import Scene
 from raywalk.scene.read import read_own_scenes
 
 
@@ -57,7 +59,13 @@ def _memory(chosen: Namespace) -> list[dict[str, Any]]:
 
 
 def _mistakes(chosen: Namespace) -> dict[str, recognition.Tally]:
-    scenes = recognition.shown_in(read_own_scenes(chosen.scenes))
+    scenes = read_own_scenes(chosen.scenes)
+    fine = recognition.shown_in(scenes, recognition.FINE_SCENES)
+    other = recognition.at_other_sizes(fine[:1] if chosen.quick else fine, chosen.out)
+    return _recognised(recognition.shown_in(scenes), chosen) | {"other sizes": other}
+
+
+def _recognised(scenes: list[Scene], chosen: Namespace) -> dict[str, recognition.Tally]:
     if chosen.quick:
         return recognition.recognised(scenes[:3], (105,), 12, chosen.seed, 4)
     if chosen.full:
@@ -124,5 +132,9 @@ PARTS = {
     "mistakes": Part(
         "Mistakes in students' pictures, named", _mistakes, recognition.cases,
         recognition.lines, recognition.as_table,
+    ),
+    "check": Part(
+        "Checking a student's picture in the page, over reading it",
+        lambda c: check_work.checks(), check_work.check_cases, check_work.as_lines,
     ),
 }  # fmt: skip

@@ -1,0 +1,42 @@
+"""What checking a student's picture costs in a real browser, over the least that it can."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from raywalk.bench.cases import Case
+from raywalk.bench.stress_page import run_in_browser
+
+# Times reading the picture and going through it once: a third above the most that was measured (46,
+# 17, 11 and 5). Both are processor time of one engine, so a busy machine makes both longer.
+MOST = {("first", 512): 62.0, ("again", 512): 23.0, ("first", 1155): 15.0, ("again", 1155): 6.5}
+
+
+def checks() -> list[dict[str, Any]]:
+    """Per scene and size: processor time of the page in ms, of the first check with loading and
+    preparing and of another one, and the floor. [] where no browser could run."""
+    _, said = run_in_browser("check-work", {"RAYWALK_CHECK_WORK": "1"})
+    return [json.loads(found) for found in re.findall(r"check (\{.*\})$", said, re.MULTILINE)]
+
+
+def as_lines(rows: list[dict[str, Any]]) -> Iterator[str]:
+    """In seconds, which are those of a page only where nothing else runs."""
+    for row in rows:
+        yield (
+            f"  {row['scene']} at {row['size']}: first {row['first'] / 1000:.2f} s of work, again "
+            f"{row['again'] / 1000:.2f} s; reading it and one pass {row['floor'] / 1000:.3f} s"
+        )
+    if not rows:
+        yield "  not measured: this needs a built site and a browser"
+
+
+def check_cases(rows: list[dict[str, Any]], seed: int) -> Iterator[Case]:
+    """Each check stays within its multiple of the floor."""
+    for row in rows:
+        for which in ("first", "again"):
+            metric = f"{which} check at {row['size']}, over reading the picture and one pass"
+            most = MOST[which, row["size"]]
+            yield Case("check", row["scene"], metric, most, row[which] / row["floor"], 0, seed)

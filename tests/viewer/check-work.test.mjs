@@ -1,0 +1,74 @@
+/**
+ * What a check of a picture costs: processor time of the page check/, from the file given to all that is shown, beside the least that
+ * any check must do: reading the picture, and one pass over its colours and the right ones. `raywalk bench --only check` asks for it
+ * and has the bounds.
+ */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { PNG } from "pngjs";
+import { DIST, launch, newPage, ON_DISK, PATIENCE, workOf } from "./browser.mjs";
+import { load } from "./typescript.mjs";
+
+const skip = process.env.RAYWALK_CHECK_WORK ? false : "asked for by raywalk bench --only check";
+const ROUNDS = 5;
+/** A scene, and a mistake there that leaves enough unexplained for all pairs to be tried. */
+const STUDENTS = [["02-shadows", "phong-for-blinn"], ["08-glass", "not-bent-at-exit"]];
+
+const { aboutOf, atlasOf, readPicture, rightOf, taken } = await load("../check/main.ts");
+const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
+
+/** The atlas' wrong picture, each of its pixels so large that it has the size. */
+function wrongPicture(scene, name, n) {
+  const { size, mistakes } = atlasOf(aboutOf(dataOf(scene, "about")), rightOf(dataOf(scene, "atlas")));
+  const found = mistakes.find((each) => each.name === name);
+  assert.ok(found, `${scene} shows no ${name}`);
+  const { values } = taken({ width: size, height: size, values: found.pictures[0] }, n);
+  const png = new PNG({ width: n, height: n, colorType: 2 });
+  for (let i = 0; i < n * n; i++) png.data.set([...values.subarray(3 * i, 3 * i + 3), 255], 4 * i);
+  return { name: `${name}.png`, mimeType: "image/png", buffer: PNG.sync.write(png, { colorType: 2 }) };
+}
+
+async function checked(page, file, work) {
+  await page.evaluate(() => (document.getElementById("found").hidden = true));
+  const before = await work();
+  await page.locator("#file").setInputFiles(file);
+  await page.locator("#found:not([hidden])").waitFor({ timeout: PATIENCE });
+  return (await work()) - before;
+}
+
+/** ms: the picture is read and gone through once. Here, not in the page: the engine is the same. */
+function floorOf({ buffer }, right) {
+  const before = process.cpuUsage();
+  const { values } = readPicture(new Uint8Array(buffer));
+  let sum = 0;
+  for (let i = 0; i < values.length; i++) sum += Math.abs(values[i] - right.values[i]);
+  const { user, system } = process.cpuUsage(before);
+  assert.ok(sum > 0);
+  return (user + system) / 1000;
+}
+
+/** ms: the first check in a new page, with loading and preparing; another one there; the floor. The least of all rounds. */
+async function measured(browser, scene, name, n) {
+  const file = wrongPicture(scene, name, n);
+  const right = taken(rightOf(dataOf(scene, n)), n);
+  const least = { first: Infinity, again: Infinity, floor: Infinity };
+  const keep = (key, ms) => (least[key] = Math.min(least[key], ms));
+  for (let round = 0; round < ROUNDS; round++) {
+    const page = await newPage(browser); // has nothing loaded, and nothing compiled
+    await page.goto(`${ON_DISK}check/index.html#scene=${scene}`);
+    await page.locator("#sizes:not(:empty)").waitFor({ state: "attached" });
+    const work = await workOf(page);
+    keep("first", await checked(page, file, work));
+    for (let k = 0; k < 2; k++) keep("again", await checked(page, file, work));
+    for (let k = 0; k < 4; k++) keep("floor", floorOf(file, right)); // the engine warms to it
+    await page.close();
+  }
+  return { scene, size: n, ...least };
+}
+
+test("the work of a check", { skip }, async (t) => {
+  const browser = await launch();
+  t.after(() => browser.close());
+  for (const [scene, name] of STUDENTS) for (const n of [512, 1155]) console.log(`# check ${JSON.stringify(await measured(browser, scene, name, n))}`);
+});
