@@ -102,7 +102,7 @@ def test_how_often_mistakes_are_named_stands_on_the_page_by_itself(tmp_path: Pat
     assert ["... camera", "2", "0.0", "100.0"] in cells
     assert ["right pictures: called right", "0", "", ""] in cells
     assert "raywalk bench --only mistakes --seed 7" in page and "<li>a + b: a</li>" in page
-    assert page.count("holds") == 1 and page.count('class="broken"') == 3
+    assert page.count("holds") == 1 and page.count('class="broken"') == 4
     assert "Time against error" not in page
 
 
