@@ -5,7 +5,7 @@ import type { Picture } from "./formats/picture";
 import { agreement, deviationOf, layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, sampled, type Deviation, type Layer } from "./layer";
 import { shifted, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
 import { agreementOfPair, aloneOf, type Alone } from "./together";
-import { isRough, UNDONE, without } from "./undone";
+import { isRough, undoOf, type Undo } from "./undone";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
@@ -90,10 +90,16 @@ export function recogniserOf(atlas: Atlas) {
     return { seen, singles: singles.sort(byAgreement) };
   }
 
+  const undoes = new Map<string, Undo | null>(); // when first asked for
+  function undo({ name, picture }: Reference): Undo | null {
+    if (!undoes.has(name)) undoes.set(name, undoOf(name, atlas.right, picture, size));
+    return undoes.get(name)!;
+  }
+
   /** A mistake that acts on a whole picture, and what deviates once that is undone; null if nothing does that we know. */
-  function besideUndone(whole: Reference, student: Picture, expected: Picture): Scored | null {
+  function besideUndone(whole: Reference, undoing: Undo, student: Picture, expected: Picture): Scored | null {
     const onGrid = { ...expected, width: size, height: size, values: sampled(expected.values, expected.width, size) };
-    const undone = { ...onGrid, values: without(whole.name, student.values, student.width, size) };
+    const undone = { ...onGrid, values: undoing(sampled(student.values, student.width, size), size) };
     const left = (isRough(whole.name) ? withoutEdges : withoutTies)(undone, onGrid, wrongPixels(undone, onGrid));
     const wrong = wrongPixels(left, onGrid);
     if (areFew(wrong, onGrid) || (isRough(whole.name) && wrong.length < NEARLY_RIGHT * size * size)) return null;
@@ -105,17 +111,22 @@ export function recogniserOf(atlas: Atlas) {
 
   /** The same of the one to undo: the first that is named, or else that which leaves most of a likeness, by blocks. */
   function undonePair(student: Picture, expected: Picture, { references: [first], agreement: most }: Scored): Scored | null {
-    if (UNDONE[first.name]) return most >= KNOWN ? besideUndone(first, student, expected) : null;
+    const undoing = undo(first);
+    if (undoing) return most >= KNOWN ? besideUndone(first, undoing, student, expected) : null;
     if (most >= EXPLAINED) return null;
-    const of = sampled(expected.values, expected.width, size);
-    const likeness = (whole: Reference) => {
-      const left = without(whole.name, student.values, student.width, size);
+    const [own, of] = [student, expected].map(({ values, width }) => sampled(values, width, size));
+    const likeness = (whole: Reference, undoing: Undo) => {
+      const left = undoing(own, size);
       for (let i = 0; i < left.length; i++) left[i] += layers.pixels.right[i] - of[i];
       const seen = deviationOf(layers.blocks, meansOf(left, size, BLOCK));
       return Math.max(...references.map((one) => (one.family === whole.family ? 0 : agreement(layers.blocks, seen, one.on.blocks))));
     };
-    const wholes = references.filter(({ name }) => UNDONE[name]).map((whole) => ({ whole, agreement: likeness(whole) })).sort(byAgreement);
-    return wholes[0]?.agreement > most ? besideUndone(wholes[0].whole, student, expected) : null;
+    const wholes = references.flatMap((whole) => {
+      const undoing = undo(whole);
+      return undoing ? [{ whole, undoing, agreement: likeness(whole, undoing) }] : [];
+    });
+    const [best] = wholes.sort(byAgreement);
+    return best?.agreement > most ? besideUndone(best.whole, best.undoing, student, expected) : null;
   }
 
   /** mayUndo: not where the right picture only stands in for one of the size, as all edges would be left. */

@@ -6,7 +6,7 @@ import { DIST } from "./browser.mjs";
 import { load } from "./typescript.mjs";
 
 const { aboutOf, atlasOf, recogniserOf, rightOf } = await load("../check/main.ts");
-const { UNDONE, without } = await load("../check/undone.ts");
+const { undoOf, UNDONE } = await load("../check/undone.ts");
 const { ON_WHOLE_PICTURES } = await load("../check/together.ts");
 
 const dataOf = (scene, name) => new Uint8Array(Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64"));
@@ -40,7 +40,7 @@ for (const [scene, whole, second] of PAIRS) {
 
 test("what can be undone is one mistake where it is alone", () => {
   for (const scene of Object.keys(SCENES)) {
-    for (const name of Object.keys(UNDONE)) {
+    for (const name of [...Object.keys(UNDONE), "fov-not-halved", "fov-in-radians"]) {
       const { answers, isPair } = recognised(scene, SCENES[scene].wrong(name));
       assert.deepEqual([scene, answers[0].names.includes(name), isPair], [scene, true, false], name);
     }
@@ -60,7 +60,16 @@ for (const [curve, of] of Object.entries(CURVES)) {
 test("what is undone is the picture as it was", () => {
   const { right, size } = SCENES["01-shading"];
   for (const [name, act] of Object.entries(ON_WHOLE_PICTURES)) {
-    const back = without(name, act(Float32Array.from(right), size), size, size);
+    const back = UNDONE[name](act(Float32Array.from(right), size), size);
     back.forEach((value, i) => assert.ok(Math.abs(value - right[i]) < 0.01, name)); // float32
+  }
+});
+
+test("a wrong field of view is drawn out to the right one, as far as it shows the same", () => {
+  for (const [scene, atlas] of Object.entries(SCENES)) {
+    const { right, size, wrong } = atlas;
+    const back = undoOf("fov-not-halved", right, wrong("fov-not-halved"), size)(Float32Array.from(wrong("fov-not-halved")), size);
+    const far = back.filter((value, i) => Math.abs(value - right[i]) > 24).length / back.length;
+    assert.ok(far < 0.05, `${scene}: ${far}`); // edges, of a picture half as fine
   }
 });
