@@ -121,6 +121,7 @@ function spread({ width, height, depth }: Header, data: Uint8Array): Uint8Array 
 
 function coloursOf({ width, height, depth, isIndexed }: Header, data: Uint8Array | Uint16Array, channels: number): Picture {
   const isDeep = depth === 16 && !isIndexed;
+  if (channels === 3 && !isDeep) return pictureOf(width, height, data as Uint8Array); // as all of ours are: nothing is copied
   const count = width * height;
   const values = isDeep ? new Float32Array(3 * count) : new Uint8Array(3 * count);
   const step = isDeep ? 257 : 1; // 65535 / 255
