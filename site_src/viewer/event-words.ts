@@ -5,7 +5,7 @@ import { isAll } from "./state/vectors";
 import { whyOf } from "./state/why";
 import type { Vec3 } from "./trace/types";
 import { wayWords } from "./way-words";
-import { bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
+import { allOf, bytes, fixed, list, number, percent, phrases, plain, say, tone, vector, type Phrase } from "./words";
 
 export interface Caption {
   says: readonly Phrase[];
@@ -20,6 +20,8 @@ const degrees = (angle: number) => fixed(angle, 1);
 const angleOf = (angle: Degrees) => (angle === null ? "" : say("event.departure.angle", { angle: degrees(angle) }));
 const bends = (angle: Degrees, bent: Degrees) => (angle === null || bent === null ? "" : say("event.departure.bends", { angle: degrees(angle), bent: degrees(bent) }));
 const index = (from: number, to: number) => say("event.departure.index", { from: fixed(from, 2), to: fixed(to, 2) });
+/** Through a border that bends nothing; and where a wrong program leaves glass unbent, as far as the angles shown tell. */
+const isStraight = ({ from, to, angle, bent }: { from: number; to: number; angle: Degrees; bent: Degrees }) => from === to || (!!angle && !!bent && degrees(angle) !== degrees(0) && degrees(angle) === degrees(bent));
 const share = (part: number) => say("event.departure.share", { share: percent(part) });
 
 function lightNumbers({ name, seen, diffuse, specular, colour }: LightShare, of: { diffuse: Vec3; specular: Vec3 }): string {
@@ -58,7 +60,7 @@ export { whyOf };
 export function whyDark({ tone, end, way, share, name, reasons }: Why): Phrase[] {
   const at = { share: percent(share), name: the(name) };
   const of = reasons.reduce((sum, { lights }) => sum + lights.length, 0);
-  const listed = (lights: readonly string[]) => (lights.length > MOST_NAMED ? say("why.lamps", { number: lights.length, of }) : list(lights.map(the)));
+  const listed = (lights: readonly string[]) => (lights.length > MOST_NAMED ? say("why.lamps", { number: lights.length, of }) : allOf(lights.map(the)));
   const said = end === "local" ? reasons.map(({ how, by, lights }) => phrases(`why.${how}`, { lights: listed(lights), name: the(name), by: the(by) })) : [phrases(`why.${end}`, at)];
   const parts = end === "stops" || (end === "local" && way.length) ? [phrases("why.at", at), ...said] : said;
   return [...phrases(`why.${tone}`), ...(way.length ? [say("card.sharedBy", { way: wayWords(way), object: "" })] : []), ...parts.flatMap((part, k) => (k ? ["; ", ...part] : part)), "."];
@@ -98,7 +100,7 @@ export function captionOf(event: RayEvent): Caption {
       return { says: phrases(`event.reflected.${how}`, { name: the(event.name) }), numbers: beside(share(event.share), angleOf(event.angle)) };
     }
     case "refracted": {
-      const how = `${event.enters ? "in" : "out"}${event.from === event.to ? "Straight" : ""}` as const;
+      const how = `${event.enters ? "in" : "out"}${isStraight(event) ? "Straight" : ""}` as const;
       return {
         says: phrases(`event.refracted.${how}`, { name: the(event.name) }),
         numbers: beside(index(event.from, event.to), bends(event.angle, event.bent), share(event.share)),

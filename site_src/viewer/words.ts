@@ -58,6 +58,8 @@ export const fixed = (value: number, digits: number): string =>
     .replace(".", language().decimal);
 export const number = (value: number): string => fixed(value, 3);
 export const list = (values: readonly string[]): string => values.join(language().between);
+/** Names in a sentence: a, b and c. In English as in Britain, without a comma before "and". */
+export const allOf = (names: readonly string[]): string => new Intl.ListFormat(languageCode().replace(/^en$/, "en-GB")).format(names);
 export const vector = (v: Vec3): string => `(${list(v.map(number))})`;
 /** A grey as one number, a colour as three. */
 export const tone = (v: Vec3): string => (v.every((each) => number(each) === number(v[0])) ? number(v[0]) : vector(v));

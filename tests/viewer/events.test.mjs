@@ -11,7 +11,7 @@ const { timelineOf, linesUpTo } = await load("state/timeline.ts");
 const { advancePlay, goToEvent, goToTime, pressPlay, stepEvent, timeOf, NO_EVENT } = await load("state/play.ts");
 const { startState, select } = await load("state/view-state.ts");
 const { captionOf, sentence, whyDark, whyOf } = await load("event-words.ts");
-const { plain } = await load("words.ts");
+const { allOf, phrases, plain } = await load("words.ts");
 
 const DEPARTURES = ["camera", "reflected", "refracted", "total"];
 const three = (values, k) => [...values.slice(3 * k, 3 * k + 3)];
@@ -190,11 +190,22 @@ test("a pixel that is dark or in shadow says why, through glass and mirrors too,
   const said = { "02-shadows": [[[10, 8], "Dark because: the blue sphere blocks light 1."], [[8, 14], "Dark because: the red sphere faces away from light 1: no light can come from there."], [[4, 3], "Lit: light comes from light 1."]],
     "04-one-bounce": [[[10, 7], "Dark because: by mirror B: mirror A (100\u202f% of the pixel); there no bounce is left to send a ray on."]],
     "14-soft-shadows-16": [[[10, 11], "Shadow: the ball blocks 6 of 16 lights; light comes from 10 of 16 lights."]],
-    "08-glass": [[[9, 10], "Dark because: through the glass sphere: the left wall (88\u202f% of the pixel); the orange sphere blocks the ceiling light; little comes from the front light."], [[12, 8], "Lit: through the glass slab, by the mirror sphere: the right wall (91.7\u202f% of the pixel); light comes from the front light, the ceiling light."]] };
+    "08-glass": [[[9, 10], "Dark because: through the glass sphere: the left wall (88\u202f% of the pixel); the orange sphere blocks the ceiling light; little comes from the front light."], [[12, 8], "Lit: through the glass slab, by the mirror sphere: the right wall (91.7\u202f% of the pixel); light comes from the front light and the ceiling light."]] };
   for (const [id, pixels] of Object.entries(said).filter(([id]) => scenesOfSite().some((scene) => scene.id === id))) {
     const { scene, trace } = readTrace(id, 15);
     for (const [[column, row], says] of pixels) {
       assert.equal(plain(whyDark(whyOf(eventsOf(trace, scene, row * 15 + column).at(-1)))), says, `${id}, pixel ${column}, ${row}`);
     }
   }
+});
+
+test("a refracted ray that keeps its angle goes straight on, whatever its indices; one that is bent is said to be", () => {
+  const straight = plain(phrases("event.refracted.outStraight", { name: "the ball" }));
+  const leaves = (angle, bent) => plain(captionOf({ what: "refracted", name: "ball", enters: false, from: 1.52, to: 1, share: 0.9, angle, bent }).says);
+  assert.equal(leaves(25.71, 25.73), straight);
+  for (const [angle, bent] of [[25.7, 41.1], [0, 0], [0.01, 0.02], [null, null]]) assert.notEqual(leaves(angle, bent), straight, `${angle} to ${bent}`);
+});
+
+test("lamps in a sentence are joined as a language joins them", () => {
+  assert.deepEqual([["a"], ["a", "b"], ["a", "b", "c"]].map((names) => allOf(names)), ["a", "a and b", "a, b and c"]);
 });
