@@ -91,3 +91,25 @@ def test_what_shows_nowhere_is_said_and_without_rounds_nothing_leads_to_them(
     assert (
         nowhere in pages["total-black/index.html"] and "<img" not in pages["total-black/index.html"]
     )
+
+
+@pytest.mark.parametrize("name", ["", "which", "shadows-forgotten"])
+def test_what_is_right_stands_before_what_is_wrong(
+    told: Told, own: Scene, tmp_path: Path, name: str
+) -> None:
+    """In pairs of pictures and in tables alike."""
+    page = written(told, own, tmp_path)[f"{name}/index.html".removeprefix("/")]
+    pairs = page.split('<div class="pair">')[1:]
+    assert all(pair.index("/right-") < pair.index("/wrong.webp") for pair in pairs)
+    assert bool(pairs) == bool(name)
+
+
+def test_a_page_shows_the_line_to_change_and_leads_to_its_term(
+    told: Told, own: Scene, tmp_path: Path
+) -> None:
+    """As the words and terms.json say; where there is none nothing is said of it."""
+    pages = written(told, own, tmp_path)
+    phong = pages["phong-for-blinn/index.html"]
+    assert "<code>max(0, n·h)^s, h = (l + e) / |l + e|</code>" in phong
+    assert 'glossary/index.html#blinn-phong"' in phong
+    assert 'class="lines"' not in pages["shadows-forgotten/index.html"]

@@ -60,8 +60,8 @@ test("a finger chooses on a phone, in German; both pictures stand side by side a
   const question = page.locator(".question").first();
   await question.locator("button.option").nth((await placesIn(question)).right).tap();
   assert.equal(await question.locator(".verdict").textContent(), said.de.right);
-  const [wrong, right] = await question.locator("img").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()));
-  assert.ok(wrong.top === right.top && wrong.right < right.left && right.right <= 390, JSON.stringify([wrong, right]));
+  const [right, wrong] = await question.locator("img").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()));
+  assert.ok(wrong.top === right.top && right.right < wrong.left && wrong.right <= 390, JSON.stringify([wrong, right]));
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await page.context().close();
 });

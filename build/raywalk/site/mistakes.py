@@ -14,8 +14,9 @@ from raywalk.mistake_pages.best import Shown
 from raywalk.mistake_pages.rounds import Question, Round
 from raywalk.mistakes.table import FAMILIES, TABLE
 from raywalk.scene.model import Scene
-from raywalk.site.mistake_words import ALL, read_said
+from raywalk.site.mistake_words import ALL, of_terms, read_said
 from raywalk.site.pages import Assets, home_of, page_environment, rendered
+from raywalk.terms.glossary import read_glossary
 from raywalk.words import Words
 
 RIGHT = "right"
@@ -78,6 +79,8 @@ def write_mistake_pages(
             for each in told.rounds
         ]
         write(f"{ALL}/{WHICH}/index.html", "which.html", rounds=rounds, letters=LETTERS)
+    named = {name: id for id, names in of_terms(site_source).items() for name in names}
+    terms = {term.id: term for term in read_glossary(words.code).terms}
     names = [mistake.name for mistake in TABLE]
     beside = {b: (a, c) for (a, b), (_, c) in pairwise(pairwise([None, *names, None]))}
     for mistake in TABLE:
@@ -86,6 +89,7 @@ def write_mistake_pages(
         write(
             f"{ALL}/{mistake.name}/index.html", "mistake.html", name=mistake.name,
             family=mistake.family, page=page, before=before, after=after,
+            term=terms.get(named.get(mistake.name, "")),
         )  # fmt: skip
 
 
