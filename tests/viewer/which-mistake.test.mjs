@@ -87,3 +87,29 @@ test("without a script there are questions, and answers that open", async () => 
   assert.ok(await question.locator(".is-answer").isVisible());
   await page.context().close();
 });
+
+test("on a phone no number of a mistake's page is broken within its digits, and nothing is cut off", async () => {
+  const page = await visit("mistakes/index.html", { viewport: { width: 390, height: 844 }, isMobile: true });
+  for (const name of ["not-bent-at-exit", "pixel-corner", "normal-not-unit"]) {
+    for (const home of ["", "de/"]) {
+      await page.goto(`${ON_DISK}${home}mistakes/${name}/index.html`);
+      const broken = await page.evaluate(() => {
+        const found = [];
+        const texts = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+        for (let text; (text = texts.nextNode()); ) {
+          for (const { 0: number, index } of text.data.matchAll(/\u2212?\d[\d.,]*/g)) {
+            const range = document.createRange();
+            range.setStart(text, index);
+            range.setEnd(text, index + number.length);
+            if (range.getClientRects().length > 1) found.push(number);
+          }
+        }
+        return found;
+      });
+      assert.deepEqual(broken, [], `${home}${name}`);
+      const [wide, table] = await page.evaluate(() => [document.documentElement, document.querySelector(".test").parentElement].map((each) => each.scrollWidth - each.clientWidth));
+      assert.deepEqual([wide, table], [0, 0], `${home}${name}`);
+    }
+  }
+  await page.context().close();
+});
