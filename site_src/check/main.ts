@@ -7,6 +7,7 @@ export { atlasOf } from "./atlas";
 export { readPng } from "./formats/png";
 export { pictureOrSentence, readPicture } from "./formats/read";
 export { sentenceOf } from "./formats/sentences";
+export { allScenesOf, otherScene } from "./other-scene";
 export { placeAt, whereWrong } from "./places";
 export { recogniserOf } from "./recognise";
 export { refused, reportOf, sentenceAlone, written } from "./report";

@@ -147,6 +147,9 @@ export function recogniserOf(atlas: Atlas) {
   }
 
   return {
+    size,
+    /** What a mistake makes of the scene, size x size. */
+    pictureOf: (name: string): Uint8Array | null => references.find((one) => one.name === name)?.picture ?? null,
     /** Both pictures of one size, whichever. isExact: as in isAsRight. */
     recognise(student: Picture, expected: Picture, isExact = true): Recognised {
       if (isExact) return named(student, expected, true);

@@ -8,6 +8,7 @@ import type { About } from "./atlas";
 import type { Checked } from "./check";
 import { WITHIN } from "./compare";
 import type { Told } from "./places";
+import type { Answer, Recognised } from "./recognise";
 import type { Refusal, Source, Square } from "./square";
 import type { Tile } from "./tiles";
 
@@ -31,6 +32,7 @@ export interface Found {
 
 /** What things are called in the language. */
 export interface Names {
+  scene: string;
   objects: string[];
   mistakes: Record<string, string>; // titles, by the names of mistakes.json
 }
@@ -43,7 +45,7 @@ const [ROWS, LEAST] = [6, 0.005];
 export function reportOf(found: Found, names: Names): Line[] {
   const { isRight } = found.checked;
   const rest = isRight ? [] : [...where(found, names), ...looks(found, names), ...walk(found, names)];
-  return [...verdict(found), ...howRight(found), ...rest];
+  return [...verdict(found, names), ...howRight(found), ...rest];
 }
 
 /** Of what is no picture, or none that can be compared. */
@@ -63,11 +65,17 @@ function headline({ checked: { isRight, comparison }, source }: Found): string {
   return say(wrong < CLOSE ? "check.verdict.close" : "check.verdict.wrong", { share: percent(wrong) });
 }
 
-function verdict(found: Found): Line[] {
+/** What is most to know comes first: of one mistake or of two together. */
+function mostLike({ answers: [first, second], isPair }: Recognised, { mistakes }: Names): string {
+  const titles = ({ names }: Answer) => names.map((name) => mistakes[name]).join(" / ");
+  return isPair ? say("check.verdict.looksTwo", { first: titles(first), second: titles(second) }) : say("check.verdict.looks", { title: titles(first) });
+}
+
+function verdict(found: Found, names: Names): Line[] {
   const { file, checked, square: { picture, isCut }, source, nearest } = found;
   const size = picture.width;
-  const notes: [unknown, string][] = [
-    [true, say("check.verdict.file", file)],
+  const notes: [boolean, string][] = [
+    [true, say("check.verdict.file", { ...file, scene: names.scene })],
     [checked.isRight && source.isExact, say("check.verdict.rightSays")],
     [isCut, say("check.verdict.cut", { size })],
     [!source.isExact, say("check.verdict.sampled", { size, from: source.from, nearest })],
@@ -75,7 +83,8 @@ function verdict(found: Found): Line[] {
     [picture.hadAlpha, say("check.verdict.alpha")],
     [checked.comparison.isTruncated, say("check.how.truncated")],
   ];
-  return [...sentenceAlone(headline(found)), ...notes.filter(([holds]) => holds).map(([, words]): Line => ({ part: "verdict", kind: "note", words }))];
+  const told = [...(!checked.isRight && checked.answers.length ? [mostLike(checked, names)] : []), ...notes.filter(([holds]) => holds).map(([, words]) => words)];
+  return [...sentenceAlone(headline(found)), ...told.map((words): Line => ({ part: "verdict", kind: "note", words }))];
 }
 
 function howRight({ checked: { comparison: { within, mean, largest, fits } } }: Found): Line[] {

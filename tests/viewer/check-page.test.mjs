@@ -76,6 +76,31 @@ test("of each hostile file it is said what is wrong, and nothing is shown", asyn
   }
 });
 
+test("a picture of another scene than was chosen is told as that, and is compared with it at a press", async () => {
+  await visit("#scene=04-one-bounce");
+  const { found } = await drop(readFileSync(`${DIST}/scenes/05-many-bounces/picture.png`));
+  assert.match(found, /Your picture looks like “Many bounces”/);
+  await page.getByRole("button", { name: "Compare with “Many bounces”" }).click();
+  await page.getByRole("heading", { name: EN.verdict.right }).waitFor();
+  assert.ok(await page.locator("[value='05-many-bounces']").isChecked());
+  assert.match(page.url(), /#scene=05-many-bounces$/);
+  assert.equal(await page.locator(".check-other").count(), 0);
+  assert.deepEqual(page.faults, []);
+});
+
+test("beside what a picture looks like stands this scene with that mistake, and the wipe begins where most is wrong", async () => {
+  await visit("#scene=03-two-lights");
+  const { found } = await drop(wrongPicture("03-two-lights", "normal-not-unit"));
+  assert.match(found, /most like this mistake: /);
+  const shown = page.locator(".check-answers canvas").first();
+  assert.equal(await shown.getAttribute("aria-label"), EN.looks.shown);
+  assert.ok(await shown.evaluate((canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((value, i) => i % 4 < 3 && value > 0)), "it is drawn");
+  assert.ok(Number(await page.locator(".check-wipe").inputValue()) > 60, "the ellipsoid is in the right half");
+  for (const side of ["yours", "right"]) assert.equal(await page.locator(`.check-side.is-${side}`).innerText(), EN.view[side]);
+  await page.getByRole("button", { name: EN.view.heat }).click();
+  assert.equal(await page.locator(".check-side").first().isVisible(), false);
+});
+
 test("the right picture is called right, at the scene's own size and at one of its parts", async () => {
   await visit("#scene=03-two-lights");
   const whole = dataOf("03-two-lights", "1155");
@@ -108,7 +133,8 @@ test("what is copied is what the command says, line by line", async () => {
   await page.getByRole("button", { name: EN.report.copy }).click();
   await page.getByRole("button", { name: EN.report.copied }).waitFor();
   const objects = JSON.parse(await page.locator("[value='02-shadows']").getAttribute("data-objects"));
-  const names = { objects, mistakes: Object.fromEntries(Object.entries(mistakes).map(([name, { title }]) => [name, title])) };
+  const title = await page.locator("[value='02-shadows']").getAttribute("data-title");
+  const names = { scene: title, objects, mistakes: Object.fromEntries(Object.entries(mistakes).map(([name, { title }]) => [name, title])) };
   const request = { do: "check", picture: file, data: `${DIST}/check/02-shadows`, language: "en", names };
   const { answer } = JSON.parse(execFileSync("node", [fileURLToPath(new URL("../../site_src/check.mjs", import.meta.url))], { input: JSON.stringify(request), encoding: "utf8" }));
   const [, ...copied] = (await page.evaluate(() => window.copied)).trimEnd().split("\n");

@@ -6,7 +6,7 @@ import { load, wordsOf } from "./typescript.mjs";
 const { refused, reportOf, sentenceAlone, written } = await load("../check/main.ts");
 const EN = wordsOf("en").check;
 
-const NAMES = { objects: ["red ball", "mirror A"], mistakes: { near: "Near for far", far: "Far for near" } };
+const NAMES = { scene: "Shadows", objects: ["red ball", "mirror A"], mistakes: { near: "Near for far", far: "Far for near" } };
 const picture = { width: 105, height: 105, isLossy: false, hadAlpha: false };
 const comparison = { within: [0.5, 0.75, 1], mean: 3.14159, largest: 31, fits: null, isTruncated: false };
 const wrong = {
@@ -22,7 +22,7 @@ const kinds = (lines) => lines.map(({ part, kind }) => `${part} ${kind}`);
 test("a wrong picture's lines: how right, where, what it looks like, walk it", () => {
   const lines = reportOf(found(), NAMES);
   const numbers = Array(5).fill("how number");
-  const expected = ["verdict verdict", "verdict note", "how head", ...numbers, "where head", "where place", "where columns", "where object", "looks head", "looks says", "looks answer", "looks alike", "looks answer", "walk head", "walk says", "walk tile"];
+  const expected = ["verdict verdict", "verdict note", "verdict note", "how head", ...numbers, "where head", "where place", "where columns", "where object", "looks head", "looks says", "looks answer", "looks alike", "looks answer", "walk head", "walk says", "walk tile"];
   assert.deepEqual(kinds(lines), expected, "an object with 0.4 % of the wrong pixels is not told");
 });
 
@@ -48,8 +48,15 @@ test("what is to be known of the picture is said once each", () => {
   const square = { picture: { ...picture, isLossy: true, hadAlpha: true }, isCut: true };
   const lines = reportOf(found({ square }, { comparison: { ...comparison, isTruncated: true } }), NAMES);
   const notes = lines.filter(({ kind }) => kind === "note").map(({ words }) => words);
-  assert.equal(notes.length, 5);
+  assert.equal(notes.length, 6);
   for (const words of [EN.verdict.lossy, EN.verdict.alpha, EN.how.truncated]) assert.ok(notes.includes(words));
+});
+
+test("right below the verdict stands what it looks most like, one mistake or two, and which scene it was compared with", () => {
+  const notes = (isPair) => reportOf(found({}, { isPair }), NAMES).filter(({ kind }) => kind === "note").map(({ words }) => words);
+  const file = "mine.png, 105 × 105 pixels, compared with the scene “Shadows”";
+  assert.deepEqual(notes(false), ["It looks most like this mistake: Near for far / Far for near.", file]);
+  assert.deepEqual(notes(true), ["It looks most like two mistakes together: Near for far / Far for near, and Far for near.", file]);
 });
 
 test("no mistake that is known, and none that is looked for, are two sentences", () => {

@@ -153,6 +153,7 @@ def _names(scene: Scene, language: str) -> dict[str, Any]:
     [spoken] = read_spoken([scene], language)
     said = read_said(SITE_SOURCE, language)
     return {
+        "scene": spoken.scene.title,
         "objects": [each.name for each in spoken.scene.objects],
         "mistakes": {name: said[name]["title"] for name in BY_NAME},
     }

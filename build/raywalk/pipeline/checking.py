@@ -7,6 +7,7 @@ from collections.abc import Generator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
+from raywalk.check.all_scenes import write_scenes
 from raywalk.pipeline.parts import models_of, shut_for, silent
 from raywalk.pipeline.scenes import Making, SceneMade
 from raywalk.pipeline.tracing import by_cost
@@ -69,8 +70,12 @@ def _make(
 
 
 def publish_check(out: Path, made: Mapping[str, Entry]) -> None:
-    """A folder for each scene beside the page."""
+    """A folder for each scene beside the page, and what all look like, in the scenes' folders."""
+    if not made:
+        return
     for id, entry in made.items():
         (out / FOLDER / id).mkdir(parents=True)
         for path in entry.files():
             shutil.copyfile(path, out / FOLDER / id / path.name)
+    small = ((id, out / "scenes" / id / "thumb.png") for id in made)
+    write_scenes(out / FOLDER, small)

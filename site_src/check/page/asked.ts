@@ -16,6 +16,16 @@ export function chosenScene(): Chosen {
   return { id: value, title: dataset.title!, objects: JSON.parse(dataset.objects!), url: dataset.url! };
 }
 
+const radioOf = (id: string | null) => [...document.querySelectorAll<HTMLInputElement>("[name=scene]")].find(({ value }) => value === id);
+
+export const titleOf = (id: string): string => radioOf(id)!.dataset.title!;
+
+/** Nothing if there is no such scene. */
+export function choose(id: string | null) {
+  const radio = radioOf(id);
+  if (radio) radio.checked = true;
+}
+
 /** given: a file. changed: another scene. coming: a file is being chosen or dragged here. */
 export function listenToAsked(given: (file: File) => void, changed: () => void, coming: () => void) {
   const [drop, input] = [find("#drop"), find<HTMLInputElement>("#file")];
@@ -44,9 +54,7 @@ export function listenToAsked(given: (file: File) => void, changed: () => void, 
 
 /** The scene that the address names: #scene=02-shadows, as a scene's page links here. */
 export function followAddress() {
-  const id = new URLSearchParams(location.hash.slice(1)).get("scene");
-  const radio = [...document.querySelectorAll<HTMLInputElement>("[name=scene]")].find(({ value }) => value === id);
-  if (radio) radio.checked = true;
+  choose(new URLSearchParams(location.hash.slice(1)).get("scene"));
 }
 
 export async function showSizes(files: Files, id: string) {

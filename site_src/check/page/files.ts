@@ -3,6 +3,7 @@ import type { About } from "../atlas";
 import type { Scene } from "../check";
 import { aboutOf, rightOf, sceneOf } from "../data";
 import type { Picture } from "../formats/picture";
+import { allScenesOf, type AllScenes } from "../other-scene";
 
 const arrived = new Map<string, string>();
 
@@ -34,11 +35,13 @@ function run(address: string, name: string): Promise<Uint8Array> {
 export function createFiles(root: string) {
   window.raywalkReceive = (name, base64) => void arrived.set(name, base64);
   let before: Promise<unknown> = Promise.resolve(); // one after the other: scripts of two scenes have the same names
-  const file = (scene: string, name: string) => {
-    const next = before.then(() => run(`${root}check/${scene}/${name}.js`, `check/${name}`));
+  const read = (path: string, name: string) => {
+    const next = before.then(() => run(`${root}check/${path}.js`, `check/${name}`));
     before = next.catch(() => {});
     return next;
   };
+  const file = (scene: string, name: string) => read(`${scene}/${name}`, name);
+  let all: Promise<AllScenes> | null = null;
   let kept: { id: string; about: Promise<About>; scene?: Promise<Scene> } | null = null;
 
   function about(id: string): Promise<About> {
@@ -64,6 +67,12 @@ export function createFiles(root: string) {
       own.scene ??= made(id);
       own.scene.catch(() => delete own.scene);
       return own.scene;
+    },
+    /** What all look like. */
+    scenes(): Promise<AllScenes> {
+      all ??= read("scenes", "scenes").then(allScenesOf);
+      all.catch(() => (all = null));
+      return all;
     },
     right: async (id: string, size: number): Promise<Picture> => rightOf(await file(id, String(size))),
   };

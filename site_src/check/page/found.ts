@@ -10,6 +10,8 @@ import { sectionOf, type Links } from "./sections";
 export interface Found extends Told {
   chosen: Chosen;
   right: Picture; // of the square's size
+  looked: (mistake: string) => Uint8Array | null; // what it makes of the scene
+  other: { title: string; compare: () => void } | null; // a scene that the picture shows rather than this one
   again: () => void;
 }
 
@@ -18,15 +20,16 @@ const titles = Object.fromEntries(Object.entries(mistakes).map(([name, { title }
 
 export function showFound(place: HTMLElement, found: Found) {
   const { checked, chosen, square, right } = found;
-  const lines = reportOf(found, { objects: chosen.objects, mistakes: titles });
+  const lines = reportOf(found, { scene: chosen.title, objects: chosen.objects, mistakes: titles });
   const [{ words }, ...others] = lines;
   const verdict = element("h2", "check-verdict", words);
   verdict.id = "verdict";
-  const links = linksOf(chosen);
+  const links = linksOf(found);
   const findings = (["how", "where", "looks"] as const).map((part) => sectionOf(lines, part, links)).filter((each) => each !== null);
   place.replaceChildren(
     verdict,
-    element("ul", "check-notes", ...others.filter(({ part }) => part === "verdict").map((note) => element("li", "", note.words))),
+    otherScene(found) ?? "",
+    element("ul", "check-notes", ...others.filter(({ part }) => part === "verdict").map((note, k) => element("li", !k && checked.answers.length ? "check-like" : "", note.words))),
     element("div", "check-columns", picturesOf(square.picture, right, checked.comparison.heat), element("div", "check-findings", ...findings)),
     sectionOf(lines, "walk", links) ?? "",
     acts([say("check.report.saved", { name: found.file.name, scene: chosen.title }), ...written(lines), ""].join("\n"), found.again),
@@ -36,9 +39,17 @@ export function showFound(place: HTMLElement, found: Found) {
   place.scrollIntoView({ block: "start" });
 }
 
-function linksOf({ url }: Chosen): Links {
+/** null: it is this one. */
+function otherScene({ other }: Found): HTMLElement | null {
+  if (!other) return null;
+  const words = say("check.anotherScene.compare", { title: other.title });
+  return element("p", "notice check-other", say("check.anotherScene.says", { title: other.title }), button(words, words, other.compare));
+}
+
+function linksOf({ chosen: { url }, looked }: Found): Links {
   const { root } = document.body.dataset;
   return {
+    looked,
     tile: ({ n, x, y, own }) => `${root}${url}?yours=${[n, x, y, ...own].join()}#n=${n}&p=${x},${y}`,
     mistake: (name) => mistakes[name].url && `${root}${mistakes[name].url}`,
   };

@@ -3,16 +3,20 @@ import { say } from "../../viewer/words";
 import { check } from "../check";
 import type { Picture } from "../formats/picture";
 import { pictureOrSentence } from "../formats/read";
+import { otherScene } from "../other-scene";
+import type { Recognised } from "../recognise";
 import { refused } from "../report";
 import { isRefusal, nearestSize, sourceFor, squareOf, taken } from "../square";
-import { chosenScene, followAddress, listenToAsked, showSizes } from "./asked";
+import { choose, chosenScene, followAddress, listenToAsked, showSizes, titleOf } from "./asked";
 import { createFiles } from "./files";
-import { showFound } from "./found";
+import { showFound, type Found } from "./found";
 
 const { root = "" } = document.body.dataset;
 const files = createFiles(root);
 const [says, found] = ["says", "found"].map((id) => document.getElementById(id)!);
 let last: { name: string; picture: Picture } | null = null;
+/** Of what is wrong, explained by a mistake: then it is the chosen scene. */
+const EXPLAINED = 0.8;
 let turn = 0; // of several pictures in a row the last one is shown
 
 function tell(sentence: string) {
@@ -42,8 +46,18 @@ async function checkLast() {
   if (!whole) return tell(say("check.missing"));
   const right = taken(whole, size);
   const checked = check(square, right, source.isExact, scene);
+  const other = checked.isRight ? null : await otherThan(chosen.id, square.picture, checked);
+  if (own !== turn) return;
   tell("");
-  showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, leftOut: scene.about.leftOut, nearest: nearestSize(size, scene.about), again });
+  const { leftOut } = scene.about;
+  showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, leftOut, nearest: nearestSize(size, scene.about), looked: (mistake) => scene.recogniser?.pictureOf(mistake) ?? null, other, again });
+}
+
+/** Another scene that the picture shows, and what compares it with that. */
+async function otherThan(id: string, picture: Picture, { answers: [best] }: Recognised): Promise<Found["other"]> {
+  const all = await files.scenes().catch(() => null);
+  const other = all && otherScene(picture, id, best?.agreement > EXPLAINED, all);
+  return other ? { title: titleOf(other), compare: () => (choose(other), chosenAnew()) } : null;
 }
 
 function again() {
@@ -69,12 +83,14 @@ async function given(file: File) {
 followAddress();
 const sizes = () => void showSizes(files, chosenScene().id).catch(() => tell(say("check.missing")));
 sizes();
+function chosenAnew() {
+  history.replaceState(null, "", `#scene=${chosenScene().id}`);
+  sizes();
+  void checkLast().catch(failing);
+}
 listenToAsked(
   (file) => void given(file).catch(failing),
-  () => {
-    sizes();
-    void checkLast().catch(failing);
-  },
+  chosenAnew,
   // Loading and preparing takes longer than a check: it is done while a person looks for the file. What fails is told when it is wanted.
   () => void files.scene(chosenScene().id).catch(() => {}),
 );

@@ -1,7 +1,9 @@
 /** A report's lines as parts of the page: lines of a kind stand together, in a list, a table, or a paragraph each. */
-import { element, swatch } from "../../viewer/element";
+import { element, named, swatch } from "../../viewer/element";
+import { say } from "../../viewer/words";
 import type { Line, Part } from "../report";
 import type { Tile } from "../tiles";
+import { canvasWith, imageOf } from "./canvas";
 
 type Kind = Line["kind"];
 type Of<K extends Kind> = Extract<Line, { kind: K }>;
@@ -10,6 +12,7 @@ type Of<K extends Kind> = Extract<Line, { kind: K }>;
 export interface Links {
   tile: (tile: Tile) => string;
   mistake: (name: string) => string; // "": it has no page
+  looked: (name: string) => Uint8Array | null; // what it makes of the scene, a square
 }
 
 /** null: nothing is said of it. */
@@ -45,13 +48,20 @@ function table(heads: Row[], rows: Row[]): HTMLElement | null {
 }
 
 /** What is said of an answer's mistakes together stands below them. */
-function answers(lines: Line[], { mistake }: Links): HTMLElement[] {
+function answers(lines: Line[], { mistake, looked }: Links): HTMLElement[] {
   const items: HTMLElement[] = [];
   for (const line of lines) {
-    if (line.kind === "answer") items.push(element("li", "", element("span", "check-agree", ...line.values), ...line.names.map((name, k) => titled(line.titles[k], mistake(name)))));
+    if (line.kind === "answer") items.push(element("li", "", ...shown(looked(line.names[0])), ...line.names.map((name, k) => titled(line.titles[k], mistake(name))), element("p", "check-agree", ...line.values)));
     if (line.kind === "alike") items[items.length - 1].append(element("p", "", line.words));
   }
   return items;
+}
+
+/** What a mistake makes of the scene, to hold beside one's own; nothing where that is not known. */
+function shown(picture: Uint8Array | null): HTMLElement[] {
+  if (!picture) return [];
+  const size = Math.sqrt(picture.length / 3);
+  return [named(canvasWith(imageOf(picture, size)), say("check.looks.shown"), "img")];
 }
 
 function titled(title: string, url: string): HTMLElement {
