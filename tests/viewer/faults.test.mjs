@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { atRest, DIST, framedIn, launch, newPage, open, openMenu, openScene, pass, press, richScene, scenesOfSite, settled, showsScene, state, stats, until } from "./browser.mjs";
+import { atRest, DIST, framedIn, keyedScenes, launch, newPage, open, openMenu, openScene, pass, press, richScene, scenesOfSite, settled, showsScene, state, stats, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
-const other = scenesOfSite().find((scene) => scene.id !== rich.id);
+const other = keyedScenes().find((scene) => scene.id !== rich.id);
 const meshes = scenesOfSite().find((scene) => Object.keys(readScene(scene.id).meshes).length);
 const N = readScene(rich.id).start.resolution;
 const TRACE = `**/scenes/${rich.id}/${N}.js*`;

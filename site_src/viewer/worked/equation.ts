@@ -47,7 +47,7 @@ function row(sphere: Sphere, scene: SceneData, isMeant: boolean, isOpen: boolean
 }
 
 function table(ray: WorkedRay, scene: SceneData, meant: readonly string[], isOpen: boolean): HTMLElement {
-  const heads = ["", "b", "c", "D", "t\u2081", "t\u2082"].map((text) => element("th", "", text));
+  const heads = ["", "b", "c", "D", "t\u2081", "t\u2082"].map((text) => element(text ? "th" : "td", "", text)); // a heading without words is none
   return element("table", "worked-table numbers", element("tr", "", ...heads), ...ray.spheres.map((sphere) => row(sphere, scene, meant.includes(scene.objects[sphere.object].name), isOpen)));
 }
 
