@@ -67,6 +67,14 @@ async function measured(browser, scene, name, n) {
   return { scene, size: n, ...least };
 }
 
+test("what is measured is a wrong picture of the size asked for, and its floor reads it", () => {
+  const [[scene, name]] = STUDENTS;
+  const file = wrongPicture(scene, name, 512);
+  const { width, height } = readPicture(new Uint8Array(file.buffer));
+  assert.deepEqual([width, height], [512, 512]);
+  assert.ok(floorOf(file, taken(rightOf(dataOf(scene, 512)), 512)) >= 0);
+});
+
 test("the work of a check", { skip }, async (t) => {
   const browser = await launch();
   t.after(() => browser.close());
