@@ -147,7 +147,6 @@ export function recogniserOf(atlas: Atlas) {
   }
 
   return {
-    size,
     /** What a mistake makes of the scene, size x size. */
     pictureOf: (name: string): Uint8Array | null => references.find((one) => one.name === name)?.picture ?? null,
     /** Both pictures of one size, whichever. isExact: as in isAsRight. */

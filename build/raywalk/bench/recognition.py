@@ -136,7 +136,11 @@ def at_other_sizes(scenes: list[Scene], site: Path, sizes: tuple[int, ...] = OTH
     found = Tally()
     with tempfile.TemporaryDirectory() as folder, Stops(SCRIPT) as node:
         file = Path(folder) / "asked.ppm"
-        request = {"do": "check", "picture": str(file), "names": {"objects": [], "mistakes": {}}}
+        request = {
+            "do": "check",
+            "picture": str(file),
+            "names": {"scene": "", "objects": [], "mistakes": {}},
+        }
         for scene in scenes:
             data = site / "check" / scene.id
             for n in sizes if data.exists() else ():

@@ -1,7 +1,7 @@
 """What all scenes look like from afar: so that a picture of another scene than was chosen is known.
 
 scenes     {"scenes": [id, ...], "along": squares along a picture,
-           "means": base64 of each scene's along x along squares' mean red, green, blue}
+           "means": of each scene, each of its along x along squares' mean red, green, blue}
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A scene's atlas: its right picture and the wrong ones that mistakes make of it, on one grid.
 
-Wrong pictures are made by the numpy tracer, exactly, and once more as most versions calculate: in
+Wrong pictures are made by the numpy tracer, exactly, and once more as most programs calculate: in
 float32 with an offset. The second is kept where it is another picture. What shows hardly at all is
 found on a coarse grid, at a ninth of the work.
 """

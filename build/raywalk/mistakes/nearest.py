@@ -23,8 +23,8 @@ MET_IN_ITS_OWN = ("ellipsoid", "box", "cylinder", "tube")  # where a ray has ano
 def nearest(
     bodies: Iterable[Body], rays: Rays, mistakes: Mistakes, habits: Habits
 ) -> tuple[np.ndarray, np.ndarray]:
-    """t (n,), inf if nothing, and object (n,) of what each ray meets first. bodies: asked
-    in turn."""
+    """t (n,), inf if nothing, and object (n,) of what each ray meets first. bodies: as they are
+    asked in turn."""
     count = rays.direction.shape[1]
     best = np.full(count, np.inf, rays.direction.dtype)  # of what is compared: t
     t, met = best.copy(), np.full(count, NOTHING)

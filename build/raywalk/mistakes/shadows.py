@@ -114,14 +114,16 @@ def stopped(
     """t and object of what stops each ray before `reach` (n,), inf and NOTHING if nothing; and the
     share that glass on the way lets pass, if any passes."""
     in_turn = asked_in_turn(bodies)
-    crossed = [body for body in in_turn if body.is_clear and passing is not None]
-    opaque = [body for body in in_turn if body not in crossed]
+    opaque = [body for body in in_turn if passing is None or not body.is_clear]
     t, met = nearest(opaque, rays, mistakes, habits)
     stops = (t < reach) & (met != NOTHING)
     t, met = np.where(stops, t, np.inf), np.where(stops, met, NOTHING)
     passed, end = np.ones_like(reach), np.minimum(t, reach)
-    for body in crossed:
-        near, far = roots_ahead(body, rays, mistakes, habits)
-        times = (near < end).astype(int) + (far < end)
-        passed = passed * passing[body.material] ** times  # type: ignore[index]
+    if passing is None:
+        return t, met, passed
+    for body in in_turn:
+        if body.is_clear:
+            near, far = roots_ahead(body, rays, mistakes, habits)
+            crossed = (near < end).astype(int) + (far < end)
+            passed = passed * passing[body.material] ** crossed
     return t, met, passed

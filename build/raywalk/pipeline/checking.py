@@ -70,7 +70,8 @@ def _make(
 
 
 def publish_check(out: Path, made: Mapping[str, Entry]) -> None:
-    """A folder for each scene beside the page, and what all look like, in the scenes' folders."""
+    """A folder for each scene beside the page, and what all look like, of their small pictures
+    in the site."""
     if not made:
         return
     for id, entry in made.items():

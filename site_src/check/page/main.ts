@@ -15,8 +15,8 @@ const { root = "" } = document.body.dataset;
 const files = createFiles(root);
 const [says, found] = ["says", "found"].map((id) => document.getElementById(id)!);
 let last: { name: string; picture: Picture } | null = null;
-/** Of what is wrong, explained by a mistake: then it is the chosen scene. */
-const EXPLAINED = 0.8;
+/** A mistake that explains more of what is wrong speaks for the chosen scene. */
+const OF_THIS_SCENE = 0.8;
 let turn = 0; // of several pictures in a row the last one is shown
 
 function tell(sentence: string) {
@@ -56,7 +56,7 @@ async function checkLast() {
 /** Another scene that the picture shows, and what compares it with that. */
 async function otherThan(id: string, picture: Picture, { answers: [best] }: Recognised): Promise<Found["other"]> {
   const all = await files.scenes().catch(() => null);
-  const other = all && otherScene(picture, id, best?.agreement > EXPLAINED, all);
+  const other = all && otherScene(picture, id, best?.agreement > OF_THIS_SCENE, all);
   return other ? { title: titleOf(other), compare: () => (choose(other), chosenAnew()) } : null;
 }
 
