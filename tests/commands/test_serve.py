@@ -139,7 +139,7 @@ def chosen_in(folder: Path) -> Namespace:
     return Namespace(
         scenes=folder / "scenes", out=folder / "dist", work=folder / "work", sizes=False,
         budgets=build_site.BUDGETS, explain=False, scheduler=None, times=None, stats=False, url="",
-        slides_later=False, without=frozenset({"check", "mistakes"}),
+        slides_later=False, without=frozenset(build_site.PARTS),
     )  # fmt: skip
 
 

@@ -18,7 +18,8 @@ from raywalk.work.snapshot import one_build
 
 SITE_SOURCE = Path("site_src")
 BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
-PARTS = ("check", "mistakes")  # of the site, that it is whole without
+#: Of the site, what it is whole without.
+PARTS = {"check": "the page that pictures are checked on", "mistakes": "the pages of mistakes"}
 
 
 def add_to(commands: Any) -> None:
@@ -49,8 +50,8 @@ def add_options(parser: Any) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--without", type=parts_left_out, default=os.environ.get("RAYWALK_WITHOUT", ""),
-        metavar="PART,PART", help="make the site without these (or RAYWALK_WITHOUT): check, the "
-        "page that pictures are checked on; mistakes, the pages of mistakes",
+        metavar="PART,PART", help="make the site without these (or RAYWALK_WITHOUT): "
+        + "; ".join(f"{name}, {what}" for name, what in PARTS.items()),
     )  # fmt: skip
     parser.set_defaults(slides_later=False)
 
