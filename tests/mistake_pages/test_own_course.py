@@ -5,16 +5,21 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from raywalk.commands import check
+from raywalk.errors import SourceErrors
 from raywalk.mistake_pages.best import Shown, best_scenes
 from raywalk.mistake_pages.clarity import write_clarity
 from raywalk.mistake_pages.rounds import rounds_of
 from raywalk.mistake_pages.write import write_mistakes
 from raywalk.mistakes.table import BY_NAME
+from raywalk.pipeline.mistakes import Mistakes, misnamed, unseen
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene
 from raywalk.site.mistakes import Told, write_mistake_pages
@@ -44,7 +49,7 @@ def told(own: Scene, tmp_path_factory: pytest.TempPathFactory) -> Told:
     folder = tmp_path_factory.mktemp("made")
     write_clarity(own, folder)
     said = {own.id: json.loads((folder / "clarity.json").read_text("utf-8"))}
-    shown = best_scenes(said)
+    shown = best_scenes(said, {})
     rounds = rounds_of(shown, said)
     names = [question.name for each in rounds for question in each.questions]
     write_mistakes(own, names, folder)
@@ -60,6 +65,31 @@ def written(told: Told, own: Scene, out: Path) -> dict[str, str]:
         page.relative_to(out / "mistakes").as_posix(): page.read_text("utf-8")
         for page in (out / "mistakes").rglob("*.html")
     }
+
+
+def test_a_mistake_that_there_is_not_is_refused_with_the_nearest_name(
+    own: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Before anything is traced, by a build and by `raywalk check`."""
+    [error] = misnamed([replace(own, mistakes=("far-root", "shadow-acnes"))])
+    assert (error.key, error.message) == ("mistakes[1]", 'there is no mistake "shadow-acnes"')
+    assert "shadow-acne" in error.hint
+    scene = own.path.read_text("utf-8").replace("version = 1", 'version = 1\nmistakes = ["acne"]')
+    other = own.path.parent.parent / "named" / "scene.toml"
+    other.parent.mkdir()
+    other.write_text(scene, encoding="utf-8")
+    monkeypatch.setattr(check, "check_scene", lambda *_: [])  # what is asked of rays takes seconds
+    with pytest.raises(SourceErrors, match=r"mistakes\[0\]: there is no mistake \"acne\""):
+        list(check.run(Namespace(scene=[str(other)], scenes=other.parent.parent)))
+
+
+def test_what_a_scene_names_and_hardly_shows_is_told(own: Scene) -> None:
+    """A line each; what it shows is none."""
+    made = Mistakes({"far-root": Shown("a", (own.id,))}, (), {}, {}, (), ())
+    scene = replace(own, mistakes=("far-root", "total-black"))
+    assert list(unseen([scene], made)) == [
+        f'{own.id}: warning: mistakes: "total-black" hardly shows in this scene'
+    ]
 
 
 def test_what_shows_in_its_scene_is_shown_and_asked(told: Told, own: Scene, tmp_path: Path) -> None:

@@ -106,9 +106,11 @@ def test_the_scene_that_shows_it_is_chosen_first_among_equals() -> None:
         return {"mistakes": {"far-root": [0.1, clear, is_seen]}}
 
     of = {"a": told(0.9, False), "b": told(0.1, True), "c": told(0.3, True), "d": told(0.5, True)}
-    shown = best_scenes(of)
+    shown = best_scenes(of, {})
     assert shown["far-root"].best == "c" and shown["far-root"].all == ("b", "c", "d")
     assert set(shown) == {"far-root"}
+    for named, best in ("b", "b"), ("d", "d"), ("a", "c"):  # a scene that says so, if it is seen
+        assert best_scenes(of, {named: ("far-root",)})["far-root"].best == best
 
 
 def test_what_shows_is_asked_of_a_small_picture() -> None:

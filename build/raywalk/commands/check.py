@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.pipeline.mistakes import misnamed
 from raywalk.pipeline.wording import avoided_words
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene, read_scenes
@@ -27,6 +28,7 @@ def add_to(commands: Any) -> None:
 def run(chosen: Namespace) -> Iterator[str]:
     """A line a scene that is in order. Raises SourceErrors with all that is not."""
     scenes, problems = _read(chosen)
+    problems += misnamed(scenes)
     warnings: list[str] = []
     spoken = {DEFAULT: [Spoken(scene, True) for scene in scenes]}
     untold: list[str] = []

@@ -25,9 +25,11 @@ class Shown(NamedTuple):
     all: tuple[str, ...]  # that show it, in the course's order
 
 
-def best_scenes(of_scenes: dict[str, dict[str, Any]]) -> dict[str, Shown]:
+def best_scenes(
+    of_scenes: dict[str, dict[str, Any]], named: dict[str, tuple[str, ...]]
+) -> dict[str, Shown]:
     """By mistake, of those that show anywhere. of_scenes: what clarity.json says, by scene, in the
-    course's order."""
+    course's order; named: mistakes that scenes say they are good at showing."""
     shown = {}
     for mistake in TABLE:
         here = {
@@ -38,6 +40,8 @@ def best_scenes(of_scenes: dict[str, dict[str, Any]]) -> dict[str, Shown]:
         seen = {id: each.clear for id, each in here.items() if each.is_seen}
         if seen:
             most = max(seen.values())
-            best = next(id for id, clear in seen.items() if clear >= NEARLY * most)
+            plainly = (id for id, clear in seen.items() if clear >= NEARLY * most)
+            wished = (id for id in seen if mistake.name in named.get(id, ()))
+            best = next(wished, None) or next(plainly)
             shown[mistake.name] = Shown(best, tuple(seen))
     return shown

@@ -8,19 +8,22 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from raywalk.errors import SourceError
 from raywalk.mistake_pages.best import Shown, best_scenes
 from raywalk.mistake_pages.rounds import Round, rounds_of
+from raywalk.mistakes.table import BY_NAME
 from raywalk.pipeline.parts import silent
 from raywalk.pipeline.slides import ASK, Asking, sentences
 from raywalk.pipeline.tracing import by_cost
 from raywalk.scene.model import Scene
 from raywalk.scene.translation import Spoken
+from raywalk.scene.wording import did_you_mean, quoted
 from raywalk.site.mistake_words import ALL
 from raywalk.site.mistakes import RIGHT, Told, of_page
 from raywalk.site.scene_data import scene_words
@@ -63,6 +66,27 @@ class Mistakes:
             yield from of_scene.values()
 
 
+def misnamed(scenes: Iterable[Scene]) -> list[SourceError]:
+    """What scenes say they are good at showing, and is no mistake that we know."""
+    return [
+        SourceError(
+            scene.path, f"mistakes[{k}]", f"there is no mistake {quoted(name)}",
+            hint=did_you_mean(name, BY_NAME),
+        )
+        for scene in scenes
+        for k, name in enumerate(scene.mistakes)
+        if name not in BY_NAME
+    ]  # fmt: skip
+
+
+def unseen(scenes: Iterable[Scene], made: Mistakes) -> Iterator[str]:
+    """A line for each mistake that a scene names and does not show."""
+    for scene in scenes:
+        for name in scene.mistakes:
+            if name not in made.shown or scene.id not in made.shown[name].all:
+                yield f"{scene.id}: warning: mistakes: {quoted(name)} hardly shows in this scene"
+
+
 class _Missing(Exception):
     """Something is not in the store, and shall not be waited for."""
 
@@ -88,7 +112,7 @@ def _made(
         zip([e.id for e in ordered], (yield from run_chains(chains, workers)), strict=True)
     )
     said = {scene.id: _read(clear[scene.id].folder / "clarity.json") for scene in scenes}
-    shown = best_scenes(said)
+    shown = best_scenes(said, {scene.id: scene.mistakes for scene in scenes})
     own = {s.id: [name for name, each in shown.items() if each.best == s.id] for s in ordered}
     ordered = [scene for scene in ordered if own[scene.id]]
     chains = []

@@ -42,8 +42,8 @@ def trace_parts(scene: Scene) -> Parts:
 def silent(scene: Scene) -> Any:
     """All of a scene that is traced: it without its words."""
     words: dict[str, Any] = {
-        "title": "", "teaches": "", "key": "", "chapter": "", "before": "", "lesson": (),
-        "goals": (), "base": None,
+        "title": "", "teaches": "", "key": "", "chapter": "", "before": "", "mistakes": (),
+        "lesson": (), "goals": (), "base": None,
     }  # fmt: skip
     return plain(replace(scene, path=Path(), **words))
 

@@ -14,7 +14,7 @@ from typing import Any
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.pipeline.checking import make_checks
 from raywalk.pipeline.figures import filled_lessons
-from raywalk.pipeline.mistakes import make_mistakes
+from raywalk.pipeline.mistakes import make_mistakes, misnamed, unseen
 from raywalk.pipeline.parts import trace_parts, viewer_parts
 from raywalk.pipeline.publishing import Made, publish
 from raywalk.pipeline.scenes import Making, make_scenes
@@ -51,6 +51,8 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     base = base_of(chosen.url)
     with phase("read scenes"):
         scenes = read_scenes(chosen.scenes)
+        if wrong := misnamed(scenes):
+            raise SourceErrors(wrong)
         spoken = in_all_languages(scenes)
     store = Store(chosen.work, chosen.explain)
     made_from = viewer_parts(site_source)
@@ -82,6 +84,7 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     for code, translated in spoken.items():
         notes += missing_translations(translated, code)
     notes += slide_remarks(decks)
+    notes += unseen(own, mistakes) if mistakes else []
     yield from notes
     data = {scene.id: of_scenes[scene.id].data for scene in scenes}
     pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}

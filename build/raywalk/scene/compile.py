@@ -69,6 +69,7 @@ def compile_scene(
         key=whole.key or "",
         chapter=whole.chapter or "",
         before=whole.before or "",
+        mistakes=whole.mistakes,
         title=whole.title,
         teaches=whole.teaches,
         camera=camera,

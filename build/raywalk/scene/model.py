@@ -188,6 +188,7 @@ class Scene:
     goals: tuple[str, ...] = ()  # of the lesson: Markdown, a line each
     chapter: str = ""  # of the course, one of the schema's
     before: str = ""  # folder of the scene of its chapter that comes right after it
+    mistakes: tuple[str, ...] = ()  # of mistakes.json, that it is good at showing
     # Of a lesson on another scene: that scene, whose rays, pictures and meshes it shows. All that
     # is here besides id, path, key, chapter, place and words is that scene's.
     base: Scene | None = None

@@ -271,6 +271,14 @@ class SceneFile(Table):
         "2 to 4 sentences for the lesson's first slide: what a student can do after it"
     )
     background: Brightness = means("what a ray brings back that leaves the scene", (0.0, 0.0, 0.0))
+    mistakes: Annotated[
+        tuple[Name, ...],
+        Allowed("a list of names, as the pages of mistakes have in their addresses"),
+    ] = means(
+        "that this scene is good at showing: their pages show them here; without, the site chooses "
+        "by how plainly they show",
+        (),
+    )
     camera: CameraTable = means("where the picture is taken from")
     render: RenderTable = Field(default_factory=RenderTable, description="how far and how finely")
     materials: Materials = means("this scene's own materials, by name", {})
