@@ -137,9 +137,8 @@ def test_what_is_right_stands_before_what_is_wrong(
 def test_a_page_shows_the_line_to_change_and_leads_to_its_term(
     told: Told, own: Scene, tmp_path: Path
 ) -> None:
-    """As the words and terms.json say; where there is none nothing is said of it."""
+    """As the words and terms.json say."""
     pages = written(told, own, tmp_path)
     phong = pages["phong-for-blinn/index.html"]
     assert "<code>max(0, n·h)^s, h = (l + e) / |l + e|</code>" in phong
     assert 'glossary/index.html#blinn-phong"' in phong
-    assert 'class="lines"' not in pages["shadows-forgotten/index.html"]

@@ -12,7 +12,7 @@ from raywalk.work.snapshot import text_of
 
 ALL = "mistakes"  # the folder of the site, and of what is said in it
 FIELDS = ("title", "does", "seen", "why", "find")
-LINES = ("right", "wrong")  # of some: what a program must say, and what it says
+LINES = ("right", "wrong")  # what a program must say, and what it says
 OF_TABLE = "does"  # in the default language the table of mistakes has it
 SIGNS = (("n.l", "n·l"), ("d.n", "d·n"), (" - ", " − "), (">=", "≥"))  # as they are typeset
 Said = dict[str, dict[str, str]]
