@@ -17,6 +17,7 @@ from raywalk.slides.formats import SIGHTS
 from raywalk.trace.observer_view import Observer, hidden_points, hidden_stretches, shaded_view
 from raywalk.trace.plan import LEAST_SHARE, plan_of
 from raywalk.trace.record import assemble, record
+from raywalk.trace.shadow_maps import ShadowMaps
 from raywalk.trace.sheet_pixels import sheet_facts
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import level_pixels
@@ -40,7 +41,7 @@ def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Thr
     tracer, viewpoints = Tracer(scene, least_share=LEAST_SHARE), asked["viewpoints"]
 
     def write_view(k: int) -> None:
-        view = shaded_view(_pale(tracer, viewpoints[k]["lit"]), _observer(viewpoints[k]))
+        view = view_from(tracer, viewpoints[k])
         # Slides are made of its pixels: how small the file is matters to nobody.
         Image.fromarray(view).save(folder / f"view-{k}.png", compress_level=1)
 
@@ -53,6 +54,13 @@ def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Thr
         "worksheet": sheet_facts(tracer, **asked["worksheet"]),
     }
     (folder / SIGHTS).write_text(json.dumps(answers, sort_keys=True), encoding="utf-8")
+
+
+def view_from(tracer: Tracer, viewpoint: dict[str, Any]) -> np.ndarray:
+    """(height, width, 4) uint8: what lies behind a stop's lines."""
+    lit, maps = viewpoint["lit"], _maps(viewpoint)
+    pale = _pale(tracer, lit | {"shadows": False} if maps else lit)
+    return shaded_view(pale, _observer(viewpoint), maps)
 
 
 def _pale(tracer: Tracer, lit: dict[str, Any]) -> Tracer:
@@ -124,3 +132,14 @@ def _observer(viewpoint: dict[str, Any]) -> Observer:
     }
     seen: dict[str, Any] = {key: viewpoint[key] for key in ("focal", "width", "height")}
     return Observer(**seen, **vectors)
+
+
+def _maps(viewpoint: dict[str, Any]) -> ShadowMaps | None:
+    """The shadow maps of a view that is not to be traced but rasterised."""
+    if "maps" not in viewpoint:
+        return None
+    given = dict(viewpoint["maps"])
+    return ShadowMaps(
+        normal_bias=given.pop("normalBias"), lamps=tuple(given.pop("lamps")),
+        casts=tuple(given.pop("casts")), **given,
+    )  # fmt: skip

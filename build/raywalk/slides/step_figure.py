@@ -24,7 +24,6 @@ from raywalk.slides.pictures import (
 )
 from raywalk.slides.stops import ChosenLine, ThinLine
 from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched
-from raywalk.slides.worked_figures import view_of
 
 CHOSEN_WIDTH = 3.0
 PASSED_WIDTH = 1.8  # of rays that a walk has behind it
@@ -77,8 +76,8 @@ def _switched(drawing: Drawing, places: Places) -> list[Item]:
     settings = switched(drawing.stop.switches)
     if drawing.stop.colours != "picture":
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
-    if view_of(drawing.scene, drawing.stop).get("look") == "approximate":
-        settings.append(say("slides.seeLive"))  # a pale view is traced, and shows no such tricks
+    if drawing.stop.is_elsewhere:
+        settings.append(say("slides.seeLive"))
     items: list[Item] = []
     left, top = drawing.box.left + 10, drawing.box.top + 8
     if settings:

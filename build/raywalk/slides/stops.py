@@ -177,6 +177,7 @@ class Stop(FromNode):
     filled: bool  # whether the tiles show their colours
     observer: dict[str, Any]  # eye, target, up (world units), fov (degrees)
     is_camera: bool  # the observer looks through the ray-tracing camera
+    is_elsewhere: bool  # it is rasterised on the page, with what paper cannot show
     colours: str  # what filled tiles show: the picture, or what it cost
     switches: Switches
     is_switched: bool

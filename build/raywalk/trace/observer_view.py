@@ -16,6 +16,7 @@ from raywalk.geometry.roots import NOWHERE
 from raywalk.scene.placement import placement
 from raywalk.scene.shapes import Plane
 from raywalk.trace.camera import unit_directions
+from raywalk.trace.shadow_maps import ShadowMaps, shadowed_colours
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 # An endless floor fades outwards between these distances from the scene's middle, in its radii.
@@ -41,16 +42,20 @@ class Observer:
     height: int
 
 
-def shaded_view(tracer: Tracer, observer: Observer) -> np.ndarray:
+def shaded_view(tracer: Tracer, observer: Observer, maps: ShadowMaps | None = None) -> np.ndarray:
     """(height, width, 4) uint8: traced colours, and how much there is to see at each pixel:
-    0 where rays leave the scene, fading far out on a plane."""
+    0 where rays leave the scene, fading far out on a plane. maps: the tracer asks for no shadows,
+    which come from these instead."""
     walls, media = Walls(tracer, observer.eye), tracer.media_at(observer.eye)
     pixels = np.arange(observer.width * observer.height)
     view = np.zeros((len(pixels), 4), np.uint8)
     for strip in np.array_split(pixels, max(1, -(-len(pixels) // STRIP))):
         first, met = _through_cut(tracer, _rays_through(observer, strip), walls)
         wave = tracer.to_the_end(first, media, met)[0]
-        view[strip, :3] = eight_bit(wave.colour)
+        colour = wave.colour
+        if maps:
+            colour = shadowed_colours(tracer, maps, wave, _places(observer, strip))
+        view[strip, :3] = eight_bit(colour)
         view[strip, 3] = np.rint(255 * _presence(tracer, wave.hits.object, wave.hits.point))
     return view.reshape(observer.height, observer.width, 4)
 
@@ -125,6 +130,12 @@ def _rays_through(observer: Observer, pixels: np.ndarray) -> Rays:
     spread = observer.height / (2 * observer.focal)
     direction = unit_directions(frame, spread, observer.width, observer.height, pixels)
     return rays_from(np.tile(observer.eye, (len(pixels), 1)), direction)
+
+
+def _places(observer: Observer, pixels: np.ndarray) -> np.ndarray:
+    """(n, 2) centres of pixels (n,), x and y from the lower left."""
+    row, column = np.divmod(pixels, observer.width)
+    return np.stack([column + 0.5, observer.height - row - 0.5], axis=1)
 
 
 def _through_cut(tracer: Tracer, rays: Rays, walls: Walls) -> tuple[Rays, Hits]:

@@ -1,14 +1,11 @@
 /** The scene's objects, lit by its lights. World units, +y up. */
 import {
   AmbientLight,
-  BackSide,
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
   CircleGeometry,
   CylinderGeometry,
-  DoubleSide,
-  FrontSide,
   Group,
   Matrix4,
   Mesh,
@@ -16,14 +13,13 @@ import {
   SphereGeometry,
   type Material,
   type MeshMatcapMaterial,
-  type Side,
 } from "three";
 import { meshOf } from "../state/mesh";
-import { isWithin, toWorld } from "../state/placing";
-import { endsOf, FORMS } from "../state/shapes";
+import { endsOf } from "../state/shapes";
 import { drawsShadows } from "../state/look";
+import { facesOf, isLamp, lampsApart, shadowMapOf } from "../state/shadow-map";
 import type { Part, Switches } from "../state/switches";
-import { cross, dot, scale, sub } from "../state/vectors";
+import { scale } from "../state/vectors";
 import type { ObjectData, SceneData } from "../trace/types";
 import { createLooks } from "./looks";
 import { surroundedLook } from "./surrounded";
@@ -34,7 +30,6 @@ import { createWall } from "./wall";
 // as a graphics card draws at ease.
 const roundOf = ({ objects }: SceneData) => Math.max(8, Math.min(64, 2 * Math.floor(400 / Math.sqrt(objects.length))));
 const EVERYWHERE = 0.22 * Math.PI; // strength of the light that comes from all sides
-const SHADOW_PIXELS = 512; // of each of a light's six sides
 
 const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneData) => BufferGeometry> = {
   sphere: (_, scene) => new SphereGeometry(1, roundOf(scene), roundOf(scene) / 2),
@@ -64,38 +59,25 @@ const GEOMETRIES: Record<ObjectData["type"], (object: ObjectData, scene: SceneDa
   },
 };
 
-/** Which faces to draw. A room round the camera shows its inside only, so that an observer outside
- *  looks in; a lone triangle is a piece of wall and turns towards the camera. */
-function sideOf(object: ObjectData, scene: SceneData): Side {
-  const eye = scene.camera.eye;
-  if (isWithin(object, eye)) return BackSide;
-  if (object.type === "triangle") {
-    const [a, b, c] = ([[0, 0, 0], [1, 0, 0], [0, 1, 0]] as const).map((p) => toWorld(object.transform, p));
-    return dot(cross(sub(b, a), sub(c, a)), sub(eye, a)) < 0 ? BackSide : FrontSide;
-  }
-  return FORMS[object.type].isOpen(object) ? DoubleSide : FrontSide;
-}
-
-const MOST_LAMPS = 16; // that a graphics card takes, each with its shadow map
-
 function lightsOf(scene: SceneData, plain: boolean) {
   const group = new Group();
   const lamps: PointLight[] = [];
   // A little light from everywhere, so that shapes keep their form in the shade: the caption says so (panels/view-switch.ts).
   const everywhere = new AmbientLight(0xffffff, EVERYWHERE);
   group.add(everywhere);
-  const every = Math.ceil(scene.lights.length / MOST_LAMPS); // of an area light's many points one stands for so many
-  for (const { position, colour, intensity, attenuation } of scene.lights.filter((_, k) => k % every === every >> 1)) {
+  const every = lampsApart(scene);
+  const map = shadowMapOf(scene);
+  for (const { position, colour, intensity, attenuation } of scene.lights.filter((_, k) => isLamp(k, every))) {
     const near = Math.max(1e-6, attenuation[0]);
     const light = new PointLight(0xffffff, intensity * every * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
     light.color.setRGB(...scale(colour, 1 / near));
     light.position.set(...position);
     light.castShadow = !plain && drawsShadows(scene);
-    light.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
-    light.shadow.camera.near = scene.bounds.radius / 40; // nearer, and depths far away run together
-    light.shadow.camera.far = scene.bounds.radius * 6;
-    light.shadow.bias = -0.0003;
-    light.shadow.normalBias = scene.bounds.radius / 400;
+    light.shadow.mapSize.set(map.pixels, map.pixels);
+    light.shadow.camera.near = map.near;
+    light.shadow.camera.far = map.far;
+    light.shadow.bias = map.bias;
+    light.shadow.normalBias = map.normalBias;
     lamps.push(light);
     group.add(light);
   }
@@ -120,7 +102,7 @@ export function createSolids(scene: SceneData, plain: boolean) {
     const shape = each.mesh ?? each.type + each.open + each.tip;
     const geometry = made.get(shape) ?? GEOMETRIES[each.mesh ? "mesh" : each.type](each, scene);
     made.set(shape, geometry);
-    const look = looks.of(material, sideOf(each, scene), !geometry.getAttribute("normal"));
+    const look = looks.of(material, facesOf(each, scene), !geometry.getAttribute("normal"));
     look.vertexColors = !!geometry.getAttribute("color");
     const mesh = new Mesh(geometry, look);
     mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));

@@ -1,10 +1,11 @@
 /** What the tracer is asked for a lesson's figures: shaded views, what hides a line, all digits of what is printed. */
 import type { Switches } from "../state/switches";
 import type { Vec3 } from "../state/vectors";
-import { pixelIndex } from "../state/view-state";
+import { pixelIndex, stopOf } from "../state/view-state";
 import { switchedScene } from "../state/what-if";
 import type { ViewState } from "../state/types";
 import type { SceneData } from "../trace/types";
+import { mapsFor, type ShadowMaps } from "./rasterised";
 import { seenAt, settingOf, stopsOf, walksPixel, type Seen, type Size, type Traces } from "./seen";
 import { worksheetOf, type Worksheet } from "./worksheet";
 
@@ -16,6 +17,7 @@ interface Viewpoint extends Size {
   forward: Vec3;
   focal: number;
   lit: Lit;
+  maps?: ShadowMaps; // its shadows are those of a rasteriser
 }
 
 type Lit = Pick<SceneData, "depth" | "shadows"> & {
@@ -45,9 +47,9 @@ function litBy(whole: SceneData, switches: Switches): Lit {
   return { depth, shadows, intensities: lights.map(({ intensity }) => intensity), paints: materials.map(({ ambient, diffuse, specular }) => [ambient, diffuse, specular]) };
 }
 
-function viewpointOf({ observer: { eye }, projection }: Seen, lit: Lit): Viewpoint {
+function viewpointOf({ observer: { eye }, projection }: Seen, lit: Lit, maps: ShadowMaps | null): Viewpoint {
   const { right, up, forward, focal, width, height } = projection;
-  return { eye, right, up, forward, focal, width, height, lit };
+  return { eye, right, up, forward, focal, width, height, lit, ...(maps && { maps }) };
 }
 
 export function ask(scene: SceneData, traces: Traces, size: Size): Asked {
@@ -59,7 +61,8 @@ export function ask(scene: SceneData, traces: Traces, size: Size): Asked {
   const want = (n: number, pixel: number) => exact.set(n, (exact.get(n) ?? new Set()).add(pixel));
   const stops = all.map(({ state }) => {
     const seen = seenAt(state, traces(state.n), setting);
-    const viewpoint = JSON.stringify(viewpointOf(seen, litBy(scene, switchesOf(state))));
+    const maps = stopOf(scene, state)?.view.look === "approximate" ? mapsFor(seen.scene) : null;
+    const viewpoint = JSON.stringify(viewpointOf(seen, litBy(scene, switchesOf(state)), maps));
     if (!viewpoints.includes(viewpoint)) viewpoints.push(viewpoint);
     if (walksPixel(state)) want(state.n, pixelIndex(state));
     const lines = [...seen.chosen, ...seen.thin].map(({ from, to }) => [from, to] as const);

@@ -39,6 +39,7 @@ export interface LessonStop {
   filled: boolean;
   observer: Observer;
   isCamera: boolean; // the observer looks through the ray-tracing camera
+  isElsewhere: boolean; // it asks for the approximate look, of which paper shows the traced scene instead
   colours: ViewState["colours"];
   switches: Omit<Switches, "lamps"> & { lamps: readonly (readonly [string, number])[] }; // those that are not as traced
   isSwitched: boolean;
@@ -75,7 +76,13 @@ function walk({ kind, state }: Stop, { trace, scene }: Seen): Pick<LessonStop, "
   return { numbers, rows: rows.map(rowOf), events: events.map((event) => ({ what: event.what, ray: numbers.get(event.ray)!, light: event.light, ...worded(event) })) };
 }
 
-function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], viewpoint: number, sights: Sights["stops"][number], drawable: Drawable): LessonStop {
+/** The shaded view behind a stop. */
+interface Behind {
+  viewpoint: number; // of those asked for
+  isRasterised: boolean;
+}
+
+function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], { viewpoint, isRasterised }: Behind, sights: Sights["stops"][number], drawable: Drawable): LessonStop {
   const { step, kind, state } = stop;
   const { n, pixel, switches, colours } = state;
   const { scene } = setting;
@@ -89,6 +96,7 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
     step, kind, viewpoint, n, pixel, colours, observer: seen.observer, oneIn: seen.oneIn, ...walked,
     filled: state.tiles === "filled",
     isCamera: state.observer === "camera",
+    isElsewhere: view.look === "approximate" && !isRasterised,
     switches: { ...switches, lamps: lamps.filter(([, factor]) => factor !== 1) },
     isSwitched: isSwitched(switches),
     figure: sheet.figure(setting.plane, n, switches, view, kind === "question" ? [] : boxesAt(state, scene, view, drawable)),
@@ -107,7 +115,8 @@ export function lessonOf(scene: SceneData, filed: Traces, size: Size, asked: Ask
   const stops = stopsOf(scene);
   const laid = new Map(sights.exact.map((rays) => [rays.n, withExact(filed(rays.n), scene, rays)]));
   const exact = (n: number) => laid.get(n) ?? filed(n);
+  const behind = asked.stops.map(({ viewpoint }): Behind => ({ viewpoint, isRasterised: "maps" in asked.viewpoints[viewpoint] }));
   return {
-    stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], asked.stops[k].viewpoint, sights.stops[k], drawable)),
+    stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], behind[k], sights.stops[k], drawable)),
   };
 }
