@@ -13,7 +13,7 @@ FORMULAS = [
     ("01-shading", ("Blinn and Phong", "Blinn und Phong"), "max(0, n·h)ˢ"),
     ("02-shadows", ("in shadow", "im Schatten"), "ε < t < "),
     ("04-one-bounce", ("direction", "Richtung"), "d − 2(d·n) n"),
-    ("08-glass", ("Snell's law", "snelliussche Brechungsgesetz"), "sin θ₁ = n sin θ₂"),
+    ("08-glass", ("Snell's law", "snelliussche Gesetz"), "sin θ₁ = n sin θ₂"),
 ]
 
 
