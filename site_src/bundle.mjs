@@ -1,7 +1,8 @@
 /**
  * node site_src/bundle.mjs --out DIR: the viewer as classic scripts. DIR/viewer.js is what a first view needs; each
  * import() in the viewer becomes a part of its own, DIR/part-<module>.js (parts.mjs); DIR/kiosk.js is what only a kiosk
- * loads, DIR/check.js what the page check/ does, DIR/page.js what every page does; DIR/packages.json names the npm packages that are in them.
+ * loads, DIR/check.js what the page check/ does, DIR/check-mistake.js what it has a mistake's page do, DIR/page.js what every page does;
+ * DIR/packages.json names the npm packages that are in them.
  * Classic, not modules, because from file:// browsers refuse modules. Ends with 1 if ray code is left.
  */
 import { mkdir, readFile, writeFile } from "node:fs/promises";
@@ -92,8 +93,9 @@ async function main() {
   if (left.length) throw new Error(`viewer.js still holds ray code: ${[...new Set(left)].join(", ")}`);
   const kiosk = await bundled('import "./viewer/kiosk/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.other } });
   const check = await bundled('import "./check/page/main"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.check } });
+  const mistake = await bundled('import "./check/page/mistake"', { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.check } });
   const page = await Promise.all(PAGE.map((path) => readFile(join(HERE, path), "utf8")));
-  const scripts = { viewer, kiosk: kiosk.text, check: check.text, page: (await transform(page.join("\n"), { minify: true, target: TARGET })).code, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
+  const scripts = { viewer, kiosk: kiosk.text, check: check.text, "check-mistake": mistake.text, page: (await transform(page.join("\n"), { minify: true, target: TARGET })).code, ...Object.fromEntries(Object.entries(parts).map(([name, text]) => [`part-${name}`, text])) };
   await mkdir(folder, { recursive: true });
   for (const [name, text] of Object.entries(scripts)) await writeFile(join(folder, `${name}.js`), text);
   await writeFile(join(folder, "packages.json"), JSON.stringify(packagesIn(paths)));

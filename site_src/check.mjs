@@ -21,7 +21,7 @@ import { build } from "esbuild";
 
 const place = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { outputFiles } = await build({ entryPoints: [place("./check/main.ts")], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, taken, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, taken, wantsTiles, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 function speak(language = "en") {
   if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(place(`./words/${language}.json`), "utf8"));
@@ -61,7 +61,8 @@ function checked({ picture: file, data, names }) {
   const source = sourceFor(size, scene.about);
   const nearest = nearestSize(size, scene.about);
   const { leftOut } = scene.about;
-  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), source.isExact, scene);
+  const whole = () => rightOf(scriptIn(data, scene.about.own.at(-1))); // has each tile's middle
+  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), source.isExact, scene, wantsTiles(size, scene.about) ? whole() : undefined);
   const lines = reportOf({ file: { name: basename(file), width, height }, square, source, checked: found, leftOut, nearest }, names);
   const { heat, ...comparison } = found.comparison;
   return told({ ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest, leftOut }, lines);

@@ -1,13 +1,13 @@
 /** What node asks of this folder: check.mjs, and tests. */
 export { alikeIn, toldApartIn } from "./alike";
-export { check } from "./check";
+export { check, wantsTiles } from "./check";
 export { compare } from "./compare";
 export { aboutOf, rightOf, sceneOf } from "./data";
 export { atlasOf } from "./atlas";
 export { readPng } from "./formats/png";
 export { pictureOrSentence, readPicture } from "./formats/read";
 export { sentenceOf } from "./formats/sentences";
-export { allScenesOf, otherScene } from "./other-scene";
+export { allScenesOf, otherScene, toldApartFromAfar } from "./other-scene";
 export { placeAt, whereWrong } from "./places";
 export { recogniserOf } from "./recognise";
 export { refused, reportOf, sentenceAlone, written } from "./report";

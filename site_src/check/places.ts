@@ -2,7 +2,8 @@
 import type { Picture } from "./formats/picture";
 import { NOISE } from "./layer";
 
-const [IN_SHADOW, LIT, MIRROR, GLASS, EDGE] = [1, 2, 4, 8, 16];
+const [IN_SHADOW, LIT, MIRROR, GLASS] = [1, 2, 4, 8];
+export const EDGE = 16;
 /** A kind of place is told that holds at least this share of the wrong pixels, and is so much less of the picture. */
 const [MOST, TELLING] = [0.8, 0.25];
 const TOLD = 2;
@@ -36,6 +37,11 @@ const KINDS: [Kind, (object: number, bits: number) => boolean][] = [
   ["lit", (_, bits) => (bits & LIT) > 0],
   ["background", (object) => object < 0],
 ];
+
+/** Whether a place is of the kind that is told. */
+export function liesIn({ kind, object: told }: Told, object: number, bits: number): boolean {
+  return kind === "object" ? object === told : KINDS.some(([each, holds]) => each === kind && holds(object, bits));
+}
 
 /** The place of a pixel of an n x n picture on the grid of places: its object, -1 for none, and bits. */
 export function placeAt(places: Picture, n: number, x: number, y: number): { object: number; bits: number } {

@@ -105,7 +105,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.tileColours.when(state.colours !== "picture", session.changed)?.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
   panels.savings.when(state.tab !== "none", session.changed)?.show(scene); // it stands under a tab
-  panels.spoken.now()?.show(state, scene, trace, asking);
+  panels.spoken.when(!!location.search, session.changed)?.show(state, scene, trace, asking); // it shows what the address brings from a check
 }
 
 /** The stage, and what of it comes later. */

@@ -54,7 +54,7 @@ def test_each_scene_has_its_sizes_and_says_what_it_leaves_out(scene) -> None:
     names = {path.stem for path in (PUBLISHED / scene.id).iterdir()}
     atlas = set() if said["leftOut"] else {"atlas"}
     sizes = {str(n) for n in (scene.render.size, *said["others"])}
-    assert names == {"about", "places"} | atlas | sizes
+    assert names == {"about", "places", "tiles"} | atlas | sizes
     assert bool(said["mistakes"]) == (not said["leftOut"])
 
 
@@ -122,3 +122,31 @@ def test_places_know_objects_light_mirrors_and_edges() -> None:
 
 def test_visitors_and_kiosks_do_not_carry_it() -> None:
     assert '"check/' not in (ROOT / "dist" / "sw.js").read_text("utf-8")
+
+
+@pytest.mark.parametrize("scene", ["02-shadows", "12-soft-shadows-1"])
+def test_tiles_have_the_colours_of_the_pixels_in_their_middle(scene) -> None:
+    """Of the finest grid, in the scene's own picture: what a tile's rays add up to."""
+    said = about(scene)
+    tiles, whole = image(scene, "tiles"), image(scene, str(said["own"][-1]))
+    n, step = len(tiles), len(whole) // len(tiles)
+    assert n == max(said["grids"]) and step % 2
+    assert all((tiles[y, x] == whole[y * step + step // 2, x * step + step // 2]).all()
+               for y in range(n) for x in range(n))  # fmt: skip
+
+
+def test_all_scenes_are_told_of_in_the_courses_order_with_their_mistakes() -> None:
+    """Of each mistake that shows, the squares of its pictures: those of the right one where it
+    changes nothing there."""
+    text = (PUBLISHED / "scenes.js").read_text("ascii").split('"')[3]
+    told = json.loads(gzip.decompress(base64.b64decode(text)))
+    assert told["scenes"] == [scene.id for scene in OWN]
+    for id, wrong in zip(told["scenes"], told["wrong"], strict=True):
+        pictures = {each["name"]: len(each["wrong"]) for each in about(id)["mistakes"]}
+        assert {name: len(means) for name, means in wrong.items()} == pictures
+    swapped = np.array(told["wrong"][told["scenes"].index("02-shadows")]["red-and-blue-swapped"])
+    size = told["wrongAlong"]
+    right = Image.fromarray(image("02-shadows", "atlas")[:GRID]).resize(
+        (size, size), Image.Resampling.BOX
+    )
+    assert np.abs(swapped.reshape(-1, 3)[:, ::-1] - np.asarray(right).reshape(-1, 3)).max() <= STEP

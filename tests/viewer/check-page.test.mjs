@@ -83,7 +83,7 @@ test("a picture of another scene than was chosen is told as that, and is compare
   await page.getByRole("button", { name: "Compare with “Many bounces”" }).click();
   await page.getByRole("heading", { name: EN.verdict.right }).waitFor();
   assert.ok(await page.locator("[value='05-many-bounces']").isChecked());
-  assert.match(page.url(), /#scene=05-many-bounces$/);
+  assert.match(page.url(), /#scene=05-many-bounces&report=1$/);
   assert.equal(await page.locator(".check-other").count(), 0);
   assert.deepEqual(page.faults, []);
 });
@@ -134,7 +134,7 @@ test("what is copied is what the command says, line by line", async () => {
   await page.getByRole("button", { name: EN.report.copied }).waitFor();
   const objects = JSON.parse(await page.locator("[value='02-shadows']").getAttribute("data-objects"));
   const title = await page.locator("[value='02-shadows']").getAttribute("data-title");
-  const names = { scene: title, objects, mistakes: Object.fromEntries(Object.entries(mistakes).map(([name, { title }]) => [name, title])) };
+  const names = { scene: title, objects, mistakes };
   const request = { do: "check", picture: file, data: `${DIST}/check/02-shadows`, language: "en", names };
   const { answer } = JSON.parse(execFileSync("node", [fileURLToPath(new URL("../../site_src/check.mjs", import.meta.url))], { input: JSON.stringify(request), encoding: "utf8" }));
   const [, ...copied] = (await page.evaluate(() => window.copied)).trimEnd().split("\n");
@@ -142,9 +142,57 @@ test("what is copied is what the command says, line by line", async () => {
   rmSync(dirname(file), { recursive: true });
 });
 
-test("a pixel that is far off leads to its rays", async () => {
+/** The same on n x n pixels, none of which need have its centre where the atlas has one. */
+function drawnOut(png, n) {
+  const from = PNG.sync.read(png);
+  const made = new PNG({ width: n, height: n });
+  const along = (at) => Math.floor(((at + 0.5) * from.width) / n);
+  for (let i = 0; i < n * n; i++) made.data.set(from.data.subarray(...[0, 4].map((end) => 4 * (along(Math.floor(i / n)) * from.width + along(i % n)) + end)), 4 * i);
+  return PNG.sync.write(made);
+}
+
+test("a mistake's page shows the scene that was checked, and both its link and the browser's Back lead to the report as it was left", async () => {
+  await visit("#scene=03-two-lights");
+  await drop(wrongPicture("03-two-lights", "phong-for-blinn"), "mine.png");
+  const verdict = await page.locator("#found").innerText();
+  const link = page.locator(".check-answers h3 a").first();
+  await link.scrollIntoViewIfNeeded();
+  const scrolled = await page.evaluate(() => scrollY);
+  assert.ok(scrolled > 0);
+  await Promise.all([page.waitForURL("**/mistakes/phong-for-blinn/**"), link.click()]);
+  const wrong = page.locator(".pair canvas").last();
+  assert.match(await wrong.getAttribute("aria-label"), /^“Two lights” with the mistake: /);
+  const shown = await wrong.evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data].filter((_, i) => i % 4 < 3));
+  const { mistakes: all } = atlasOf(aboutOf(dataOf("03-two-lights", "about")), rightOf(dataOf("03-two-lights", "atlas")));
+  assert.deepEqual(Uint8Array.from(shown), all.find(({ name }) => name === "phong-for-blinn").pictures[0], "its own picture of the mistake");
+  assert.match(await page.locator(".of-scene").innerText(), /“Two lights”, the scene that you checked/);
+  assert.match(await page.locator(".beside a").last().getAttribute("href"), /#scene=03-two-lights$/, "and so do its neighbours");
+  for (const back of [() => page.goBack(), () => page.goForward().then(() => page.locator(".to-report a").click())]) {
+    await back();
+    await page.locator("#found:not([hidden])").waitFor();
+    assert.equal(await page.locator("#found").innerText(), verdict);
+    await page.waitForFunction((wanted) => Math.abs(scrollY - wanted) < 2, scrolled);
+  }
+  await page.getByRole("button", { name: EN.again }).click();
+  await page.reload();
+  await page.locator("#sizes:not(:empty)").waitFor({ state: "attached" });
+  assert.ok(!(await page.locator("#found").isVisible()), "who wants another picture is done with this one");
+  assert.deepEqual(page.faults, []);
+});
+
+test("where a mistake does not show in the scene that was checked, its page says so and shows its own", async () => {
+  await page.goto(`${ON_DISK}mistakes/no-fresnel/index.html#scene=02-shadows`);
+  assert.match(await page.locator(".of-scene").innerText(), /^In “Shadows”, the scene that you checked, this mistake does not show\. Both pictures show “Glass”/);
+  assert.equal(await page.locator(".pair img").count(), 2);
+  await page.goto(`${ON_DISK}mistakes/no-fresnel/index.html#scene=`);
+  await page.reload();
+  assert.equal(await page.locator(".to-report, .of-scene").count(), 0, "without a scene the page is as it came");
+});
+
+test("a pixel that is far off leads to its rays, and is there what it was in the report", async () => {
   await visit("#scene=02-shadows");
-  await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  await drop(drawnOut(wrongPicture("02-shadows", "shadows-forgotten"), 512));
+  assert.ok((await page.locator(".check-walk").innerText()).includes("None of your 512 × 512 pixels"));
   const link = page.locator(".check-tiles a").first();
   const [, x, y, n] = (await link.innerText()).match(/Tile (\d+), (\d+) of (\d+)/);
   const [, yours] = (await link.innerText()).match(/yours \(([\d, ]+)\)/);
@@ -153,7 +201,8 @@ test("a pixel that is far off leads to its rays", async () => {
   await isWhole(page);
   await until(page, (s, t, wanted) => JSON.stringify([s.scene, s.pixel, s.n]) === wanted, JSON.stringify(["02-shadows", [Number(x), Number(y)], Number(n)]));
   const told = page.locator(".card-head .yours");
-  assert.equal(await told.innerText(), wordsOf("en").card.yours.replace("{yours}", yours), "what the student's program gave");
+  assert.ok((await told.innerText()).startsWith(wordsOf("en").card.yours.replace("{yours}", yours)), "what the student's program gave");
+  assert.match(await told.locator("a").getAttribute("href"), /check\/index\.html#scene=02-shadows&report=1$/, "and the way back");
   assert.equal(await page.locator(".pixel-colour").innerText(), right, "beside the right colour");
   await reload(page);
   assert.ok(await told.isVisible(), "the page loaded anew still knows it");
@@ -189,6 +238,7 @@ test("the wipe moves by keys and by hand, other views are a press away, and a pi
   assert.notEqual(await clip(), half);
   const picture = page.locator(".check-picture");
   await picture.hover({ position: { x: 40, y: 40 } });
+  assert.ok(await page.evaluate(() => document.querySelector(".check-under").getBoundingClientRect().bottom <= document.querySelector(".check-picture").getBoundingClientRect().top), "both colours stand above the picture");
   assert.match(await page.locator(".check-under").innerText(), /^Column \d+, row \d+: yours \(\d+, \d+, \d+\), right \(\d+, \d+, \d+\)$/);
   await page.mouse.down();
   assert.match(await clip(), /^inset\(0(px)? \d/);

@@ -6,11 +6,11 @@ import { load, wordsOf } from "./typescript.mjs";
 const { refused, reportOf, sentenceAlone, written } = await load("../check/main.ts");
 const EN = wordsOf("en").check;
 
-const NAMES = { scene: "Shadows", objects: ["red ball", "mirror A"], mistakes: { near: "Near for far", far: "Far for near" } };
+const NAMES = { scene: "Shadows", objects: ["red ball", "mirror A"], mistakes: { near: { title: "Near for far", right: "t > 0", wrong: "t < 0" }, far: { title: "Far for near", right: "near", wrong: "far" } }, scenes: { glass: "Glass" } };
 const picture = { width: 105, height: 105, isLossy: false, hadAlpha: false };
 const comparison = { within: [0.5, 0.75, 1], mean: 3.14159, largest: 31, fits: null, isTruncated: false };
 const wrong = {
-  isRight: false, isPair: false, comparison, answers: [{ names: ["near", "far"], agreement: 0.875 }, { names: ["far"], agreement: 0.6 }],
+  isRight: false, isPair: false, areBeside: false, apart: null, comparison, answers: [{ names: ["near", "far"], agreement: 0.875 }, { names: ["far"], agreement: 0.6 }],
   where: { told: [{ kind: "object", object: 0, ofWrong: 0.9, ofPicture: 0.1 }], objects: [{ object: 0, wrong: 0.8, ofWrong: 0.996 }, { object: 1, wrong: 0.1, ofWrong: 0.004 }] },
   tiles: [{ n: 15, x: 3, y: 4, object: -1, own: [1, 2, 3], right: [4, 5, 6] }],
 };
@@ -22,7 +22,7 @@ const kinds = (lines) => lines.map(({ part, kind }) => `${part} ${kind}`);
 test("a wrong picture's lines: how right, where, what it looks like, walk it", () => {
   const lines = reportOf(found(), NAMES);
   const numbers = Array(5).fill("how number");
-  const expected = ["verdict verdict", "verdict note", "verdict note", "how head", ...numbers, "where head", "where place", "where columns", "where object", "looks head", "looks says", "looks answer", "looks alike", "looks answer", "walk head", "walk says", "walk tile"];
+  const expected = ["verdict verdict", "verdict note", "verdict note", "how head", ...numbers, "where head", "where place", "where columns", "where object", "looks head", "looks says", "looks answer", "looks line", "looks line", "looks alike", "looks answer", "looks line", "walk head", "walk says", "walk tile"];
   assert.deepEqual(kinds(lines), expected, "an object with 0.4 % of the wrong pixels is not told");
 });
 
@@ -67,8 +67,28 @@ test("no mistake that is known, and none that is looked for, are two sentences",
 test("as text a line is its words and its values; a mistake is named for programs, too", () => {
   const lines = written(reportOf(found(), NAMES));
   assert.ok(lines.includes("  Near for far (near) / Far for near (far): 87.5\u202f% agreement"), lines.join("\n"));
+  assert.ok(lines.includes("    The line to look for (far): near, not far"));
   assert.ok(lines.includes("  red ball: 80\u202f%, 99.6\u202f%"));
   assert.ok(lines.includes("  Tile 3, 4 of 15 × 15: background: yours (1, 2, 3), right (4, 5, 6)"));
+});
+
+test("of mistakes that look the same it is said which scene tells them apart, if one is known", () => {
+  const says = (apartIn) => reportOf(found({ apartIn }), NAMES).find(({ kind }) => kind === "alike").words;
+  assert.deepEqual([says(() => "glass"), says(() => null), says()], [EN.looks.alikeBut.replace("{scene}", "Glass"), EN.looks.alike, EN.looks.alike]);
+});
+
+test("what tells the second answer from the first stands below it, with what each makes there", () => {
+  const place = { kind: "object", object: 0, ofWrong: 1, ofPicture: 0.1 };
+  const lines = reportOf(found({}, { apart: { place, x: 7, y: 8, first: [1, 2, 3], second: [4, 5, 6], own: [1, 2, 4] } }), NAMES);
+  const at = lines.findIndex(({ kind }) => kind === "apart");
+  assert.ok(lines.slice(0, at).filter(({ kind }) => kind === "answer").length === 2 && lines[at + 1].part === "walk");
+  assert.equal(lines[at].words, "To tell the first from the second, look on the red ball: at column 7, row 8 the first makes (1, 2, 3), the second (4, 5, 6); yours has (1, 2, 4).");
+});
+
+test("where no pixel's centre is a tile's, that is said", () => {
+  const says = (areBeside) => reportOf(found({}, { areBeside }), NAMES).filter(({ kind }) => kind === "beside").map(({ words }) => words);
+  assert.deepEqual(says(false), []);
+  assert.match(says(true)[0], /^None of your 105 × 105 pixels .* 15 × 15 tiles/);
 });
 
 test("what cannot be compared is one line", () => {

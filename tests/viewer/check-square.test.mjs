@@ -66,13 +66,33 @@ test("what is wrong everywhere is told of no place", () => {
 });
 
 test("tiles to walk are of different places first, and some way apart", () => {
-  const tiles = worstTiles(of(20, 20, (x) => (x < 10 ? [200, 100, 100] : [150, 100, 100])), right, places, 10);
+  const coarse = of(10, 10, (x, y) => (y > 6 ? [0, 0, 0] : x < 5 ? [1, 2, 0] : [2, 1, 0])); // each larger than what counts as beside an edge
+  const tiles = worstTiles(of(30, 30, (x) => (x < 15 ? [200, 100, 100] : [150, 100, 100])), of(30, 30, () => [100, 100, 100]), of(30, 30, () => [100, 100, 100]), of(30, 30, (x, y) => [...coarse.values.subarray(30 * Math.floor(y / 3) + 3 * Math.floor(x / 3)).subarray(0, 3)]), 10, []);
   assert.deepEqual(new Set(tiles.map(({ object }) => object)), new Set([-1, 0, 1]));
   for (const [k, a] of tiles.entries()) for (const b of tiles.slice(0, k)) assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 10 / 9);
   assert.deepEqual([tiles[0].own, tiles[0].right], [[200, 100, 100], [100, 100, 100]]);
 });
 
-test("the grid is the finest that a picture has pixels for", () => {
-  assert.equal(gridFor(40, [5, 33, 105]), 33);
-  assert.equal(gridFor(3, [5, 33, 105]), 5);
+test("tiles to walk lie in the place that is told, and beside an edge only where all that is wrong does", () => {
+  const places = of(60, 60, (x) => (x < 30 ? [1, 2, 0] : [2, 1, 0]));
+  const right = of(60, 60, (x) => (x < 30 ? [90, 90, 90] : [100, 100, 100]));
+  const shadow = { kind: "shadow", object: -1, ofWrong: 0.9, ofPicture: 0.5 };
+  const tilesOf = (isWrong, told) => worstTiles(of(60, 60, (x, y) => (isWrong(x, y) ? [200, 0, 0] : [...right.values.subarray(180 * y + 3 * x, 180 * y + 3 * x + 3)])), right, right, places, 20, told);
+  assert.ok(tilesOf(() => true, []).some(({ object }) => object === 0));
+  const there = tilesOf(() => true, [shadow]);
+  assert.ok(there.length > 3 && there.every(({ object, x }) => object === 1 && x > 10), JSON.stringify(there));
+  assert.deepEqual([...new Set(tilesOf((x) => x === 28 || x === 31, []).map(({ x }) => x))].sort(), [10, 9].sort(), "where nothing else is wrong");
+});
+
+test("the right colour of a tile is its own where no pixel of the picture has its centre, and such tiles hold nearly the same colour", () => {
+  const [right, exact] = [of(64, 64, (x) => [x, 0, 0]), of(105, 105, (x, y) => [Math.round((x * 64) / 105), 0, y < 50 ? 2 : 9])];
+  const tiles = worstTiles(of(64, 64, () => [200, 0, 0]), right, exact, of(105, 105, () => [1, 2, 0]), 21, []);
+  assert.ok(tiles.length > 3);
+  for (const { x, y, right: told } of tiles) assert.deepEqual([y < 10, told], [true, [Math.round(((5 * x + 2) * 64) / 105), 0, 2]]);
+});
+
+test("the grid is the finest whose tiles have a pixel in their middle, else the finest with as many pixels of which the right colours are there", () => {
+  const grids = [5, 7, 11, 15, 21, 33, 55, 77, 105];
+  for (const [n, grid] of [[1155, 105], [231, 77], [385, 77], [165, 55], [105, 105], [33, 33]]) assert.deepEqual(gridFor(n, grids), { n: grid, isShared: true }, n);
+  for (const [n, grid] of [[512, 105], [400, 105], [100, 21], [6, 5]]) assert.deepEqual(gridFor(n, grids), { n: grid, isShared: false }, n);
 });

@@ -148,14 +148,14 @@ def _names(scene: Scene, language: str) -> dict[str, Any]:
     """What check.mjs calls objects and mistakes."""
     from raywalk.mistakes.table import BY_NAME
     from raywalk.scene.translation import read_spoken
-    from raywalk.site.mistake_words import read_said
+    from raywalk.site.mistake_words import named, read_said
 
     [spoken] = read_spoken([scene], language)
     said = read_said(SITE_SOURCE, language)
     return {
         "scene": spoken.scene.title,
         "objects": [each.name for each in spoken.scene.objects],
-        "mistakes": {name: said[name]["title"] for name in BY_NAME},
+        "mistakes": {name: named(said[name]) for name in BY_NAME},
     }
 
 

@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Generator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 from raywalk.check.all_scenes import write_scenes
 from raywalk.pipeline.parts import models_of, shut_for, silent
@@ -22,6 +23,7 @@ from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, Stages, note
 
 CHECK = Maker("raywalk.check.write", "write_check")
+IN_LITTLE = Maker("raywalk.check.in_little", "write_in_little")
 FOLDER = "check"  # of the site
 
 
@@ -33,20 +35,32 @@ def check_parts(scene: Scene, traced: Entry) -> Parts:
     }  # fmt: skip
 
 
+class Checks(NamedTuple):
+    """What there is of a scene."""
+
+    whole: Entry
+    little: Entry
+
+
 def make_checks(
     making: Making, scenes: Sequence[Scene], found: Mapping[str, SceneMade], workers: Workers
-) -> Generator[str | Message, None, dict[str, Entry]]:
-    """The entries of scenes, by id: where pages shall not wait, of those that have one. After all
-    else: lessons on other scenes would wait for the longest of these."""
+) -> Generator[str | Message, None, dict[str, Checks]]:
+    """The entries of scenes, by id, in the course's order; where pages shall not wait, of those
+    that have one. After all else: lessons on other scenes would wait for the longest of these."""
     store = making.store
     if not making.asking:
         parts = {scene.id: check_parts(scene, found[scene.id].traced) for scene in scenes}
         kept = {id: store.find(key_of(each)) for id, each in parts.items()}
-        return {id: entry for id, entry in kept.items() if entry}
+        return _with_little(store, {id: entry for id, entry in kept.items() if entry})
     ordered = by_cost(scenes)
     chains = [check_chain(store, scene, found[scene.id].traced) for scene in ordered]
     entries = yield from run_chains(chains, workers)
-    return dict(zip([scene.id for scene in ordered], entries, strict=True))
+    of = dict(zip([scene.id for scene in ordered], entries, strict=True))
+    return _with_little(store, {scene.id: of[scene.id] for scene in scenes})
+
+
+def _with_little(store: Store, whole: Mapping[str, Entry]) -> dict[str, Checks]:
+    return {id: Checks(entry, in_little(store, id, entry)) for id, entry in whole.items()}
 
 
 def check_chain(store: Store, scene: Scene, traced: Entry) -> Chain[Entry]:
@@ -69,14 +83,23 @@ def _make(
     return stages.spent("pictures to check against")
 
 
-def publish_check(out: Path, made: Mapping[str, Entry]) -> None:
+def in_little(store: Store, id: str, check: Entry) -> Entry:
+    """The same pictures in little, made at once: it takes a moment."""
+    parts = {"what": "check in little", "of": id, "check": check.folder.name, **IN_LITTLE.parts()}
+    found = store.find(key_of(parts))
+    return found or made(store, parts, partial(IN_LITTLE, check.folder))
+
+
+def publish_check(out: Path, made: Mapping[str, Checks]) -> None:
     """A folder for each scene beside the page, and what all look like, of their small pictures
     in the site."""
     if not made:
         return
-    for id, entry in made.items():
+    for id, checks in made.items():
         (out / FOLDER / id).mkdir(parents=True)
-        for path in entry.files():
+        for path in (path for entry in checks for path in entry.files() if path.suffix == ".js"):
             shutil.copyfile(path, out / FOLDER / id / path.name)
-    small = ((id, out / "scenes" / id / "thumb.png") for id in made)
+    small = (
+        (id, out / "scenes" / id / "thumb.png", checks.little.folder) for id, checks in made.items()
+    )
     write_scenes(out / FOLDER, small)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from raywalk.pipeline.checking import publish_check
+from raywalk.pipeline.checking import Checks, publish_check
 from raywalk.pipeline.homework import publish_homework
 from raywalk.pipeline.mistakes import Mistakes, publish_mistakes, told_in
 from raywalk.pipeline.slides import MadeDeck, publish_slides
@@ -54,7 +54,7 @@ class Made:
     pictures: dict[str, Entry]  # of some: pages do without
     worked: dict[str, Entry]  # of scenes whose lessons work something out
     homework: dict[str, Entry]  # vectors for graders; pages do without
-    check: dict[str, Entry]  # what students' pictures are held against; there is no page without
+    check: dict[str, Checks]  # what students' pictures are held against; there is no page without
     mistakes: Mistakes | None  # pages of their own; None where pages do not wait for them
     decks: list[MadeDeck]
 
@@ -77,7 +77,7 @@ class Made:
         for id in self.traces:
             yield from self.of_scene(id)
         yield from self.homework.values()
-        yield from self.check.values()
+        yield from (entry for checks in self.check.values() for entry in checks)
         if self.mistakes:
             yield from self.mistakes.entries()
         yield from (deck.entry for deck in self.decks)

@@ -12,7 +12,7 @@ from raywalk.trace.kinds import LINES, PAGE
 from raywalk.words import Words
 from raywalk.work.snapshot import bytes_of
 
-BUNDLED = ("viewer", "kiosk", "page", "check")
+BUNDLED = ("viewer", "kiosk", "page", "check", "check-mistake")
 PART = "part-"  # what comes when asked for, as bundle.mjs names it
 CHECK = "check"  # the sentences of the page check/, which no other page says
 PAGES_ONLY = ("pages", "slides", "sheet", "teacher", CHECK)  # those that the viewer never says
@@ -28,7 +28,9 @@ def write_assets(out: Path, site_src: Path, bundled: Path) -> dict[str, str]:
     styles = sorted((site_src / "styles").glob("*.css"))
     sheet = b"\n".join([*(bytes_of(style) for style in styles), ray_sheet().encode()])
     scripts = {
-        f"{name}_js": named(out, name, "js", (bundled / f"{name}.js").read_bytes())
+        f"{name.replace('-', '_')}_js": named(
+            out, name, "js", (bundled / f"{name}.js").read_bytes()
+        )
         for name in BUNDLED
     }
     parts = {

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from raywalk.mistakes.table import TABLE
 from raywalk.scene.model import Scene
-from raywalk.site.mistake_words import ALL, Said
+from raywalk.site.mistake_words import ALL, Said, named
 from raywalk.site.pages import (
     Assets,
     card_of,
@@ -49,10 +49,10 @@ def _chosen(scene: Scene, home: str, out: Path) -> dict[str, str]:
 
 
 def _mistakes(said: Said, home: str, with_mistakes: bool) -> str:
-    """By name: what each is called, and its page; as JSON."""
+    """By name: what each is called, the line to look for, and its page; as JSON."""
     pages = {each.name: f"{home}{ALL}/{each.name}/index.html" for each in TABLE}
     told = {
-        name: {"title": said[name]["title"], "url": page if with_mistakes else ""}
+        name: named(said[name]) | {"url": page if with_mistakes else ""}
         for name, page in pages.items()
     }
     return json.dumps(told, ensure_ascii=False)

@@ -23,7 +23,10 @@ NOT_NEEDED = (".json.gz", PREVIEW, WORKER, MANIFEST, SITEMAP)
 # The list of the site's files, a host's settings, a worktree's .git; numbers for graders; and the
 # page for pictures of one's own, which nobody brings to a kiosk.
 HIDDEN = (".", "homework/", "check/")
-TO_HIDDEN = re.compile(r'(?:<p>)?<a class="[^"]*\bto-check\b[^"]*"[^>]*>[^<]*</a>(?:</p>)?')
+TO_HIDDEN = re.compile(
+    r'(?:<p>)?<a class="[^"]*\bto-check\b[^"]*"[^>]*>[^<]*</a>(?:</p>)?'
+    r'|<script src="[^"]*assets/check-[^>]*></script>'
+)
 SCRIPTS = (".sh", ".command")
 
 

@@ -29,6 +29,11 @@ def read_said(site_source: Path, code: str) -> Said:
     return said
 
 
+def named(said: dict[str, str]) -> dict[str, str]:
+    """What a check says of a mistake that it names."""
+    return {field: said[field] for field in ("title", *LINES)}
+
+
 def typeset(does: str) -> str:
     """What mistakes.json says in ASCII."""
     for plain, sign in SIGNS:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
@@ -15,7 +16,7 @@ from raywalk.mistake_pages.rounds import Question, Round
 from raywalk.mistakes.table import FAMILIES, TABLE
 from raywalk.scene.model import Scene
 from raywalk.site.mistake_words import ALL, of_terms, read_said
-from raywalk.site.pages import Assets, home_of, page_environment, rendered
+from raywalk.site.pages import Assets, has_check, home_of, page_environment, rendered
 from raywalk.terms.glossary import read_glossary
 from raywalk.words import Words
 
@@ -54,6 +55,7 @@ def write_mistake_pages(
     shared = {
         "home": home, "base": base, "preview": "", "scenes": [{"id": id} for id in own], **assets,
         "said": said, "shown": told.shown, "titles": {id: each.title for id, each in own.items()},
+        "checked": _checked(own, out),
     }  # fmt: skip
 
     def write(here: str, template: str, **context: Any) -> None:
@@ -91,6 +93,12 @@ def write_mistake_pages(
             family=mistake.family, page=page, before=before, after=after,
             term=terms.get(named.get(mistake.name, "")),
         )  # fmt: skip
+
+
+def _checked(scenes: dict[str, Scene], out: Path) -> str:
+    """Titles, by id, of the scenes that pictures are checked of, as JSON."""
+    titles = {id: each.title for id, each in scenes.items() if has_check(each, out)}
+    return json.dumps(titles, ensure_ascii=False)
 
 
 def page_of(name: str, told: Told, scenes: dict[str, Scene], words: Words) -> dict[str, Any]:

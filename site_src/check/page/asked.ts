@@ -16,9 +16,11 @@ export function chosenScene(): Chosen {
   return { id: value, title: dataset.title!, objects: JSON.parse(dataset.objects!), url: dataset.url! };
 }
 
-const radioOf = (id: string | null) => [...document.querySelectorAll<HTMLInputElement>("[name=scene]")].find(({ value }) => value === id);
+const radios = () => [...document.querySelectorAll<HTMLInputElement>("[name=scene]")];
+const radioOf = (id: string | null) => radios().find(({ value }) => value === id);
 
-export const titleOf = (id: string): string => radioOf(id)!.dataset.title!;
+/** Of all scenes, by id. */
+export const titles = (): Record<string, string> => Object.fromEntries(radios().map(({ value, dataset }) => [value, dataset.title!]));
 
 /** Nothing if there is no such scene. */
 export function choose(id: string | null) {
@@ -52,10 +54,6 @@ export function listenToAsked(given: (file: File) => void, changed: () => void, 
   find(".check-scenes").addEventListener("change", changed);
 }
 
-/** The scene that the address names: #scene=02-shadows, as a scene's page links here. */
-export function followAddress() {
-  choose(new URLSearchParams(location.hash.slice(1)).get("scene"));
-}
 
 export async function showSizes(files: Files, id: string) {
   const { own, others } = await files.about(id);

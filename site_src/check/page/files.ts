@@ -1,5 +1,5 @@
 /** A scene's data, by classic scripts put into the page: from file:// a browser refuses anything else. Each calls raywalkReceive. */
-import type { About } from "../atlas";
+import { atlasOf, type About, type Atlas } from "../atlas";
 import type { Scene } from "../check";
 import { aboutOf, rightOf, sceneOf } from "../data";
 import type { Picture } from "../formats/picture";
@@ -74,7 +74,11 @@ export function createFiles(root: string) {
       all.catch(() => (all = null));
       return all;
     },
+    /** Its wrong pictures alone: nothing is made ready to recognise them. */
+    atlas: async (id: string): Promise<Atlas> => atlasOf(await about(id), rightOf(await file(id, "atlas"))),
     right: async (id: string, size: number): Promise<Picture> => rightOf(await file(id, String(size))),
+    /** The right colours at the tiles of the finest grid. */
+    tiles: async (id: string): Promise<Picture> => rightOf(await file(id, "tiles")),
   };
 }
 

@@ -2,8 +2,9 @@
 import { button, element, setWord } from "../../viewer/element";
 import { say } from "../../viewer/words";
 import type { Picture } from "../formats/picture";
-import { reportOf, written, type Found as Told } from "../report";
-import type { Chosen } from "./asked";
+import { reportOf, written, type Found as Told, type Named } from "../report";
+import { addressOf } from "./address";
+import { titles, type Chosen } from "./asked";
 import { picturesOf } from "./pictures";
 import { sectionOf, type Links } from "./sections";
 
@@ -15,12 +16,11 @@ export interface Found extends Told {
   again: () => void;
 }
 
-const mistakes: Record<string, { title: string; url: string }> = JSON.parse(document.getElementById("found")!.dataset.mistakes!);
-const titles = Object.fromEntries(Object.entries(mistakes).map(([name, { title }]) => [name, title]));
+const mistakes: Record<string, Named & { url: string }> = JSON.parse(document.getElementById("found")!.dataset.mistakes!);
 
 export function showFound(place: HTMLElement, found: Found) {
   const { checked, chosen, square, right } = found;
-  const lines = reportOf(found, { scene: chosen.title, objects: chosen.objects, mistakes: titles });
+  const lines = reportOf(found, { scene: chosen.title, objects: chosen.objects, mistakes, scenes: titles() });
   const [{ words }, ...others] = lines;
   const verdict = element("h2", "check-verdict", words);
   verdict.id = "verdict";
@@ -46,12 +46,12 @@ function otherScene({ other }: Found): HTMLElement | null {
   return element("p", "notice check-other", say("check.anotherScene.says", { title: other.title }), button(words, words, other.compare));
 }
 
-function linksOf({ chosen: { url }, looked }: Found): Links {
+function linksOf({ chosen: { id, url }, looked }: Found): Links {
   const { root } = document.body.dataset;
   return {
     looked,
     tile: ({ n, x, y, own }) => `${root}${url}?yours=${[n, x, y, ...own].join()}#n=${n}&p=${x},${y}`,
-    mistake: (name) => mistakes[name].url && `${root}${mistakes[name].url}`,
+    mistake: (name) => mistakes[name].url && `${root}${mistakes[name].url}${addressOf(id, false)}`,
   };
 }
 

@@ -1,20 +1,22 @@
 /** The page check/: a picture comes, is compared with the right one, and what is found is shown. Nothing leaves the device. */
 import { say } from "../../viewer/words";
-import { check } from "../check";
+import { check, wantsTiles } from "../check";
 import type { Picture } from "../formats/picture";
 import { pictureOrSentence } from "../formats/read";
-import { otherScene } from "../other-scene";
+import { otherScene, toldApartFromAfar, type AllScenes } from "../other-scene";
 import type { Recognised } from "../recognise";
 import { refused } from "../report";
 import { isRefusal, nearestSize, sourceFor, squareOf, taken } from "../square";
-import { choose, chosenScene, followAddress, listenToAsked, showSizes, titleOf } from "./asked";
+import { addressOf, readAddress } from "./address";
+import { choose, chosenScene, listenToAsked, showSizes, titles } from "./asked";
 import { createFiles } from "./files";
 import { showFound, type Found } from "./found";
+import { forget, keep, kept } from "./kept";
 
 const { root = "" } = document.body.dataset;
 const files = createFiles(root);
 const [says, found] = ["says", "found"].map((id) => document.getElementById(id)!);
-let last: { name: string; picture: Picture } | null = null;
+let last: { name: string; bytes: Uint8Array; picture: Picture } | null = null;
 /** A mistake that explains more of what is wrong speaks for the chosen scene. */
 const OF_THIS_SCENE = 0.8;
 let turn = 0; // of several pictures in a row the last one is shown
@@ -45,23 +47,31 @@ async function checkLast() {
   if (own !== turn) return;
   if (!whole) return tell(say("check.missing"));
   const right = taken(whole, size);
-  const checked = check(square, right, source.isExact, scene);
-  const other = checked.isRight ? null : await otherThan(chosen.id, square.picture, checked);
+  const tiles = wantsTiles(size, scene.about) ? await files.tiles(chosen.id).catch(() => undefined) : undefined;
+  const checked = check(square, right, source.isExact, scene, tiles);
+  const all = checked.isRight ? null : await files.scenes().catch(() => null);
   if (own !== turn) return;
   tell("");
   const { leftOut } = scene.about;
-  showFound(found, { file: { name, width, height }, chosen, square, right, source, checked, leftOut, nearest: nearestSize(size, scene.about), looked: (mistake) => scene.recogniser?.pictureOf(mistake) ?? null, other, again });
+  showFound(found, {
+    file: { name, width, height }, chosen, square, right, source, checked, leftOut, nearest: nearestSize(size, scene.about), again,
+    looked: (mistake) => scene.recogniser?.pictureOf(mistake) ?? null,
+    other: otherThan(chosen.id, square.picture, checked, all),
+    apartIn: (a, b) => all && toldApartFromAfar(a, b, all),
+  });
+  history.replaceState(null, "", addressOf(chosen.id, true));
 }
 
 /** Another scene that the picture shows, and what compares it with that. */
-async function otherThan(id: string, picture: Picture, { answers: [best] }: Recognised): Promise<Found["other"]> {
-  const all = await files.scenes().catch(() => null);
+function otherThan(id: string, picture: Picture, { answers: [best] }: Recognised, all: AllScenes | null): Found["other"] {
   const other = all && otherScene(picture, id, best?.agreement > OF_THIS_SCENE, all);
-  return other ? { title: titleOf(other), compare: () => (choose(other), chosenAnew()) } : null;
+  return other ? { title: titles()[other], compare: () => (choose(other), chosenAnew()) } : null;
 }
 
 function again() {
   [last, found.hidden] = [null, true];
+  forget();
+  history.replaceState(null, "", addressOf(chosenScene().id, false));
   document.getElementById("file")!.focus();
   document.getElementById("drop")!.scrollIntoView({ block: "center" });
 }
@@ -71,25 +81,35 @@ const failing = (error: unknown) => {
   throw error;
 };
 
-async function given(file: File) {
+async function given(name: string, bytes: Uint8Array) {
   last = null;
   found.hidden = true;
-  const read = pictureOrSentence(new Uint8Array(await file.arrayBuffer()));
+  const read = pictureOrSentence(bytes);
   if ("sentence" in read) return tell(read.sentence);
-  last = { name: file.name, picture: read.picture };
+  last = { name, bytes, picture: read.picture };
   await checkLast();
 }
 
+/** The report that one comes back to, where it was left. */
+async function shownAgain() {
+  const before = kept();
+  if (!before) return history.replaceState(null, "", addressOf(chosenScene().id, false));
+  await given(before.name, before.bytes);
+  window.scrollTo({ top: before.scrolled, behavior: "instant" });
+}
+
+/** #scene=02-shadows, as a scene's page links here. */
+const followAddress = () => choose(readAddress(location.hash).scene);
 followAddress();
 const sizes = () => void showSizes(files, chosenScene().id).catch(() => tell(say("check.missing")));
 sizes();
 function chosenAnew() {
-  history.replaceState(null, "", `#scene=${chosenScene().id}`);
+  history.replaceState(null, "", addressOf(chosenScene().id, false));
   sizes();
   void checkLast().catch(failing);
 }
 listenToAsked(
-  (file) => void given(file).catch(failing),
+  (file) => void file.arrayBuffer().then((bytes) => given(file.name, new Uint8Array(bytes))).catch(failing),
   chosenAnew,
   // Loading and preparing takes longer than a check: it is done while a person looks for the file. What fails is told when it is wanted.
   () => void files.scene(chosenScene().id).catch(() => {}),
@@ -98,3 +118,5 @@ window.addEventListener("hashchange", () => {
   followAddress();
   sizes();
 });
+window.addEventListener("pagehide", () => last && !found.hidden && keep({ ...last, scrolled: window.scrollY }));
+if (readAddress(location.hash).isReport) void shownAgain().catch(failing);

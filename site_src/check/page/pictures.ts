@@ -48,7 +48,7 @@ export function picturesOf(student: Picture, right: Picture, heat: Uint8ClampedA
     wipe();
   });
   show("wipe");
-  return element("section", "", element("h2", "", say("check.view.head")), element("div", "check-views", ...buttons), frame, slider, under);
+  return element("section", "check-both", element("h2", "", say("check.view.head")), element("div", "check-views", ...buttons), under, frame, slider);
 }
 
 /** Percent of the width from the left, a half or more, that has most of what is wrong: what one looks for is in sight. */

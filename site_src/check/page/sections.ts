@@ -24,7 +24,7 @@ export function sectionOf(lines: Line[], part: Part, links: Links): HTMLElement 
   const parts = [
     ...texts("head").map((words) => element("h2", "", words)),
     ...texts("fit").map((words) => element("p", "check-fits", words)),
-    ...texts("says").map((words) => element("p", "check-notes", words)),
+    ...[...texts("says"), ...texts("beside")].map((words) => element("p", "check-notes", words)),
     listOf("ul", "check-told", texts("place").map((words) => element("li", "", words))),
     table([], all("number")),
     table(all("columns"), all("object")),
@@ -47,14 +47,26 @@ function table(heads: Row[], rows: Row[]): HTMLElement | null {
   return element("table", "check-numbers", ...head, element("tbody", "", ...lines));
 }
 
-/** What is said of an answer's mistakes together stands below them. */
+/** What is said of an answer's mistakes together stands below them, the line to look for below each. */
 function answers(lines: Line[], { mistake, looked }: Links): HTMLElement[] {
   const items: HTMLElement[] = [];
+  const heads = new Map<string, HTMLElement>(); // of the last answer
   for (const line of lines) {
-    if (line.kind === "answer") items.push(element("li", "", ...shown(looked(line.names[0])), ...line.names.map((name, k) => titled(line.titles[k], mistake(name))), element("p", "check-agree", ...line.values)));
-    if (line.kind === "alike") items[items.length - 1].append(element("p", "", line.words));
+    if (line.kind === "answer") {
+      heads.clear();
+      line.names.forEach((name, k) => heads.set(name, titled(line.titles[k], mistake(name))));
+      items.push(element("li", "", ...shown(looked(line.names[0])), ...heads.values(), element("p", "check-agree", ...line.values)));
+    }
+    const last = items[items.length - 1];
+    if (line.kind === "line") heads.size > 1 ? heads.get(line.name)!.after(lineOf(line)) : last.append(lineOf(line));
+    if (line.kind === "alike" || line.kind === "apart") last.append(element("p", `check-${line.kind}`, line.words));
   }
   return items;
+}
+
+function lineOf({ words, values: [right, wrong] }: Of<"line">): HTMLElement {
+  const row = (side: string, says: string, code: string) => element("div", `is-${side}`, element("dt", "", says), element("dd", "", element("code", "", code)));
+  return element("div", "lines", element("p", "", words), element("dl", "", row("right", say("check.view.right"), right), row("wrong", say("check.looks.withMistake"), wrong)));
 }
 
 /** What a mistake makes of the scene, to hold beside one's own; nothing where that is not known. */

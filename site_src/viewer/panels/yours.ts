@@ -22,7 +22,7 @@ export function createYours(home: HTMLElement) {
   const given = readYours(location.search);
   if (!given) return null;
   const colour = given.bytes.join(", ");
-  const root = element("p", "yours numbers", swatch(`rgb(${colour})`), say("card.yours", { yours: colour }));
+  const root = element("p", "yours numbers", swatch(`rgb(${colour})`), say("card.yours", { yours: colour }), ...toReport());
   home.querySelector(".card-head > .pixel")!.after(root);
   const scene = document.body.dataset.scene;
   return {
@@ -32,6 +32,15 @@ export function createYours(home: HTMLElement) {
       if (state.scene !== scene) forget();
     },
   };
+}
+
+/** None where the page leads to no check. */
+function toReport(): HTMLElement[] {
+  const check = document.querySelector<HTMLAnchorElement>(".to-check");
+  if (!check) return [];
+  const link = element("a", "", say("card.toReport"));
+  link.href = `${check.href}&report=1`;
+  return [link];
 }
 
 function forget() {

@@ -1,0 +1,62 @@
+"""What a scene's right and wrong pictures look like in little: made from what write.py wrote.
+
+tiles      PNG, n x n of the scene's finest grid: the right colour at the middle of each tile,
+           and of each tile of the grids that divide it
+afar.json  by mistake the ALONG x ALONG squares' mean red, green, blue of each of its pictures
+"""
+
+from __future__ import annotations
+
+import json
+from base64 import b64decode
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from raywalk.trace_file.container import script, unpack, write_beside
+from raywalk.trace_file.png import png
+
+AFAR = "afar.json"
+ALONG = 10  # squares along a picture
+
+
+def write_in_little(check: Path, folder: Path) -> None:
+    """check: the folder of a scene that write_check wrote."""
+    about = json.loads(unpack((check / "about.js").read_bytes()))
+    tiles = tiles_of(_picture(check / f"{about['own'][-1]}.js"), about["grids"][-1])
+    write_beside(folder / "tiles.js", script("check/tiles", png(tiles)))
+    told = means_of(about, _picture(check / "atlas.js")) if about["mistakes"] else {}
+    text = json.dumps(told, separators=(",", ":"))
+    (folder / AFAR).write_text(text, encoding="utf-8")
+
+
+def tiles_of(picture: np.ndarray, n: int) -> np.ndarray:
+    """(n, n, 3): an odd number of the picture's pixels goes to each tile, so one is its middle."""
+    step = len(picture) // n
+    return np.ascontiguousarray(picture[step // 2 :: step, step // 2 :: step])
+
+
+def means_of(about: dict[str, Any], atlas: np.ndarray) -> dict[str, list[list[int]]]:
+    """By mistake. atlas: its strips, as write.py has them."""
+    strips = atlas.reshape(-1, about["grid"], about["grid"], 3)
+    right = strips[0]
+    return {
+        each["name"]: [_means(right + strips[place]) for place in each["wrong"]]
+        for each in about["mistakes"]
+    }
+
+
+def _means(picture: np.ndarray) -> list[int]:
+    """Row by row. (n, n, 3) uint8; what the strips add goes round at 256."""
+    small = Image.fromarray(picture).resize((ALONG, ALONG), Image.Resampling.BOX)
+    return list(small.tobytes())
+
+
+def _picture(file: Path) -> np.ndarray:
+    """(h, w, 3) uint8 of a script that hands over a PNG."""
+    packed = b64decode(file.read_text("ascii").split('"')[3])
+    with Image.open(BytesIO(packed)) as image:
+        return np.asarray(image.convert("RGB"))
