@@ -147,6 +147,7 @@ export function recogniserOf(atlas: Atlas) {
   }
 
   return {
+    right: atlas.right,
     /** What a mistake makes of the scene, size x size. */
     pictureOf: (name: string): Uint8Array | null => references.find((one) => one.name === name)?.picture ?? null,
     /** Both pictures of one size, whichever. isExact: as in isAsRight. */

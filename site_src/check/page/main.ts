@@ -1,7 +1,7 @@
 /** The page check/: a picture comes, is compared with the right one, and what is found is shown. Nothing leaves the device. */
 import { say } from "../../viewer/words";
 import { check, wantsTiles } from "../check";
-import type { Picture } from "../formats/picture";
+import { pictureOf, type Picture } from "../formats/picture";
 import { pictureOrSentence } from "../formats/read";
 import { otherScene, toldApartFromAfar, type AllScenes } from "../other-scene";
 import type { Recognised } from "../recognise";
@@ -90,6 +90,17 @@ async function given(name: string, bytes: Uint8Array) {
   await checkLast();
 }
 
+let isUsed = false;
+/** A scene's data are here, and the engine has been through all that recognises, which takes it twice as long the first time. */
+async function prepared() {
+  const { about, recogniser } = await files.scene(chosenScene().id);
+  const [wrong, right] = isUsed ? [] : [recogniser?.pictureOf(about.mistakes[0]?.name), recogniser?.right];
+  if (!recogniser || !wrong || !right) return;
+  isUsed = true;
+  const of = (values: Uint8Array) => pictureOf(about.grid, about.grid, values);
+  recogniser.recognise(of(wrong), of(right));
+}
+
 /** The report that one comes back to, where it was left. */
 async function shownAgain() {
   const before = kept();
@@ -112,7 +123,7 @@ listenToAsked(
   (file) => void file.arrayBuffer().then((bytes) => given(file.name, new Uint8Array(bytes))).catch(failing),
   chosenAnew,
   // Loading and preparing takes longer than a check: it is done while a person looks for the file. What fails is told when it is wanted.
-  () => void files.scene(chosenScene().id).catch(() => {}),
+  () => void prepared().catch(() => {}),
 );
 window.addEventListener("hashchange", () => {
   followAddress();
