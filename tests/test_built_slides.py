@@ -10,7 +10,11 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from raywalk.pipeline.figures import filled_here
 from raywalk.scene.read import read_scenes
+from raywalk.slides.glossary_sheets import lesson_terms
+from raywalk.slides.words import speaking
+from raywalk.work.store import Store
 
 DIST = Path(__file__).parent.parent / "dist"
 SCENES = read_scenes(Path(__file__).parent.parent / "scenes")
@@ -54,6 +58,21 @@ def test_formats_of_a_lesson_have_the_same_slides(scene, language):
     assert len(reader.pages) == len(slides) == sections
     stops = sum(1 + bool(step.answer) for step in scene.lesson)
     assert sections >= stops + 3  # title, goals, credits
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.id)
+def test_a_handout_ends_on_the_terms_of_its_lesson_and_what_they_mean(scene):
+    """Letters and digits are compared: where a line ends is the paper's affair."""
+    reader = PdfReader(DIST / "slides" / f"{scene.id}-handout-3.pdf")
+    printed = letters(" ".join(page.extract_text() for page in reader.pages[-3:]))
+    with speaking("en"):
+        terms = lesson_terms(filled_here(Store(DIST.parent / ".work"), scene))
+    assert terms
+    assert not [each.term for each in terms if letters(each.term + each.says) not in printed]
+
+
+def letters(text: str) -> str:
+    return re.sub(r"\W+", "", text)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -73,6 +73,22 @@ def test_the_guide_has_two_pages_a_lesson_and_nothing_is_cut(language: str) -> N
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
+def test_the_guide_tells_of_each_lesson_all_that_a_teacher_needs(language: str) -> None:
+    """Of the course's first lesson no other is presupposed."""
+    with speaking(language):
+        heads = {"slides.goals", "teacher.keyQuestions", "teacher.misconceptions"}
+        wanted = {say(key) for key in heads | {"teacher.materials"}}
+        wanted |= {say("teacher.timing", minutes=length) for length in LECTURES}
+        pages = guide(course(language), "").slides
+        for k, (first, second) in enumerate(zip(pages[::2], pages[1::2], strict=True)):
+            items = [*flat(first.items), *flat(second.items)]
+            texts = {item.words for item in items if isinstance(item, Text)}
+            more = {say("teacher.before")} if k else set()
+            assert not [head for head in wanted | more if not any(head in each for each in texts)]
+            assert any(say("teacher.expected") in each for each in texts)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_nothing_is_cut_off_any_sheet(language: str) -> None:
     """Worksheets, answers and assignments."""
     with speaking(language):
