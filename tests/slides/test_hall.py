@@ -14,7 +14,7 @@ from raywalk.scene.read import read_scenes
 from raywalk.slides.choices import MARK
 from raywalk.slides.figure import Dot, Group, Item, Picture, Polygon, Slide, Table, Text, flat
 from raywalk.slides.layout import Box
-from raywalk.slides.lesson_words import plain_text
+from raywalk.slides.lesson_words import plain_text, words_and_pictures
 from raywalk.slides.words import chosen_tile, say, speaking
 
 from .course import ROOT
@@ -139,17 +139,17 @@ def test_no_title_is_cut(of_scene):
 
 
 def test_every_word_of_the_lesson_is_on_its_slides_once_and_in_order(of_scene):
+    """So is every picture, with what it shows."""
     for each in of_scene:
+        texts = [stop.text(each.lesson.scene) for stop in each.lesson.stops]
         with speaking(each.language):
-            said = [
-                t.words
-                for slide in each.slides
-                if slide.kind != "build"
-                for t in body(slide)
-                if t.name in ("words", "bullet")
-            ]
-            texts = [plain_text(stop.text(each.lesson.scene)) for stop in each.lesson.stops]
-        assert " ".join(said).split() == " ".join(texts).split(), each.name
+            items = [item for slide in each.slides if slide.kind != "build" for item in body(slide)]
+            parts = [words_and_pictures(text) for text in texts]
+        said = " ".join(item.words for item in items if item.name in ("words", "bullet"))
+        wanted = " ".join(paragraph.text for words, _ in parts for paragraph in words)
+        assert said.split() == wanted.split(), each.name
+        captions = [item.words for item in items if item.name == "caption"]
+        assert captions == [shown.alt for _, pictures in parts for shown in pictures], each.name
 
 
 def test_each_stop_has_one_figure_as_a_file_in_the_lessons_order(of_scene):

@@ -12,6 +12,8 @@ from math import asin, atan2, degrees, hypot, nan, radians
 from math import sin as sine_of
 from typing import Any
 
+import numpy as np
+
 from raywalk.scene.model import Light, Material, Scene
 from raywalk.scene.shapes import Sphere
 from raywalk.scene.wording import did_you_mean, joined, quoted
@@ -113,6 +115,15 @@ def share(asked: Asked) -> float:
     for ray in asked.path:
         product *= ray["weight"]
     return product
+
+
+def buried(asked: Asked) -> float:
+    """How far below its surface a program in single precision finds the hit, as o + t d."""
+    hit = asked.hit
+    single = (np.array(hit[key], np.float32) for key in ("origin", "t", "direction"))
+    origin, t, direction = single
+    off = np.array(hit["point"]) - (origin + t * direction).astype(float)
+    return float(off @ np.array(hit["normal"]))
 
 
 def weight(asked: Asked) -> float:

@@ -75,6 +75,8 @@ ALL = (
     _part("normal", "of the surface there, of length 1, towards where the ray comes from", AXES, 2),
     _part("origin", "where the ray starts", AXES, 2),
     _part("direction", "of the ray, of length 1", AXES, 3),
+    Quantity("buried", "how far below its surface the hit comes out as o + t d in single "
+             "precision; below 0 it lies above it", found.buried, 8),
     _whole("tests", "intersection tests made for the ray", found.tests, "ray"),
     Quantity("discriminant", "of the quadratic equation for the ray and a sphere; below 0 it "
              "misses", found.discriminant, 2, takes="object"),
