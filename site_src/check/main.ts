@@ -11,5 +11,6 @@ export { allScenesOf, otherScene, toldApartFromAfar } from "./other-scene";
 export { placeAt, whereWrong } from "./places";
 export { recogniserOf } from "./recognise";
 export { refused, reportOf, sentenceAlone, written } from "./report";
+export { apartOf } from "./telling-apart";
 export { isRefusal, nearestSize, sourceFor, squareOf, taken } from "./square";
 export { gridFor, worstTiles } from "./tiles";

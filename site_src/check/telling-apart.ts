@@ -34,17 +34,24 @@ export function apartOf({ answers: [a, b], isPair }: Recognised, pictureOf: (nam
   return { place, x, y, first: bytes(one, i), second: bytes(other, i), own: bytes(student.values, 3 * (y * student.width + x)) };
 }
 
-/** The middle of the block that differs most, of those whose middle lies in the place. */
+/** The middle of the block that differs most, of those whose middle lies in the place; the less, the more either picture changes there:
+ *  a student's pixels have their centres elsewhere. */
 function mostApart(one: Uint8Array, other: Uint8Array, size: number, places: Picture, place: Told): [number, number] | null {
   const along = Math.floor(size / BLOCK);
   const [p, q] = [one, other].map((values) => meansOf(sampled(values, size, size), size, BLOCK));
   let [most, best] = [NOISE, -1];
   for (let k = 0; k < along * along; k++) {
     const [x, y] = [k % along, Math.floor(k / along)].map((block) => BLOCK * block + (BLOCK >> 1));
-    const apart = Math.max(...[0, 1, 2].map((c) => Math.min(Math.abs(p[3 * k + c] - q[3 * k + c]), Math.abs(one[3 * (y * size + x) + c] - other[3 * (y * size + x) + c]))));
+    const i = 3 * (y * size + x);
+    const apart = Math.max(...[0, 1, 2].map((c) => Math.min(Math.abs(p[3 * k + c] - q[3 * k + c]), Math.abs(one[i + c] - other[i + c]))));
     if (apart <= most) continue;
+    const steady = apart - changeAt(one, size, i) - changeAt(other, size, i);
+    if (steady <= most) continue;
     const { object, bits } = placeAt(places, size, x, y);
-    if (liesIn(place, object, bits)) [most, best] = [apart, k];
+    if (liesIn(place, object, bits)) [most, best] = [steady, k];
   }
   return best < 0 ? null : [BLOCK * (best % along) + (BLOCK >> 1), BLOCK * Math.floor(best / along) + (BLOCK >> 1)];
 }
+
+/** How far a pixel's colours are from those of the four beside it. i: of its red, which is on no rim. */
+const changeAt = (values: Uint8Array, size: number, i: number) => Math.max(...[-3, 3, -3 * size, 3 * size].flatMap((step) => [0, 1, 2].map((c) => Math.abs(values[i + step + c] - values[i + c]))));

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "./typescript.mjs";
 
-const { gridFor, isRefusal, nearestSize, placeAt, sourceFor, squareOf, taken, whereWrong, worstTiles } = await load("../check/main.ts");
+const { apartOf, gridFor, isRefusal, nearestSize, placeAt, sourceFor, squareOf, taken, whereWrong, worstTiles } = await load("../check/main.ts");
 
 const SIZES = { own: [5, 7, 35], others: [10, 64] };
 const of = (width, height, value = (x, y) => [x, y, 0]) => ({
@@ -95,4 +95,17 @@ test("the grid is the finest whose tiles have a pixel in their middle, else the 
   const grids = [5, 7, 11, 15, 21, 33, 55, 77, 105];
   for (const [n, grid] of [[1155, 105], [231, 77], [385, 77], [165, 55], [105, 105], [33, 33]]) assert.deepEqual(gridFor(n, grids), { n: grid, isShared: true }, n);
   for (const [n, grid] of [[512, 105], [400, 105], [100, 21], [6, 5]]) assert.deepEqual(gridFor(n, grids), { n: grid, isShared: false }, n);
+});
+
+test("what tells two answers apart is a pixel where their pictures differ and hardly change, and what each has there", () => {
+  const n = 70;
+  const flat = of(n, n, () => [50, 50, 50]).values;
+  const other = of(n, n, (x, y) => (y > 35 && x < 35 ? [90, 50, 50] : x > 50 ? [(x * 97) % 256, 0, 0] : [50, 50, 50])).values; // rough at the right
+  const places = of(n, n, () => [1, 2, 0]);
+  const found = (answers, isPair = false) => apartOf({ answers, isPair, isRight: false }, (name) => (name === "a" ? flat : other), of(2 * n, 2 * n, () => [51, 50, 50]), of(2 * n, 2 * n), places);
+  const two = [{ names: ["a"], agreement: 0.9 }, { names: ["b"], agreement: 0.8 }];
+  const { x, y, first, second, own } = found(two);
+  assert.ok(x < n && y > n, `${x}, ${y}`);
+  assert.deepEqual([first, second, own], [[50, 50, 50], [90, 50, 50], [51, 50, 50]]);
+  assert.deepEqual([found(two.slice(1)), found(two, true), found([two[0], two[0]])], [null, null, null], "one answer, a pair, two that look the same");
 });
