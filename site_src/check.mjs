@@ -9,7 +9,7 @@
  *   {do: "recognise", picture, right, atlas}   which mistakes it looks like: Recognised (check/recognise.ts)
  *
  * picture and right name files of any format that check/formats reads. names is what objects and mistakes are called in the language
- * (Names of check/report.ts). data is a folder of a scene's scripts
+ * (Names of check/report.ts: of mistakes their titles and lines to look for). data is a folder of a scene's scripts
  * (build/raywalk/check/write.py), atlas one with about.json and atlas.png. An answer is {answer}, or {fault: sentence}, in the
  * language if one is named.
  */

@@ -36,7 +36,7 @@ def names(node: Stops, tmp_path: Path, of: str, values: np.ndarray) -> list[list
     file.write_bytes(b"P6 %d %d 255\n" % (n, n) + np.ascontiguousarray(values).tobytes())
     called = {
         "objects": [obj.name for obj in scene(of).objects],
-        "mistakes": {m: m for m in BY_NAME},
+        "mistakes": {m: {"title": m, "right": "", "wrong": ""} for m in BY_NAME},
     }
     asked = {"do": "check", "language": "en", "names": called, "data": str(DATA / of)}
     asked["picture"] = str(file)
@@ -73,3 +73,14 @@ def test_surfaces_that_light_shines_through(node: Stops, tmp_path: Path) -> None
     """Lit on the side turned away as on the other, as if both were one: no sign of n.l was kept."""
     made = picture(scene("01-shading"), 105, frozenset({"cosine-absolute"}), STUDENTS)
     assert "cosine-absolute" in names(node, tmp_path, "01-shading", made.bytes)[0]
+
+
+@pytest.mark.parametrize(
+    ("of", "mistake"), [("02-shadows", "shadow-acne"), ("08-glass", "inside-not-told")]
+)
+def test_speckles_of_shadow_and_glass_that_bends_the_wrong_way_at_the_exit(
+    node: Stops, tmp_path: Path, of: str, mistake: str
+) -> None:
+    """Black dots on what is lit; a ball that magnifies where it should turn things upside down."""
+    made = picture(scene(of), 105, frozenset({mistake}), STUDENTS)
+    assert mistake in names(node, tmp_path, of, made.bytes)[0]

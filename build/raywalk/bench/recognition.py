@@ -139,7 +139,11 @@ def at_other_sizes(scenes: list[Scene], site: Path, sizes: tuple[int, ...] = OTH
         request = {
             "do": "check",
             "picture": str(file),
-            "names": {"scene": "", "objects": [], "mistakes": {}},
+            "names": {
+                "scene": "",
+                "objects": [],
+                "mistakes": {name: {"title": name, "right": "", "wrong": ""} for name in BY_NAME},
+            },
         }
         for scene in scenes:
             data = site / "check" / scene.id
