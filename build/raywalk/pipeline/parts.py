@@ -43,7 +43,7 @@ def silent(scene: Scene) -> Any:
     """All of a scene that is traced: it without its words."""
     words: dict[str, Any] = {
         "title": "", "teaches": "", "key": "", "chapter": "", "before": "", "mistakes": (),
-        "lesson": (), "goals": (), "base": None,
+        "lesson": (), "goals": (), "base": None, "sweeps": (),
     }  # fmt: skip
     return plain(replace(scene, path=Path(), **words))
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 from raywalk.scene.model import Render, SceneObject
 from raywalk.scene.problems import Location, Problems
@@ -21,6 +21,7 @@ class Named:
 
     lights: Sequence[str]  # of an area light as its file gives it
     objects: Sequence[SceneObject] | None  # None: some are flawed, and left out
+    sweeps: Mapping[str, int] = field(default_factory=dict)  # how many stops each has
 
 
 def check_view(
@@ -31,6 +32,8 @@ def check_view(
     if view.switches is not None:
         lights = named.lights if named else None
         _check_switches(view.switches, render, lights, (*at, "switches"), problems)
+    if named is not None:
+        _check_stop(view.sweep or {}, named.sweeps, (*at, "sweep"), problems)
     if named is not None and named.objects is not None:
         _check_marks(view, named.lights, named.objects, at, problems)
         _check_works(view, render, named.objects, at, problems)
@@ -54,6 +57,17 @@ def check_view(
         problems.add(
             (*at, "observer", "target"), f"{plain(view.observer.target)} is where the eye is"
         )
+
+
+def _check_stop(
+    asked: Mapping[str, int], sweeps: Mapping[str, int], at: Location, problems: Problems
+) -> None:
+    """The sweep is the scene's, and has that stop."""
+    for name, stop in asked.items():
+        _check_known(name, list(sweeps), (*at, name), problems)
+        if stop > sweeps.get(name, stop):
+            message = f"{stop} is beyond its last stop"
+            problems.add((*at, name), message, allowed=f"allowed: 1 to {sweeps[name]}")
 
 
 def _check_works(

@@ -57,7 +57,10 @@ def compile_scene(
     lights = _lights(draft, problems)
     # With a light or an object left out for its errors, its name would seem to be wrong.
     objects = parts.known()
-    named = None if whole is None else Named(light_names(draft), objects)
+    sweeps = {each.name: len(each.all_values()) for each in draft.sweeps.values()}
+    named = None
+    if whole is not None:
+        named = Named(list(light_names(draft).values()), objects, sweeps)
     names = None if objects is None else [obj.name for obj in objects]
     lesson = _lesson(draft.lesson, render, named, names, problems)
     goals = _goals(whole, render, problems)
@@ -89,7 +92,8 @@ def compile_lesson(
 ) -> Scene | None:  # fmt: skip
     """A lesson on a scene that is there, or None with all problems noted. base: that scene, None if
     it has problems of its own; lights: the names of its lights, as its file gives them."""
-    named = Named(lights, base.objects) if base and lights is not None else None
+    sweeps = {each.name: len(each.stops) for each in base.sweeps} if base else {}
+    named = Named(lights, base.objects, sweeps) if base and lights is not None else None
     names = [obj.name for obj in base.objects] if base else None
     lesson = _lesson(steps, base.render if base else None, named, names, problems)
     goals = _goals(whole, base.render if base else None, problems)
@@ -138,18 +142,19 @@ def _lights(draft: Draft, problems: Problems) -> list[Light]:
     tables = draft.lights
     for i, table in tables.items():
         check_light(table, ("lights", i), problems)
-    names = _names_of_lights(draft)
+    names = light_names(draft)
     check_names(names.items(), "lights", problems)
     return [light for i, table in tables.items() for light in point_lights(table, names[i])]
 
 
-def light_names(draft: Draft) -> list[str]:
-    """As views name them: an area light is one."""
-    return list(_names_of_lights(draft).values())
-
-
-def _names_of_lights(draft: Draft) -> dict[int, str]:
+def light_names(draft: Draft) -> dict[int, str]:
+    """As views name them, by place: an area light is one."""
     return with_defaults((i, table.name, "light") for i, table in draft.lights.items())
+
+
+def object_names(draft: Draft) -> dict[int, str]:
+    """By place; parts of a mesh file are one."""
+    return with_defaults((i, table.name, table.kind) for i, table in draft.objects.items())
 
 
 def _lesson(
@@ -177,8 +182,12 @@ def _step(step: StepTable, objects: list[str]) -> LessonStep:
 
 
 def _plain(view: ViewTable) -> dict[str, object]:
-    """The view's given keys, as JSON has them."""
-    return view.model_dump(mode="json", exclude_none=True)
+    """The view's given keys, as JSON has them; a sweep's stop as addresses name it."""
+    given = view.model_dump(mode="json", exclude_none=True)
+    if view.sweep:
+        [(name, stop)] = view.sweep.items()
+        given["sweep"] = f"{address_of(name)}:{stop}"
+    return given
 
 
 @dataclass
@@ -196,7 +205,7 @@ class _Parts:
     def add_objects(self) -> None:
         known = Materials(self.draft.materials, self.problems)
         tables = self.draft.objects
-        names = with_defaults((i, table.name, table.kind) for i, table in tables.items())
+        names = object_names(self.draft)
         check_names(names.items(), "objects", self.problems)
         self.taken = set(names.values())
         for i, table in tables.items():

@@ -34,6 +34,7 @@ from raywalk.scene.schema_objects import (
     ObjectTable,
     TextureTable,
 )
+from raywalk.scene.schema_sweeps import SweepTable
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.table import Table
 from raywalk.scene.wording import counted, plain
@@ -91,6 +92,7 @@ SECTIONS: list[tuple[str, type[Table]]] = [
     ("rotate = { ... }", RotateTable),
     ("checker = { ... }", CheckerTable),
     ("[[lights]]", LightTable),
+    ("[[sweeps]]", SweepTable),
     ("[[lesson]]", StepTable),
     ("[[lesson.choices]], after the step's other keys", ChoiceTable),
     ("view = { ... }", ViewTable),
@@ -103,17 +105,20 @@ def json_schema(of: type[Table]) -> dict[str, Any]:
     """JSON Schema 2020-12 of a file, for editors. Geometry is checked by the reader only."""
     schema = of.model_json_schema()
     dialect = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
-    _drop_null_defaults(schema)
+    _tidy(schema)
     return dialect | schema
 
 
-def _drop_null_defaults(part: Any) -> None:
-    """TOML has no null: a default of null means that the key may be left out."""
+def _tidy(part: Any) -> None:
+    """TOML has no null: a default of null means that the key may be left out. What the viewer calls
+    a type is no editor's business."""
+    if isinstance(part, dict):
+        part.pop("viewer", None)
     if isinstance(part, dict) and part.get("default", ...) is None:
         del part["default"]
     for item in part.values() if isinstance(part, dict) else part:
         if isinstance(item, dict | list):
-            _drop_null_defaults(item)
+            _tidy(item)
 
 
 SLOTS = """\
@@ -173,6 +178,8 @@ RULES = """\
   view's grid, their objects are the scene's. A translation has as many, in the same order.
 - A view's resolution is one of the scene's, and its pixel is inside. Its switches name lights of
   the scene, and no more bounces than it traces.
+- A sweep's value stands in the file, and is one of its stops; the scene with any other of them is
+  as sound as it is.
 - Slots ask for what there is: a quantity, a ray of the pixel, a light, a material, a mesh."""
 
 
@@ -186,7 +193,7 @@ def readme() -> str:
 def _section(title: str, table: type[Table]) -> str:
     shared = ObjectTable.model_fields if table in SHAPES.values() else {}
     rows = [
-        _row(key, field)
+        _row(field.alias or key, field)
         for key, field in table.model_fields.items()
         if key != "type" and (key not in shared or field.description != shared[key].description)
     ]

@@ -21,6 +21,7 @@ from raywalk.scene.schema import (
     StepTable,
 )
 from raywalk.scene.schema_objects import AnyObject, MaterialTable, ObjectTable
+from raywalk.scene.schema_sweeps import SweepTable
 
 _OBJECT: TypeAdapter[Any] = TypeAdapter(AnyObject)
 T = TypeVar("T")
@@ -36,6 +37,7 @@ class Draft:
     objects: dict[int, ObjectTable]
     lights: dict[int, LightTable]
     lesson: dict[int, StepTable]
+    sweeps: dict[int, SweepTable]
 
 
 def read_tables(raw: dict[str, Any], problems: Problems) -> tuple[SceneFile | None, Draft]:
@@ -56,6 +58,7 @@ def _tables_of(whole: SceneFile) -> Draft:
         objects=dict(enumerate(whole.objects)),
         lights=dict(enumerate(whole.lights)),
         lesson=dict(enumerate(whole.lesson)),
+        sweeps=dict(enumerate(whole.sweeps)),
     )
 
 
@@ -71,6 +74,7 @@ def _sound_tables(raw: dict[str, Any]) -> Draft:
         objects=_sound_items(_OBJECT, raw.get("objects")),
         lights=_sound_items(TypeAdapter(LightTable), raw.get("lights")),
         lesson=_sound_items(TypeAdapter(StepTable), raw.get("lesson")),
+        sweeps=_sound_items(TypeAdapter(SweepTable), raw.get("sweeps")),
     )
 
 

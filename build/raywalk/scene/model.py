@@ -172,6 +172,19 @@ class LessonStep:
 
 
 @dataclass(frozen=True, eq=False)
+class Sweep:
+    """One value of a scene that takes several, stop by stop. Each stop is the scene with that
+    value, validated as any scene; without a lesson, which is the scene's."""
+
+    name: str
+    varies: str  # what, as its file says it: lights."light 1".position
+    values: tuple[Any, ...]  # numbers, or lists of them
+    own: int  # the stop that is the scene itself
+    resolutions: tuple[int, ...]  # whose rays are kept at each stop
+    stops: tuple[Scene, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class Scene:
     id: str  # the folder's name, e.g. "05-many-bounces"
     path: Path  # of scene.toml
@@ -189,6 +202,7 @@ class Scene:
     chapter: str = ""  # of the course, one of the schema's
     before: str = ""  # folder of the scene of its chapter that comes right after it
     mistakes: tuple[str, ...] = ()  # of mistakes.json, that it is good at showing
+    sweeps: tuple[Sweep, ...] = ()
     # Of a lesson on another scene: that scene, whose rays, pictures and meshes it shows. All that
     # is here besides id, path, key, chapter, place and words is that scene's.
     base: Scene | None = None

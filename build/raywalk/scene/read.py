@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,7 @@ from raywalk.scene.model import Scene
 from raywalk.scene.models import find_catalogue, read_catalogue
 from raywalk.scene.order import in_order, misplaced
 from raywalk.scene.problems import Problems
+from raywalk.scene.sweeps import read_sweeps
 from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
@@ -87,7 +88,9 @@ def _read_scene(raw: dict[str, Any], problems: Problems) -> _Reading:
     models, model_problems = read_catalogue(find_catalogue(problems.file))
     whole, draft = read_tables(raw, problems)
     scene = compile_scene(whole, draft, models, problems)
-    lights = light_names(draft) if whole else None
+    sweeps = read_sweeps(scene, raw, draft, models, problems)
+    scene = replace(scene, sweeps=sweeps) if scene and not problems.errors else None
+    lights = list(light_names(draft).values()) if whole else None
     return _Reading(scene, model_problems.errors + problems.errors, lights)
 
 

@@ -26,6 +26,7 @@ from raywalk.scene.fields import (
 )
 from raywalk.scene.schema_choices import Choices, Index, Pixel
 from raywalk.scene.schema_objects import AnyObject, MaterialTable
+from raywalk.scene.schema_sweeps import SweepTable
 from raywalk.scene.table import SINGLE, TABLE, Table, by_form
 from raywalk.scene.wording import plain
 
@@ -178,6 +179,12 @@ TreeDepth = Annotated[
 RaysATile = Annotated[Literal[1, 9, 25, 49], Allowed("1, 9, 25 or 49")]
 
 
+Stop = Annotated[
+    dict[str, Count], Field(min_length=1, max_length=1),
+    Allowed("a table of one sweep", hint='write sweep = { "lamp height" = 7 }'),
+]  # fmt: skip
+
+
 class SwitchesTable(Table):
     """What-if switches: how the tiles and rays would be with other settings."""
 
@@ -209,6 +216,10 @@ class ViewTable(Table):
     )
     tree_depth: Maybe[TreeDepth] = maybe("levels of the tree that the step begins with")
     rays_a_tile: Maybe[RaysATile] = maybe("rays of the mean that the step begins with")
+    sweep: Maybe[Stop] = Field(
+        None, json_schema_extra={"viewer": "string"},
+        description="a sweep by its name, and the stop that is shown, counted from 1",
+    )  # fmt: skip
 
 
 class StepTable(Table):
@@ -240,6 +251,7 @@ Materials = Annotated[
 Objects = Annotated[tuple[AnyObject, ...], _tables("objects")]
 Lights = Annotated[tuple[LightTable, ...], _tables("lights")]
 Lesson = Annotated[tuple[StepTable, ...], _tables("lesson")]
+Sweeps = Annotated[tuple[SweepTable, ...], _tables("sweeps")]
 GOALS = (2, 4)  # fewer are no list, more nobody remembers
 Goals = Annotated[
     tuple[LessonText, ...], Field(min_length=GOALS[0], max_length=GOALS[1]),
@@ -284,6 +296,7 @@ class SceneFile(Table):
     materials: Materials = means("this scene's own materials, by name", {})
     objects: Objects = means("what the rays may hit", ())
     lights: Lights = means("where light comes from", ())
+    sweeps: Sweeps = means("what can be moved or changed by a slider, stop by stop", ())
     lesson: Lesson = means("the steps, in order: a text and what is shown meanwhile", ())
 
 

@@ -63,12 +63,15 @@ def _words(table: type[Table], value: Any, line: Any) -> PydanticCustomError | N
 
 def _keys(table: type[Table]) -> list[str]:
     """The keys allowed, the table's own before those that all its kind share."""
-    own = [key for key in table.model_fields if key in table.__annotations__]
-    return own + [key for key in table.model_fields if key not in own]
+    fields = table.model_fields
+    own = [key for key in fields if key in table.__annotations__]
+    return [fields[key].alias or key for key in own + [key for key in fields if key not in own]]
 
 
 def _purpose(table: type[Table], key: str) -> str:
-    description = table.model_fields[key].description
+    """key: as a file has it, where Python keeps the word for itself."""
+    found = (of for name, of in table.model_fields.items() if key in (name, of.alias))
+    description = next(found).description
     return f"{key}: {description}" if description else ""
 
 

@@ -192,6 +192,19 @@ def trace_grids(
     return Traced(picture, assemble(tracer, records, size), tally)
 
 
+def trace_coarse(
+    tracer: Tracer, resolutions: tuple[int, ...], side: int, threads: Threads = 2
+) -> Traced:
+    """Some frustum resolutions' ray trees, and side x side pixels of the picture, as `trace_picture`
+    gives them; the picture's other pixels are black. side: size divided by an odd number."""
+    size = tracer.scene.render.size
+    kept = kept_pixels(size, resolutions)
+    pixels = np.flatnonzero(kept | kept_pixels(size, (side,)))
+    picture = np.zeros((size, size, 3), np.uint8)
+    records, tally = _trace_into(picture, tracer, pixels, kept, threads, None)
+    return Traced(picture, assemble(tracer, records, size), tally)
+
+
 def _trace_into(
     picture: np.ndarray, tracer: Tracer, chosen: np.ndarray, kept: np.ndarray | None,
     threads: Threads, report: Callable[[float], None] | None,

@@ -1,0 +1,102 @@
+"""[[sweeps]]: a value of the scene that takes several, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any, Self
+
+from pydantic import Field, model_validator
+
+from raywalk.scene.fields import Allowed, Maybe, Name, Text, maybe, means, refusal
+from raywalk.scene.table import Table
+from raywalk.scene.wording import counted, show
+
+MOST_STOPS = 64  # of a sweep: each is a trace of its own
+CLEAN = 9  # decimals of a stop between `from` and `to`: 0.1 + 0.2 is 0.3 to whoever reads it
+
+# Of numbers as TOML has them: whole ones stay whole.
+Figure = Annotated[int, Field(strict=True)] | Annotated[
+    float, Field(strict=True, allow_inf_nan=False)
+]  # fmt: skip
+Value = Annotated[Figure | tuple[Figure, ...], Allowed("a number or a list of numbers")]
+Values = Annotated[
+    tuple[Value, ...], Field(min_length=2, max_length=MOST_STOPS),
+    Allowed(f"a list of 2 to {MOST_STOPS} values"),
+]  # fmt: skip
+Stops = Annotated[
+    int, Field(strict=True, ge=2, le=MOST_STOPS), Allowed(f"a whole number from 2 to {MOST_STOPS}")
+]
+Grids = Annotated[
+    tuple[Annotated[int, Field(strict=True, ge=1)], ...], Field(min_length=1),
+    Allowed("a list of at least one whole number"),
+]  # fmt: skip
+
+
+class SweepTable(Table):
+    """A slider: something of the scene moves or changes, stop by stop, and each stop is traced.
+    The scene's own value is one of the stops."""
+
+    name: Name = means("what a person calls it")
+    varies: Text = means(
+        "the key of this file whose value changes; objects, lights and materials by their names, "
+        'items of a list by their number from 0: `lights."light 1".position`, '
+        "`objects.bunny.transform.0.rotate.degrees`, `camera.fov`, `render.depth`"
+    )
+    from_: Maybe[Value] = Field(None, alias="from", description="the first stop's value")
+    to: Maybe[Value] = maybe("the last stop's value")
+    stops: Maybe[Stops] = maybe("how many, in equal steps from `from` to `to`")
+    values: Maybe[Values] = maybe("each stop's value, in place of `from`, `to` and `stops`")
+    resolutions: Maybe[Grids] = maybe(
+        "of the scene's, those whose rays each stop has (default: 15 and 33, those of them that "
+        "the scene has)"
+    )
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        given = {"from": self.from_, "to": self.to, "stops": self.stops}
+        missing = [key for key, value in given.items() if value is None]
+        if self.values is None and missing:
+            hint = "give from, to and stops, or a list of values"
+            raise refusal("missing", at=missing[0], hint=hint)
+        if self.values is not None and len(missing) < len(given):
+            extra = next(key for key in given if key not in missing)
+            raise refusal("stands beside values, which say it all", at=extra)
+        return self
+
+    @model_validator(mode="after")
+    def _alike(self) -> Self:
+        ends = self.values or (self.from_, self.to)
+        for value in ends:
+            if _length(value) != _length(ends[0]):
+                at = "values" if self.values else "to"
+                raise refusal(f"{show(value)} is not like {show(ends[0])}", at=at)
+        all_of = self.all_values()
+        for k, value in enumerate(all_of):
+            if value in all_of[:k]:
+                at = "values" if self.values else "to"
+                raise refusal(f"{show(value)} is there twice", at=at)
+        return self
+
+    def all_values(self) -> list[Any]:
+        """Stop by stop."""
+        if self.values is not None:
+            return list(self.values)
+        assert self.from_ is not None and self.to is not None and self.stops is not None
+        return [_between(self.from_, self.to, k, self.stops - 1) for k in range(self.stops)]
+
+    def said(self) -> str:
+        """How many stops, in words."""
+        return counted(len(self.all_values()), "stop")
+
+
+def _length(value: Any) -> int | None:
+    return len(value) if isinstance(value, Sequence) else None
+
+
+def _between(first: Any, last: Any, k: int, of: int) -> Any:
+    """The value k steps of `of` from the first to the last."""
+    if isinstance(first, Sequence):
+        return tuple(_between(a, b, k, of) for a, b in zip(first, last, strict=True))
+    if isinstance(first, int) and isinstance(last, int) and (last - first) * k % of == 0:
+        return first + (last - first) * k // of
+    return round(first + (last - first) * k / of, CLEAN)
