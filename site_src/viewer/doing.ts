@@ -8,6 +8,7 @@ export type Doing = (act: (now: ViewState, scene: SceneData) => ViewState) => vo
 export const doingOn =
   (session: Session): Doing =>
   (act) => {
-    const { state, scene } = session;
+    const { state } = session;
+    const scene = session.here();
     if (state && scene) session.set(act(state, scene));
   };

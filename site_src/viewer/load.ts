@@ -116,7 +116,7 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
   const sections = kept(KEPT_SCENES, sectionsFrom);
   const surroundings = kept(KEPT_SCENES, surroundingsFrom);
   const words = kept(KEPT_SCENES, wordsFrom);
-  const worked = kept(KEPT_SCENES, (json) => json as WorkedData);
+  const data = kept(KEPT_SCENES, (json) => json);
   /** A lesson on another scene is laid over that scene. */
   const whole = async (id: string): Promise<SceneData> => {
     const scene = await scenes(`${id}/scene`);
@@ -132,7 +132,9 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
     },
     sections: (id: string) => sections(`${id}/sections`),
     surroundings: (id: string) => surroundings(`${id}/surroundings`),
-    worked: (id: string) => worked(`${id}/worked`),
+    worked: (id: string) => data(`${id}/worked`) as Promise<WorkedData>,
+    /** What only a part reads. */
+    data,
     trace: (id: string, n: number) => traces(`${id}/${n}`),
     /** Of a scene with a mesh. */
     boxes: (id: string) => boxes(`${id}/boxes`),

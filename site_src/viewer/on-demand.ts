@@ -27,6 +27,7 @@ const PARTS = {
   "box-lines": () => import("./state/box-lines"),
   inset: () => import("./stage/inset"),
   worked: () => import("./worked/worked"),
+  sweeps: () => import("./sweeps/sweeps"),
   busy: () => import("./stage/busy"),
   flat: () => import("./stage/flat"),
   "event-words": () => import("./event-words"),

@@ -51,6 +51,7 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     guide: onDemand.one("guide", ({ createGuide }) => createGuide(drawer.open)),
     tileColours: onDemand.one("tile-legend", ({ createTileLegend }) => createTileLegend(home.querySelector(".below-row")!)),
     page: createPage(page, onDemand),
+    sweeps: onDemand.one("sweeps", ({ createSweeps }) => createSweeps(session, home)),
     savings: onDemand.one("told", ({ createSavings }) => createSavings(home.querySelector(".side")!)),
     // Nothing is spoken before the page is whole.
     spoken: onDemand.one("spoken", ({ createSpoken }) => createSpoken(home)),
@@ -104,6 +105,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.whatIf.when(isSwitched(state.switches), session.changed)?.show(state, traced.scene);
   panels.tileColours.when(state.colours !== "picture", session.changed)?.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
+  panels.sweeps.when(!!scene.sweeps, session.changed)?.show(state, scene);
   panels.savings.when(state.tab !== "none", session.changed)?.show(scene); // it stands under a tab
   panels.spoken.when(!!location.search, session.changed)?.show(state, scene, trace, asking); // it shows what the address brings from a check
 }
@@ -170,7 +172,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now();
-    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === traced.scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
   let shownSlice: SavedView | null = null;

@@ -30,6 +30,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     state: null as ViewState | null,
     scene: null as SceneData | null,
     sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
+    stop: null as SceneData | null, // the scene as it is at the stop of a sweep that came last; null: as it is
     missing: false, // the trace could not be loaded
     finest: null as Trace | null, // of the finest grid, once switches were set
     surroundings: null as Surrounded | null, // of the scene's mirrors and glass, once the look asked for them
@@ -44,15 +45,15 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     set(next: ViewState) {
       const { state } = session;
       if (!state || next === state) return;
-      const levelChanged = next.n !== state.n;
+      const traceChanged = next.n !== state.n || next.sweep !== state.sweep;
       session.state = next;
-      if (levelChanged) listeners?.otherLevel();
+      if (traceChanged) listeners?.otherLevel();
       else session.changed();
     },
 
     /** Another scene; its rays are still to come. */
     enter(scene: SceneData, state: ViewState) {
-      Object.assign(session, { scene, state, lit: null });
+      Object.assign(session, { scene, state, lit: null, stop: null });
       session.receive(null);
     },
 
@@ -62,11 +63,15 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     },
 
     /** The trace of what the state shows, as it was traced; null while another one is on its way. */
-    traced: (): Trace | null => (loaded && session.state && loaded.scene === session.scene?.of && loaded.n === session.state.n ? loaded : null),
+    traced: (): Trace | null => (loaded && session.state && loaded.scene === session.here()?.of && loaded.n === session.state.n ? loaded : null),
+
+    /** The scene as it is traced here: at the state's stop. */
+    here: () => (session.state?.sweep && session.stop) || session.scene,
 
     /** The scene and its trace as the switches make them; the same objects where nothing is switched. */
     switched(): { scene: SceneData; trace: Trace | null } | null {
-      const { state, scene } = session;
+      const { state } = session;
+      const scene = session.here();
       const trace = session.traced();
       if (!state || !scene) return null;
       const recombine = trace && isSwitched(state.switches) && recombining()?.shown;
@@ -75,7 +80,8 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
 
     /** What the finished picture would be with the switches set, as fine as traces are here; null where nothing is switched. */
     recombined(): TilePicture | null {
-      const { state, scene, finest } = session;
+      const { state, finest } = session;
+      const scene = session.here();
       if (!state || !scene || !isSwitched(state.switches)) return null;
       const trace = finest?.scene === scene.of ? finest : session.traced();
       const recombine = trace && recombining()?.finest;

@@ -73,10 +73,10 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
   async function trace() {
     if (!session.state || !session.scene) return;
     const mine = ++traceAsked;
-    const { n } = session.state;
+    const { n, sweep } = session.state;
     const wait = window.setTimeout(draw, PATIENCE); // slow: say so, with an empty frustum
     try {
-      const arrived = await awaited(loader.trace(session.scene.of, n), "trace", notice);
+      const arrived = await awaited(sweep ? onDemand.come("sweeps").then(({ stopAt }) => stopAt(session, loader, notice)) : loader.trace(session.scene.of, n), "trace", notice);
       if (mine !== traceAsked) return;
       session.receive(arrived);
       notice.hide("trace");

@@ -6,6 +6,7 @@ changed.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from raywalk.work.store import Entry
 
 # Of modules that begin so a scene without a mesh runs none (tested), and needs no key.
 MESH = "mesh_"
+NO_SWEEPS: Mapping[str, Entry] = {}
 
 TRACE = Maker("raywalk.pipeline.trace_products", "write_products")
 PAGE_DATA = Maker("raywalk.site.scene_data", "write_page_data")
@@ -66,14 +68,16 @@ def shut_for(scene: Scene) -> str:
 
 
 def page_data_parts(
-    scene: Scene, trace_key: str, picture: str = "picture.png", worked: Entry | None = None
-) -> Parts:
+    scene: Scene, trace_key: str, picture: str = "picture.png", worked: Entry | None = None,
+    sweeps: Mapping[str, Entry] = NO_SWEEPS,
+) -> Parts:  # fmt: skip
     """The whole scene with its words, its trace, the picture it names, what its lesson works out,
-    and what makes its data."""
+    what is published of its sweeps, and what makes its data."""
     whole = plain(replace(scene, path=Path()))
     return {
         "what": "page data", "of": scene.id, "scene": whole, "trace": trace_key,
-        "picture": picture, "worked": worked.folder.name if worked else "", **PAGE_DATA.parts(),
+        "picture": picture, "worked": worked.folder.name if worked else "",
+        "sweeps": {id: each.folder.name for id, each in sweeps.items()}, **PAGE_DATA.parts(),
     }  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from raywalk.pipeline.checking import Checks, publish_check
 from raywalk.pipeline.homework import publish_homework
 from raywalk.pipeline.mistakes import Mistakes, publish_mistakes, told_in
 from raywalk.pipeline.slides import MadeDeck, publish_slides
+from raywalk.pipeline.sweeps import publish_sweeps
 from raywalk.scene.lesson_pictures import pictures_of
 from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Scene
@@ -53,6 +54,7 @@ class Made:
     data: dict[str, Entry]
     pictures: dict[str, Entry]  # of some: pages do without
     worked: dict[str, Entry]  # of scenes whose lessons work something out
+    sweeps: dict[str, dict[str, Entry]]  # by scene and by the sweep's id
     homework: dict[str, Entry]  # vectors for graders; pages do without
     check: dict[str, Checks]  # what students' pictures are held against; there is no page without
     mistakes: Mistakes | None  # pages of their own; None where pages do not wait for them
@@ -76,6 +78,7 @@ class Made:
         yield self.viewer
         for id in self.traces:
             yield from self.of_scene(id)
+            yield from self.sweeps[id].values()
         yield from self.homework.values()
         yield from (entry for checks in self.check.values() for entry in checks)
         if self.mistakes:
@@ -92,6 +95,8 @@ def publish(made: Made, chosen: Namespace, site_source: Path, base: str) -> list
         assets = write_assets(out, site_source, made.viewer.folder)
         for scene in scenes:
             publish_scene(out / "scenes" / scene.id, list(made.of_scene(scene.id)))
+            if not scene.base:
+                publish_sweeps(out / "scenes" / scene.id, made.sweeps[scene.id])
         if scenes:
             assets |= write_icons(out, out / "scenes" / face_of(scenes).id / "picture.png")
         published = publish_slides(out, made.decks)

@@ -27,6 +27,7 @@ from raywalk.pipeline.slides import (
     last_decks,
     planned,
 )
+from raywalk.pipeline.sweeps import sweeps_chain
 from raywalk.pipeline.tracing import Tracing, by_cost
 from raywalk.pipeline.worked import worked_chain
 from raywalk.scene.model import Scene
@@ -54,6 +55,7 @@ class SceneMade:
     data: Entry
     pictures: Entry | None  # for pages; None where these do not wait for them
     worked: Entry | None  # what its lesson works out; None where it does not
+    sweeps: dict[str, Entry]  # what is published of each, by its id
     homework: Entry | None  # its vectors; None where pages do not wait for them
     sources: list[Source]  # by language, as are plans and decks
     plans: list[Plan]
@@ -117,9 +119,14 @@ def scene_chain(
     pictures = None if base else (yield from _page_pictures(making, scene, traced))
     picture = shown_picture(pictures.folder if pictures else folder, "picture")
     worked = yield from worked_chain(store, scene, traced)
+    sweeps = base.sweeps if base else (yield from sweeps_chain(store, scene, traced))
+    made_sweeps = {id: each.folder for id, each in sweeps.items()}
     data = yield from _kept(
-        store, page_data_parts(scene, name, picture, worked),
-        partial(PAGE_DATA, scene, folder, picture=picture, worked=worked and worked.folder),
+        store, page_data_parts(scene, name, picture, worked, sweeps),
+        partial(
+            PAGE_DATA, scene, folder, picture=picture, worked=worked and worked.folder,
+            sweeps=made_sweeps,
+        ),
     )  # fmt: skip
     homework = None
     if making.asking and not base:
@@ -130,7 +137,7 @@ def scene_chain(
     if making.asking:
         plans = yield from planned(making.asking, sources)
         decks = yield from drawn(store, plans)
-    return SceneMade(traced, data, pictures, worked, homework, sources, plans, decks)
+    return SceneMade(traced, data, pictures, worked, sweeps, homework, sources, plans, decks)
 
 
 def _page_pictures(making: Making, scene: Scene, traced: Entry) -> Chain[Entry | None]:

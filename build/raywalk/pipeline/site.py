@@ -89,10 +89,12 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
     data = {scene.id: of_scenes[scene.id].data for scene in scenes}
     pictures = {id: each.pictures for id, each in of_scenes.items() if each.pictures}
     worked = {id: each.worked for id, each in of_scenes.items() if each.worked}
+    sweeps = {id: each.sweeps for id, each in of_scenes.items()}
     homework = {id: each.homework for id, each in of_scenes.items() if each.homework}
     works = Made(
-        spoken, facts, viewer, traces, data, pictures, worked, homework, check, mistakes, decks
-    )
+        spoken, facts, viewer, traces, data, pictures, worked, sweeps, homework, check, mistakes,
+        decks,
+    )  # fmt: skip
     with phase("publish"):
         heavy = publish(works, chosen, site_source, base)
     heavy = [f"warning: {line}" for line in heavy]

@@ -176,6 +176,7 @@ class Sweep:
     """One value of a scene that takes several, stop by stop. Each stop is the scene with that
     value, validated as any scene; without a lesson, which is the scene's."""
 
+    id: str  # its name as it can stand in an address
     name: str
     varies: str  # what, as its file says it: lights."light 1".position
     values: tuple[Any, ...]  # numbers, or lists of them

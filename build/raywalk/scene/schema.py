@@ -217,7 +217,7 @@ class ViewTable(Table):
     tree_depth: Maybe[TreeDepth] = maybe("levels of the tree that the step begins with")
     rays_a_tile: Maybe[RaysATile] = maybe("rays of the mean that the step begins with")
     sweep: Maybe[Stop] = Field(
-        None, json_schema_extra={"viewer": "string"},
+        default=None, json_schema_extra={"viewer": "string"},
         description="a sweep by its name, and the stop that is shown, counted from 1",
     )  # fmt: skip
 

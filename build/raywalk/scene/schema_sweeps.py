@@ -42,7 +42,7 @@ class SweepTable(Table):
         'items of a list by their number from 0: `lights."light 1".position`, '
         "`objects.bunny.transform.0.rotate.degrees`, `camera.fov`, `render.depth`"
     )
-    from_: Maybe[Value] = Field(None, alias="from", description="the first stop's value")
+    from_: Maybe[Value] = Field(default=None, alias="from", description="the first stop's value")
     to: Maybe[Value] = maybe("the last stop's value")
     stops: Maybe[Stops] = maybe("how many, in equal steps from `from` to `to`")
     values: Maybe[Values] = maybe("each stop's value, in place of `from`, `to` and `stops`")

@@ -192,11 +192,24 @@ def _swept(
         for error in own.errors:
             said = f"at stop {k + 1}, {show(_listed(value))}: {error.key}: {error.message}"
             problems.add(at, said, allowed=error.allowed, hint=error.hint)
-        if stop is None or own.errors:
+        if stop is None or own.errors or not _is_like(stop, scene, k, at, problems):
             return None
         stops.append(stop)
     values = tuple(tuple(each) if isinstance(each, list) else each for each in plan.values)
-    return Sweep(table.name, table.varies, values, plan.own, grids, tuple(stops))
+    return Sweep(
+        address_of(table.name), table.name, table.varies, values, plan.own, grids, tuple(stops)
+    )
+
+
+def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems) -> bool:
+    """Whether it has as much of everything as the scene: what is there moves, nothing comes."""
+    for what in ("objects", "lights", "materials"):
+        there, here = len(getattr(stop, what)), len(getattr(scene, what))
+        if there != here:
+            message = f"at stop {k + 1} the scene has {there} {what}, not {here}"
+            problems.add(at, message, hint="a slider moves and changes what is there")
+            return False
+    return True
 
 
 def _stop(

@@ -40,7 +40,8 @@ class TranslationFile(Table):
     teaches: Text = means("one sentence: what a student takes home")
     goals: Maybe[Goals] = maybe("of the lesson, as many as there")
     names: dict[str, Name] = Field(
-        default_factory=dict, description="of each object, light and material, by its name there"
+        default_factory=dict,
+        description="of each object, light, material, sweep, by its name there",
     )
     lesson: tuple[TranslatedStep, ...] = means("step by step", ())
 
@@ -115,6 +116,7 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
         materials=tuple(replace(each, name=named(each.name)) for each in scene.materials),
         objects=tuple(replace(each, name=named(each.name)) for each in scene.objects),
         lights=tuple(replace(each, name=named(each.name)) for each in scene.lights),
+        sweeps=tuple(replace(each, name=named(each.name)) for each in scene.sweeps),
         lesson=tuple(
             replace(
                 step,
@@ -223,7 +225,9 @@ def _check_choices(i: int, step: LessonStep, said: TranslatedStep, problems: Pro
 
 
 def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> None:
-    parts: Sequence[Sequence[object]] = (scene.objects, scene.lights, scene.materials)
+    parts: Sequence[Sequence[object]] = (
+        scene.objects, scene.lights, scene.materials, scene.sweeps,
+    )  # fmt: skip
     known = list(dict.fromkeys(str(getattr(each, "name", "")) for of in parts for each in of))
     if scene.base:
         if table.names:
@@ -234,7 +238,7 @@ def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> No
         if name not in known:
             problems.add(
                 ("names", name),
-                f"{quoted(name)} is no object, light or material of {scene.path.name}",
+                f"{quoted(name)} is no object, light, material or sweep of {scene.path.name}",
                 allowed=f"known: {joined(known)}",
                 hint=did_you_mean(name, known),
             )

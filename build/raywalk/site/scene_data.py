@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import cast
@@ -11,7 +12,7 @@ from typing import cast
 import numpy as np
 
 from raywalk.scene.lesson_text import inline_html, lesson_html
-from raywalk.scene.model import Choice, LessonStep, Light, Scene, SceneObject
+from raywalk.scene.model import Choice, LessonStep, Light, Scene, SceneObject, Sweep
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
@@ -27,10 +28,13 @@ from raywalk.site.scene_types import (
     SceneData,
     SceneWords,
     StartData,
+    SweepData,
 )
 from raywalk.site.terms import marked
 from raywalk.terms.glossary import Glossary, read_glossary
 from raywalk.trace_file.container import mark_of, write_script
+
+NO_SWEEPS: Mapping[str, Path] = {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +53,7 @@ def scene_data(
     scene: Scene, display: Display, savings: Savings, files: dict[str, str], picture: str
 ) -> SceneData:
     """All of a scene for the viewer. picture: the name of its file."""
-    return {
+    data: SceneData = {
         "format": 1,
         "id": scene.id,
         "of": scene.id,
@@ -66,13 +70,21 @@ def scene_data(
         "start": start_of(scene),
         "bounds": {"center": display.centre.tolist(), "radius": display.radius},
         "materials": list(scene.materials),
-        "objects": [_object(obj, display) for obj in scene.objects],
+        "objects": [object_data(obj, display) for obj in scene.objects],
         "meshes": {name: mesh_data(mesh) for name, mesh in display.meshes.items()},
-        "lights": [_light(light) for light in scene.lights],
+        "lights": [light_data(light) for light in scene.lights],
         "lesson": [_step(step, scene.id, read_glossary()) for step in scene.lesson],
         "savings": savings,
         "files": files,
     }
+    if scene.sweeps:
+        data["sweeps"] = [_sweep(each) for each in scene.sweeps]
+    return data
+
+
+def _sweep(sweep: Sweep) -> SweepData:
+    values = [list(each) if isinstance(each, tuple) else each for each in sweep.values]
+    return {"id": sweep.id, "name": sweep.name, "values": values, "own": sweep.own + 1}
 
 
 def lesson_data(scene: Scene, base: Scene, own: dict[str, str]) -> LessonData:
@@ -87,7 +99,7 @@ def lesson_data(scene: Scene, base: Scene, own: dict[str, str]) -> LessonData:
 def scene_words(scene: Scene, glossary: Glossary | None = None) -> SceneWords:
     """What of SceneData is words: for a scene in a language other than its own, the terms of whose
     glossary are marked."""
-    return {
+    words: SceneWords = {
         "title": scene.title,
         "teaches": scene.teaches,
         "objects": [obj.name for obj in scene.objects],
@@ -95,6 +107,9 @@ def scene_words(scene: Scene, glossary: Glossary | None = None) -> SceneWords:
         "materials": [material.name for material in scene.materials],
         "lesson": [_step(step, scene.id, glossary) for step in scene.lesson],
     }
+    if scene.sweeps:
+        words["sweepNames"] = [each.name for each in scene.sweeps]
+    return words
 
 
 def _step(step: LessonStep, id: str, glossary: Glossary | None) -> LessonStepData:
@@ -125,7 +140,7 @@ def _choice(choice: Choice, id: str) -> ChoiceData:
     return data
 
 
-def _light(light: Light) -> LightData:
+def light_data(light: Light) -> LightData:
     return {key: getattr(light, key) for key in LightData.__annotations__}  # type: ignore[return-value]
 
 
@@ -138,7 +153,7 @@ def start_of(scene: Scene) -> StartData:
     return {"resolution": n, "pixel": list(pixel or (n // 2, n // 2))}
 
 
-def _object(obj: SceneObject, display: Display) -> ObjectData:
+def object_data(obj: SceneObject, display: Display) -> ObjectData:
     linear, centre = placement(obj)
     if isinstance(obj.shape, Mesh):
         linear, centre = np.eye(3), display.meshes[obj.name].centre
@@ -147,7 +162,7 @@ def _object(obj: SceneObject, display: Display) -> ObjectData:
         **obj.shape.drawn(),
         "label": obj.shape.word,
         "material": obj.material,
-        "transform": _column_major(linear, centre),
+        "transform": column_major(linear, centre),
     })  # fmt: skip
     if obj.name in display.meshes:
         data["mesh"] = obj.name
@@ -173,7 +188,7 @@ def _object(obj: SceneObject, display: Display) -> ObjectData:
     return data
 
 
-def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
+def column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = linear, centre
     return [float(value) for value in matrix.T.reshape(-1)]
@@ -181,10 +196,11 @@ def _column_major(linear: np.ndarray, centre: np.ndarray) -> list[float]:
 
 def write_page_data(
     scene: Scene, traced: Path, folder: Path, picture: str = "picture.png",
-    worked: Path | None = None,
+    worked: Path | None = None, sweeps: Mapping[str, Path] = NO_SWEEPS,
 ) -> None:  # fmt: skip
     """traced: the folder of the scene's trace, with facts.json and display.npz. picture: the name
-    of the file that pages show. worked: the folder of what its lesson works out."""
+    of the file that pages show. worked: the folder of what its lesson works out; sweeps: by their
+    ids those of what is published of them."""
     own = {"worked": mark_of(worked / "worked.js")} if worked else {}
     if scene.base:
         _write(folder, scene, lesson_data(scene, scene.base, own))
@@ -192,6 +208,8 @@ def write_page_data(
     facts = json.loads((traced / "facts.json").read_text(encoding="utf-8"))
     display = read_display(scene, traced / "display.npz")
     marks = own | {path.stem: mark_of(path) for path in sorted(traced.glob("*.js"))}
+    for id, made in sweeps.items():
+        marks |= {f"{id}/{path.stem}": mark_of(path) for path in sorted(made.glob("*.js"))}
     data = scene_data(scene, display, savings_of(facts), marks, picture)
     _write(folder, scene, data)
 

@@ -26,6 +26,7 @@ ThreeVec3 = Annotated[list[list[float]], _list_of(_VECTOR, _VECTOR, _VECTOR)]
 Pixel = Annotated[list[int], _list_of({"type": "integer"}, {"type": "integer"})]
 # As the scene's file has it: the schema's ViewTable without what it leaves out.
 View = Annotated[dict[str, Any], WithJsonSchema({"viewer": "View"})]
+Others = Annotated[dict[str, Any], WithJsonSchema({"viewer": "object"})]
 Drawn = Annotated[str, WithJsonSchema({"enum": DRAWN})]
 # Keys of words/<language>.json, below "savings".
 Stage = Literal["meshes", "shadows", "highlights", "reflection", "refraction"]
@@ -140,6 +141,15 @@ class Savings(TypedDict):
     counts: list[tuple[Saving, int, int]]
 
 
+class SweepData(TypedDict):
+    """What can be moved: its stops are numbered from 1, as in addresses."""
+
+    id: str  # the folder of its files beside scene.js
+    name: str
+    values: list[float | list[float]]
+    own: int  # the stop that is the scene itself
+
+
 class SceneData(TypedDict):
     """scenes/<id>/scene.js"""
 
@@ -165,6 +175,31 @@ class SceneData(TypedDict):
     lesson: list[LessonStepData]
     savings: Savings
     files: dict[str, str]  # the marks of the scripts beside it: of this build, and no other
+    sweeps: NotRequired[list[SweepData]]
+    sweepNames: NotRequired[list[str]]  # in another language, laid over by its words
+
+
+class StopData(TypedDict):
+    """What of SceneData is other at a stop; of objects, lights and materials what is other of
+    each."""
+
+    picture: str
+    camera: NotRequired[Camera]
+    background: NotRequired[Vec3]
+    shadows: NotRequired[bool]
+    depth: NotRequired[int]
+    objects: NotRequired[list[Others]]
+    lights: NotRequired[list[Others]]
+    materials: NotRequired[list[Others]]
+
+
+class StopsData(TypedDict):
+    """scenes/<id>/<sweep>/stops.js"""
+
+    format: Literal[1]
+    scene: str
+    sweep: str
+    stops: list[StopData]
 
 
 class LessonData(TypedDict):
@@ -242,6 +277,7 @@ class SceneWords(TypedDict):
     lights: list[str]
     materials: list[str]
     lesson: list[LessonStepData]
+    sweepNames: NotRequired[list[str]]
 
 
 # The slope of a section's plane, and outlines in it: object, kind, whole steps x, y, ...

@@ -22,6 +22,7 @@ from raywalk.site.scene_types import (
     SceneData,
     SceneWords,
     SectionsData,
+    StopsData,
     SurroundingsData,
     WorkedData,
 )
@@ -52,6 +53,7 @@ def viewer_types() -> str:
         SceneData,
         SceneWords,
         SectionsData,
+        StopsData,
         SurroundingsData,
         BoxesData,
         WorkedData,

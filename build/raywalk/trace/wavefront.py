@@ -195,7 +195,7 @@ def trace_grids(
 def trace_coarse(
     tracer: Tracer, resolutions: tuple[int, ...], side: int, threads: Threads = 2
 ) -> Traced:
-    """Some frustum resolutions' ray trees, and side x side pixels of the picture, as `trace_picture`
+    """Some frustum resolutions' trees, and side x side pixels of the picture, as `trace_picture`
     gives them; the picture's other pixels are black. side: size divided by an odd number."""
     size = tracer.scene.render.size
     kept = kept_pixels(size, resolutions)

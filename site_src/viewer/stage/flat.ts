@@ -174,7 +174,7 @@ export function createFlatRenderer(): StageRenderer {
       brush.setTransform(size.ratio, 0, 0, size.ratio, 0, 0);
       brush.clearRect(0, 0, size.width, size.height);
       brush.lineWidth = 1;
-      drawBodies(brush, view, projection, shapes([view.scene], () => shapesOf(view.scene))(observer.eye, projection));
+      drawBodies(brush, view, projection, shapes([view.scene, view.switched.objects], () => shapesOf({ ...view.scene, objects: view.switched.objects }))(observer.eye, projection));
       const near = view.scene.bounds.radius / 300;
       const { eye } = view.plane;
       const fromAside = length(sub(observer.eye, eye)) > near;

@@ -105,7 +105,6 @@ export function createSolids(scene: SceneData, plain: boolean) {
     const look = looks.of(material, facesOf(each, scene), !geometry.getAttribute("normal"));
     look.vertexColors = !!geometry.getAttribute("color");
     const mesh = new Mesh(geometry, look);
-    mesh.applyMatrix4(new Matrix4().fromArray([...each.transform]));
     mesh.castShadow = !looks.seenThrough(material);
     mesh.receiveShadow = true;
     if (looks.seenThrough(material)) mesh.renderOrder = 2;
@@ -126,14 +125,17 @@ export function createSolids(scene: SceneData, plain: boolean) {
         if (around) (look as MeshMatcapMaterial).matcap?.dispose(); // the painted ball is no longer held
       }
     },
-    /** Lights and colours as the switches leave them. A light that is off stays, without strength: another number of
+    /** Where things are at a stop of a sweep, lights and colours as the switches leave them. A light that is off stays, without strength: another number of
      *  lights or shadow maps would compile every shader anew. */
     follow(switched: SceneData, { without, bounces }: Switches) {
       const isOn = (part: Part) => !without.includes(part) && !(bounces === 0 && (part === "reflected" || part === "refracted"));
       for (const [k, lamp] of lights.lamps.entries()) {
-        lamp.intensity = switched.lights[k * lights.every + (lights.every >> 1)].intensity * lights.every * Math.PI;
+        const { position, intensity } = switched.lights[k * lights.every + (lights.every >> 1)];
+        lamp.position.set(...position);
+        lamp.intensity = intensity * lights.every * Math.PI;
         lamp.shadow.intensity = switched.shadows ? 1 : 0;
       }
+      for (const { mesh, at } of painted) new Matrix4().fromArray([...switched.objects[at].transform]).decompose(mesh.position, mesh.quaternion, mesh.scale);
       lights.everywhere.intensity = isOn("ambient") ? EVERYWHERE : 0;
       looks.count(isOn);
     },

@@ -20,8 +20,9 @@ const endsOf = (lines: readonly Line[], blocked: boolean): Dot[] =>
 
 /** How bright a lamp's sign is: a faint light is a fainter sign, one that is off a struck ring. */
 const lampDots = ({ scene, switched }: StageView): Dot[] =>
-  scene.lights.map(({ position, intensity, colour }, k) => {
-    const share = intensity > 0 ? switched.lights[k].intensity / intensity : 1;
+  scene.lights.map(({ intensity, colour }, k) => {
+    const { position, intensity: now } = switched.lights[k];
+    const share = intensity > 0 ? now / intensity : 1;
     return share > 0 ? { at: position, colour: lampColour(colour), bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
   });
 
@@ -122,7 +123,7 @@ function createThree(canvas: HTMLCanvasElement, context: WebGL2RenderingContext)
   renderer.localClippingEnabled = true;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
-  renderer.shadowMap.autoUpdate = false; // nothing moves but the observer
+  renderer.shadowMap.autoUpdate = false; // nothing moves but the observer, and what a sweep moves
   renderer.debug.checkShaderErrors = false; // asking waits for the compiler; the tests look at what is drawn
   return renderer;
 }
@@ -137,6 +138,7 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
   const renderer = createThree(canvas, context);
   const camera = new PerspectiveCamera();
   let size: [number, number, number] = [1, 1, 1];
+  let shadowed = ""; // the stop of whatever moves that shadows were drawn for
   const sets = createSets((set) => {
     set.resize(...size);
     renderer.shadowMap.needsUpdate = true;
@@ -147,6 +149,8 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
     draw(now) {
       const { view, observer } = now;
       const set = sets.of(view);
+      if (shadowed !== view.switched.of) renderer.shadowMap.needsUpdate = true;
+      shadowed = view.switched.of;
       aim(camera, now);
       set.show(view, length(sub(observer.eye, view.plane.eye)) < view.scene.bounds.radius / 50);
       renderer.render(set.world, camera);

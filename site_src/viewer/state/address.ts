@@ -34,6 +34,7 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   putOther("slice", ({ slice }) => slice);
   putOther("if", ({ switches }) => writeSwitches(switches) || "none");
   putOther("colours", ({ colours }) => colours);
+  putOther("sweep", ({ sweep }) => sweep);
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
@@ -136,6 +137,7 @@ function viewOf({ read, within, nearest, damaged }: Reader, scene: SceneData, st
     slice: read("slice", oneOf(SLICES)) ?? stepView.slice,
     switches: stepView.switches,
     colours: read("colours", oneOf(TILE_VIEWS)) ?? stepView.colours,
+    sweep: read("sweep", (text) => text) ?? stepView.sweep, // whether there is such a stop its part knows
   };
 }
 

@@ -32,6 +32,7 @@ export interface ViewState {
   gl: boolean; // false: draw without WebGL
   switches: Switches;
   colours: NonNullable<View["colours"]>; // what the tiles show
+  sweep: string; // the stop of what is moved, "lamp-height:7"; "": the scene as it is
 }
 
 /** What stays when another scene or a lesson's step is shown. */

@@ -41,6 +41,7 @@ export function startState(scene: SceneData, kept: Kept): ViewState {
     ...NO_EVENT,
     switches: AS_TRACED,
     colours: "picture",
+    sweep: "",
   };
 }
 
@@ -114,6 +115,7 @@ export function applyView(scene: SceneData, state: ViewState, view: View): ViewS
     slice: view.slice ?? start.slice,
     switches: switchesFrom(view.switches, scene),
     colours: view.colours ?? start.colours,
+    sweep: view.sweep ?? "",
     step: state.step,
     revealed: state.revealed,
   };

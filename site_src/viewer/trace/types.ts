@@ -6,7 +6,7 @@
 
 // What a scene's scripts hold and how a lesson step or an address gives a view (what is absent keeps its start
 // value): made from the pipeline's own types.
-export type { BoxesData, Brightest, ChoiceData, FlatMirror, LessonStop, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, Surroundings, SurroundingsData, SwitchesView, Vec3, View, WorkedAverage, WorkedData, WorkedRay, WorkedTree } from "./pipeline-types";
+export type { BoxesData, Brightest, ChoiceData, FlatMirror, LessonStop, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, StopsData, Surroundings, SurroundingsData, SwitchesView, Vec3, View, WorkedAverage, WorkedData, WorkedRay, WorkedTree } from "./pipeline-types";
 import type { Visibility } from "./pipeline-types";
 
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const satisfies Visibility & { off: number }; // off: only by a switch, in no file

@@ -1,0 +1,80 @@
+"""The stops of a scene's sweeps, each kept under what it is made from, and what pages load."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from raywalk.pipeline.parts import models_of, shut_for, silent
+from raywalk.scene.model import Scene, Sweep
+from raywalk.work.chains import Chain
+from raywalk.work.digests import key_of
+from raywalk.work.maker import Maker, Parts
+from raywalk.work.making import made, reasons
+from raywalk.work.pool import Job, Threads
+from raywalk.work.progress import Report
+from raywalk.work.store import Entry, Store
+from raywalk.work.times import Spent, Stages, note
+
+STOP = Maker("raywalk.sweeps.trace_stop", "write_stop")
+SWEEP = Maker("raywalk.sweeps.write", "write_sweep")
+
+
+def stop_parts(stop: Scene, sweep: Sweep) -> Parts:
+    """The scene with the stop's value, and which of its rays are kept."""
+    return {
+        "what": "stop", "of": stop.id, "scene": silent(stop), "models": models_of(stop),
+        "resolutions": list(sweep.resolutions), **STOP.parts(shut_for(stop)),
+    }  # fmt: skip
+
+
+def sweep_parts(scene: Scene, sweep: Sweep, traced: Entry, stops: list[str]) -> Parts:
+    """stops: the keys of its stops' traces."""
+    return {
+        "what": "sweep", "of": f"{scene.id} {sweep.id}", "scene": silent(scene),
+        "trace": traced.folder.name, "stops": stops, **SWEEP.parts(shut_for(scene)),
+    }  # fmt: skip
+
+
+def sweeps_chain(store: Store, scene: Scene, traced: Entry) -> Chain[dict[str, Entry]]:
+    """What is published of each sweep, by its id; only stops that nobody has traced are traced."""
+    found = {}
+    for sweep in scene.sweeps:
+        parts = [stop_parts(stop, sweep) for stop in sweep.stops]
+        missing = [k for k, each in enumerate(parts) if not store.find(key_of(each))]
+        if missing:
+            yield f'{scene.id}: "{sweep.name}": tracing {len(missing)} of {len(parts)} stops'
+            for k in missing:
+                yield from reasons(store, parts[k])
+            wanted = [(sweep.stops[k], parts[k]) for k in missing]
+            note((yield Job(scene.id, partial(_make_stops, store, sweep.resolutions), wanted)))
+        whole = sweep_parts(scene, sweep, traced, [key_of(each) for each in parts])
+        yield from reasons(store, whole)
+        stops = [store.get(key_of(each)).folder for each in parts]
+        bare = replace(scene, lesson=(), sweeps=())
+        found[sweep.id] = made(store, whole, partial(SWEEP, bare, sweep, traced.folder, stops))
+    return found
+
+
+def _make_stops(
+    store: Store, resolutions: tuple[int, ...], wanted: list[tuple[Scene, Parts]],
+    threads: Threads, report: Report,
+) -> Spent:  # fmt: skip
+    # Only where something is traced: a change of words imports no compiler.
+    from raywalk.optics.compiling import seconds_spent
+
+    stages = Stages("compiling kernels", seconds_spent)
+    for k, (stop, parts) in enumerate(wanted):
+        made(store, parts, partial(STOP, stop, resolutions, threads=threads))
+        report("stops", (k + 1) / len(wanted))
+    return stages.spent("stops of sweeps")
+
+
+def publish_sweeps(folder: Path, sweeps: dict[str, Entry]) -> None:
+    """Copies sweeps' files into the folder of their scene, each into one of its own."""
+    for id, entry in sweeps.items():
+        (folder / id).mkdir()
+        for path in entry.files():
+            shutil.copyfile(path, folder / id / path.name)
