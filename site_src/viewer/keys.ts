@@ -58,7 +58,7 @@ export function listenToKeys(acts: Actions & Modes) {
     if (event.key === " " && target?.closest(PRESSABLE)) return; // it presses that button
     if (target?.closest(SLIDER) && event.key.length > 1 && event.key !== "Escape") return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    if (key.length === 1 && key !== " " && !singleKeys.on()) return;
+    if (key.length === 1 && key !== " " && !singleKeys.on) return;
     const act = /^\d$/.test(key) ? () => pressNumber(key) : table[key];
     if (!act || (event.repeat && /^[ abhvpfjrsc?\d]$/.test(key))) return;
     event.preventDefault();

@@ -7,7 +7,7 @@ import { TraceError } from "./trace/errors";
 import { inWords, wordsFrom } from "./trace/spoken";
 import { unpack } from "./trace/unpack";
 import type { Boxes } from "./state/box-lines";
-import type { SceneData, SectionsData, SurroundingsData, Trace, WorkedData } from "./trace/types";
+import type { SceneData, SectionsData, SurroundingsData, Trace } from "./trace/types";
 import { languageCode } from "./words";
 
 export type Loss = "missing" | "damaged" | "other version" | "old browser";
@@ -106,15 +106,22 @@ function remembering<T>(size: number, load: (name: string) => Promise<T>) {
   };
 }
 
-/** root: relative path from the page to the site's root, "" or ending in "/". reading: loads what reads boxes, which few need. */
-export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (json: unknown, scene: string) => Boxes }>) {
+/** Parts of the viewer that know whether data is what it must be, which only they need. */
+interface Readers {
+  (part: "box-lines"): Promise<{ boxesFrom: (json: unknown, scene: string) => Boxes }>;
+  (part: "slice"): Promise<{ sectionsFrom: (json: unknown) => SectionsData }>;
+  (part: "surroundings"): Promise<{ surroundingsFrom: (json: unknown) => SurroundingsData }>;
+}
+
+/** root: relative path from the page to the site's root, "" or ending in "/". */
+export function createLoader(root: string, come: Readers) {
   const load = createScripts(root);
   const kept = <T>(size: number, read: Read<T>) => remembering(size, (name) => load(name, read));
   const scenes = kept(KEPT_SCENES, sceneFrom);
-  const boxes = kept<Boxes>(KEPT_SCENES, async (json, name) => (await reading()).boxesFrom(json, name.split("/")[0]));
+  const boxes = kept<Boxes>(KEPT_SCENES, async (json, name) => (await come("box-lines")).boxesFrom(json, name.split("/")[0]));
   const traces = kept(KEPT_TRACES, traceFrom);
-  const sections = kept(KEPT_SCENES, sectionsFrom);
-  const surroundings = kept(KEPT_SCENES, surroundingsFrom);
+  const sections = kept(KEPT_SCENES, async (json) => (await come("slice")).sectionsFrom(json));
+  const surroundings = kept(KEPT_SCENES, async (json) => (await come("surroundings")).surroundingsFrom(json));
   const words = kept(KEPT_SCENES, wordsFrom);
   const data = kept(KEPT_SCENES, (json) => json);
   /** A lesson on another scene is laid over that scene. */
@@ -132,7 +139,6 @@ export function createLoader(root: string, reading: () => Promise<{ boxesFrom: (
     },
     sections: (id: string) => sections(`${id}/sections`),
     surroundings: (id: string) => surroundings(`${id}/surroundings`),
-    worked: (id: string) => data(`${id}/worked`) as Promise<WorkedData>,
     /** What only a part reads. */
     data,
     trace: (id: string, n: number) => traces(`${id}/${n}`),
@@ -157,16 +163,4 @@ function sceneFrom(json: unknown): SceneData {
   if (!scene?.format || (scene.of === scene.id && !scene.levels?.length)) throw new Error("not a scene");
   for (const file in scene.files) mark(`${scene.id}/${file}`, scene.files[file]);
   return scene;
-}
-
-function surroundingsFrom(json: unknown): SurroundingsData {
-  const surroundings = json as SurroundingsData;
-  if (surroundings?.format !== 2 || !surroundings.objects) throw new Error("not surroundings");
-  return surroundings;
-}
-
-function sectionsFrom(json: unknown): SectionsData {
-  const sections = json as SectionsData;
-  if (sections?.format !== 1 || !sections.rows || !sections.columns || !(sections.step > 0)) throw new Error("not sections");
-  return sections;
 }

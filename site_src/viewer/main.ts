@@ -8,7 +8,6 @@ import { giveKeysBack, listenToLinks } from "./links";
 import { createLoader, loading } from "./load";
 import { createNavigation } from "./navigation";
 import { createNotice } from "./panels/notice";
-import { whenRefused } from "./panels/remember";
 import { createParts } from "./parts";
 import { createSession } from "./session";
 import { createModes } from "./modes";
@@ -37,8 +36,7 @@ function start(own: HTMLScriptElement) {
   const costing = onDemand.one("tile-legend", ({ costsOf }) => costsOf);
   const changed = () => session.changed();
   const session = createSession(() => recombining.nowOr(changed), () => costing.nowOr(changed));
-  whenRefused(() => notice.say(say("trouble.storage")));
-  const loader = createLoader(root, () => onDemand.come("box-lines"));
+  const loader = createLoader(root, onDemand.come);
   const supplies = createSupplies(session, loader, onDemand, notice, () => beat.draw());
   const place = { home: body.dataset.scene ?? "", onDisk: location.protocol === "file:", links, withGl };
   const bar = createAddressBar(session, place);
@@ -50,7 +48,7 @@ function start(own: HTMLScriptElement) {
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
     pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
-    loadWorked: loader.worked,
+    loadData: loader.data,
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
   const modes = createModes(session, acts, { link: bar.link, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });

@@ -19,7 +19,7 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
   const isEmbedded = [location.search, location.hash.slice(1)].some((asked) => new URLSearchParams(asked).has("embed"));
   const sign = onDemand.one("at-hand", ({ createKeySign }) => createKeySign(body));
   const saving = onDemand.one("saving", ({ createSaving }) => createSaving(session, views, notify));
-  const sheet = onDemand.one("at-hand", ({ createHelp }) => createHelp());
+  const sheet = onDemand.one("at-hand", ({ createHelp }) => createHelp(notify));
   const help = () => sheet.use((turn) => turn());
   const lecture = onDemand.one("lecture", ({ createLecture }) => createLecture(body, () => (recolour(), session.changed())));
 

@@ -1,6 +1,7 @@
 /** The page's parts, where they stand, and what each of them shows of the present. */
 import type { Actions } from "./actions";
 import type { OnDemand } from "./on-demand";
+import type { Loader } from "./load";
 import { contrastWith } from "./palette";
 import { createCard } from "./panels/card";
 import { createControls } from "./panels/controls";
@@ -19,7 +20,6 @@ import type { SliceView } from "./stage/slice-sheet";
 import { createStage, type Stage } from "./stage/stage";
 import { isSwitched } from "./state/switches";
 import { isAsking, stopOf, type ViewState } from "./state/view-state";
-import type { WorkedData } from "./trace/types";
 import { say } from "./words";
 
 export interface PartsPlace {
@@ -27,7 +27,7 @@ export interface PartsPlace {
   page: PageParts;
   withGl: boolean;
   pictureFailed: (again: () => void) => void;
-  loadWorked: (scene: string) => Promise<WorkedData>;
+  loadData: Loader["data"];
   /** Why the stage is drawn in a simpler way from now on; "": it no longer is. */
   simpler: (why: string) => void;
 }
@@ -111,7 +111,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
 }
 
 /** The stage, and what of it comes later. */
-function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, simpler, loadWorked }: PartsPlace, changed: () => void) {
+function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, simpler, loadData }: PartsPlace, changed: () => void) {
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
@@ -128,7 +128,7 @@ function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, 
     stage.element.append(made.element);
     return made;
   });
-  const worked = onDemand.one("worked", ({ createWorked }) => createWorked({ stage: stage.element, side: home.querySelector(".side")!, load: loadWorked, changed }));
+  const worked = onDemand.one("worked", ({ createWorked }) => createWorked({ stage: stage.element, side: home.querySelector(".side")!, load: loadData, changed }));
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const later = {
     flat,

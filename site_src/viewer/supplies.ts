@@ -43,7 +43,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
   const supplies = [
     supply(session, draw, "sections", {
       isWanted: ({ slice }) => slice !== "none",
-      load: async ({ of }) => (await Promise.all([loader.sections(of), onDemand.come("slice")]))[0], // what draws it, too
+      load: ({ of }) => loader.sections(of), // with what draws it
       missing(_, { slice }) {
         session.set({ ...session.state!, slice: "none" });
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });

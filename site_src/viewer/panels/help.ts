@@ -3,7 +3,7 @@ import { say } from "../words";
 import { createDialog } from "./dialog";
 import { button, element, pressed } from "../element";
 import { sayDone } from "./done";
-import { singleKeys } from "./remember";
+import { KEYS_KEPT, singleKeys } from "./remember";
 
 /** keys: as events name them. signs: as people read them, if that is something else. */
 const GROUPS = [
@@ -51,13 +51,19 @@ const signOf = (key: string) => {
   return SIGNS[key] ?? key.toUpperCase();
 };
 
-/** Turns keys of one character off and on again (WCAG 2.1.4). */
-function keySwitch() {
+/** Turns keys of one character off and on again (WCAG 2.1.4). notify: says that the browser keeps nothing, so that this holds
+ *  until the page is closed. */
+function keySwitch(notify: (sentence: string) => void) {
   const made = button(say("help.single.word"), say("help.single.help"), () => {
-    singleKeys.turn(!singleKeys.on());
-    pressed(made, singleKeys.on());
+    singleKeys.on = !singleKeys.on;
+    pressed(made, singleKeys.on);
+    try {
+      localStorage.setItem(KEYS_KEPT, singleKeys.on ? "on" : "off");
+    } catch {
+      notify(say("trouble.storage"));
+    }
   });
-  pressed(made, singleKeys.on());
+  pressed(made, singleKeys.on);
   return element("p", "note", made);
 }
 
@@ -68,12 +74,12 @@ function rowOf({ name, keys }: Row) {
 }
 
 /** A sheet that opens and closes by the same key. */
-export function createHelp() {
+export function createHelp(notify: (sentence: string) => void) {
   let sheet: ReturnType<typeof createDialog> | null = null;
   return () => {
     if (sheet?.isOpen()) return sheet.close();
     const lists = GROUPS.map((rows: readonly Row[]) => element("dl", "keys", ...rows.map(rowOf)));
-    sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")), keySwitch());
+    sheet = createDialog(say("help.title"), element("div", "key-lists", ...lists), element("p", "note", say("help.note")), keySwitch(notify));
     sheet.sheet.addEventListener("keydown", (event) => event.key === "?" && sheet?.close());
     sheet.open();
   };

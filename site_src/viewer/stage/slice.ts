@@ -2,11 +2,18 @@
 import { element } from "../element";
 import { say } from "../words";
 import { createLabels, NOTHING } from "./labels";
+import type { SectionsData } from "../trace/types";
 import { drawSlice } from "./slice-drawing";
 import { namesOf } from "./slice-names";
 import { sheetOf, type Sheet, type SliceView } from "./slice-sheet";
 
 export { sectionOf } from "../state/section";
+
+export function sectionsFrom(json: unknown): SectionsData {
+  const sections = json as SectionsData;
+  if (sections?.format !== 1 || !sections.rows || !sections.columns || !(sections.step > 0)) throw new Error("not sections");
+  return sections;
+}
 
 export function createSlice(acts: { pick: (along: number) => void }) {
   const canvas = element("canvas");

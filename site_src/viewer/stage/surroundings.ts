@@ -90,6 +90,12 @@ async function pictureOf(uri: string): Promise<HTMLImageElement> {
   return image;
 }
 
+export function surroundingsFrom(json: unknown): SurroundingsData {
+  const surroundings = json as SurroundingsData;
+  if (surroundings?.format !== 2 || !surroundings.objects) throw new Error("not surroundings");
+  return surroundings;
+}
+
 export async function createSurroundings({ scene, objects, flat, background }: SurroundingsData): Promise<Surrounded> {
   const pictures = await Promise.all(objects.map(({ picture }) => pictureOf(picture)));
   return {

@@ -95,7 +95,7 @@ export function createSweeps(session: Session, home: HTMLElement) {
   window.addEventListener("keydown", (event) => {
     if (event.key !== "<" && event.key !== ">") return;
     const taken = event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented || (event.target as Element).closest?.(TYPING);
-    if (taken || !singleKeys.on() || !session.scene?.sweeps?.length) return;
+    if (taken || !singleKeys.on || !session.scene?.sweeps?.length) return;
     turn(true);
     active().act(event.key === "<" ? -1 : 1);
   });

@@ -16,7 +16,7 @@ const MAKERS = { equation: createEquation, tree: createTree, average: createAver
 export interface WorkedPlace {
   stage: HTMLElement;
   side: Element;
-  load: (scene: string) => Promise<WorkedData>;
+  load: (name: string) => Promise<unknown>;
   /** Something was moved, or has come. */
   changed: () => void;
 }
@@ -34,7 +34,7 @@ export function createWorked({ stage, side, load, changed }: WorkedPlace) {
   function dataOf(scene: string): WorkedData | null {
     if (!come.has(scene)) {
       come.set(scene, null);
-      load(scene).then((data) => (come.set(scene, data), changed()), () => come.delete(scene));
+      load(`${scene}/worked`).then((data) => (come.set(scene, data as WorkedData), changed()), () => come.delete(scene));
     }
     return come.get(scene)!;
   }
