@@ -9,7 +9,8 @@
  *   {do: "columns", trace, id, n}                                        a trace's header and columns; id and n: of which it must be
  *
  * scene, trace, asked, sights name files, traces a folder of <n>.json.gz; words is a
- * language's sentences, spoken the scene's words in it or null; worked is the file of what the lesson works out, if it does. Of a
+ * language's sentences, spoken the scene's words in it or null; worked is the file of what the lesson works out, if it does; sweeps
+ * are by their ids the folders of what is published of them. Of a
  * lesson on another scene base names that one's file. An answer is {answer}, or {fault: sentence}.
  */
 import { existsSync, readFileSync } from "node:fs";
@@ -20,7 +21,7 @@ import { build } from "esbuild";
 
 const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
 const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { ask, boxesFrom, decode, eventsBeside, inWords, lessonOf, listEvents } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { ask, boxesFrom, decode, eventsBeside, inWords, lessonOf, listEvents, sceneAt, stopIn, wholeAgain } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 
@@ -50,6 +51,22 @@ function tracesIn(folder, scene) {
   return (n) => grids.get(n) ?? grids.set(n, decode(unpacked(`${folder}/${n}.json.gz`), { scene: scene.of, n })).get(n);
 }
 
+/** The scene and its grids at the stops of its sweeps, as a page shows them; sweeps: their folders. */
+function placesOf(scene, traces, sweeps = {}) {
+  const own = { scene, traces };
+  const known = new Map([["", own]]);
+  const at = (text) => {
+    const { sweep, stop } = stopIn(scene, text);
+    if (stop === sweep.own) return own;
+    const stops = (name) => unpacked(`${sweeps[sweep.id]}/${name}.js`);
+    const there = sceneAt(scene, stops("stops"), sweep.id, stop);
+    const grids = new Map();
+    const grid = (n) => ({ ...decode(wholeAgain(stops(n).stops)[stop - 1], { scene: scene.of, n }), scene: there.of });
+    return { scene: there, traces: (n) => grids.get(n) ?? grids.set(n, grid(n)).get(n) };
+  };
+  return (text) => known.get(text) ?? known.set(text, at(text)).get(text);
+}
+
 /** What can be drawn of a scene's meshes; a lesson about their tree has it worked out. */
 function drawableOf({ traces, worked }, scene) {
   const file = `${traces}/boxes.js`;
@@ -63,8 +80,9 @@ function answer({ do: what, size, pixel, words, spoken, programs, id, n, ...file
   if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.of }), pixel);
   if (what === "beside") return eventsBeside(spoken ? inWords(scene, spoken) : scene, programs);
   const traces = tracesIn(files.traces, scene);
-  if (what === "ask") return ask(scene, traces, size);
-  return lessonOf(spoken ? inWords(scene, spoken) : scene, traces, size, json(files.asked), json(files.sights), drawableOf(files, scene));
+  const places = placesOf(spoken ? inWords(scene, spoken) : scene, traces, files.sweeps);
+  if (what === "ask") return ask(places, size);
+  return lessonOf(places, size, json(files.asked), json(files.sights), drawableOf(files, scene));
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

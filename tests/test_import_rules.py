@@ -34,6 +34,8 @@ MAY_IMPORT = {
     # It shows what that does, and what the rays of both are is told by others.
     "mistake_pages": {"mistakes", "scene", "trace.tree", "trace.kinds", "errors"},
     "check": {"mistakes", "trace", "trace_file", "geometry.roots", "scene", "words", "errors"},
+    # Stops are traced and written as scenes are; what moves on the stage is scene data.
+    "sweeps": {"trace", "trace_file", "site", "scene", "errors"},
     "work": {"errors"},
     "slides": {"scene", "trace.kinds", "words", "terms", "errors"},
     "teacher": {"slides", "scene", "words", "terms", "errors"},
@@ -68,9 +70,12 @@ VIEWER_MAY_IMPORT = {
     "actions.ts": {"doing", "switch-acts", "session", "state", "trace"},
     "switch-acts.ts": {"doing", "session", "state", "trace"},
     "doing.ts": {"session", "state", "trace"},
-    "stops": {"stops", "state", "trace", "event-words"},
+    "stops": {"stops", "state", "trace", "event-words", "sweep-words"},
     # What a step works out is a panel, and lines on the stage.
     "worked": {"worked", "panels", "stage", "state", "trace"},
+    # A panel that acts on the session, and what it brings to it.
+    "sweeps": {"sweeps", "sweep-words", "load", "panels", "session", "state", "trace"},
+    "sweep-words.ts": {"trace"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
 FOR_ANYONE = {"words", "articles", "way-words", "word-keys", "element", "palette", "tile-picture"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -61,7 +61,7 @@ def course_decks() -> list[CourseDeck]:
         for each in spoken[DEFAULT]:
             source = last(traced(store, each.scene))
             sources = [
-                Source(scene, code, source.traced, source.page_data, source.base_data)
+                replace(source, scene=scene, language=code)
                 for code, scene in translated(each.scene, spoken).items()
             ]
             plans = last(plans_of(store, stops, sources))
@@ -88,6 +88,8 @@ def _as_if_seen(stops: Stops, plan: Plan, of: Source, layout: Layout, folder: Pa
         "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
         "size": {"width": layout.figure.width, "height": layout.figure.height},
     }  # fmt: skip
+    if of.sweeps:
+        where["sweeps"] = {id: str(each.folder) for id, each in of.sweeps.items()}
     if of.base_data:
         where["base"] = str(of.base_data.folder / "scene.js")
     asked, lesson = folder / "asked.json", folder / "lesson.json"

@@ -54,6 +54,7 @@ def run(chosen: Namespace) -> Iterator[str]:
         holds = f"{counted(len(scene.objects), 'object')}, {counted(len(scene.lights), 'light')}"
         yield f"{scene.id}: {holds}: in order"
         yield from (f"  {line}" for line in _mesh_lines(scene))
+        yield from (f"  {line}" for line in _sweep_lines(scene))
 
 
 def check_scene(scene: Scene, spoken: dict[str, Spoken]) -> list[str]:
@@ -76,6 +77,17 @@ def _mesh_lines(scene: Scene) -> list[str]:
     from raywalk.geometry.mesh_report import mesh_lines
 
     return mesh_lines(scene)
+
+
+def _sweep_lines(scene: Scene) -> list[str]:
+    if not scene.sweeps or scene.base:
+        return []
+    from raywalk.sweeps.cost import cost_line
+    from raywalk.trace.plan import LEAST_SHARE
+    from raywalk.trace.wavefront import Tracer
+
+    tracer = Tracer(scene, least_share=LEAST_SHARE)
+    return [cost_line(scene, each, tracer) for each in scene.sweeps]
 
 
 def scene_file(named: str, folder: Path) -> Path:

@@ -157,6 +157,7 @@ def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
     """A scene's trace and page data, made if they are not kept."""
     from raywalk.pipeline.parts import PAGE_DATA, page_data_parts, trace_parts
     from raywalk.pipeline.slides import Source
+    from raywalk.pipeline.sweeps import sweeps_here
     from raywalk.pipeline.trace_task import trace_into
     from raywalk.words.catalogue import DEFAULT
     from raywalk.work.digests import key_of
@@ -166,14 +167,16 @@ def traced(store: Store, scene: Scene) -> Generator[str, None, Source]:
 
     if scene.base:
         base = yield from traced(store, scene.base)
-        parts = page_data_parts(scene, base.traced.folder.name)
+        parts = page_data_parts(scene, base.traced.folder.name, sweeps=base.sweeps)
         data = made(store, parts, partial(PAGE_DATA, scene, base.traced.folder))
-        return Source(scene, DEFAULT, base.traced, data, base.page_data)
+        return Source(scene, DEFAULT, base.traced, data, base.page_data, base.sweeps)
     parts = trace_parts(scene)
     if not store.find(key_of(parts)):
         yield f"tracing {scene.id}"
     trace_into(store, {scene.id: parts}, scene, cores, say_nothing)
     trace = store.get(key_of(parts))
-    parts = page_data_parts(scene, key_of(parts))
-    data = made(store, parts, partial(PAGE_DATA, scene, trace.folder))
-    return Source(scene, DEFAULT, trace, data)
+    sweeps = sweeps_here(store, scene, trace)
+    parts = page_data_parts(scene, key_of(parts), sweeps=sweeps)
+    folders = {id: each.folder for id, each in sweeps.items()}
+    data = made(store, parts, partial(PAGE_DATA, scene, trace.folder, sweeps=folders))
+    return Source(scene, DEFAULT, trace, data, sweeps=sweeps)

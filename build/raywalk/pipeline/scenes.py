@@ -132,7 +132,7 @@ def scene_chain(
     if making.asking and not base:
         homework = yield from homework_chain(store, scene)
     under = base.data if base else None
-    sources = [Source(each, code, traced, data, under) for code, each in spoken.items()]
+    sources = [Source(each, code, traced, data, under, sweeps) for code, each in spoken.items()]
     plans, decks = [], []
     if making.asking:
         plans = yield from planned(making.asking, sources)

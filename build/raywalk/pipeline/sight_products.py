@@ -38,10 +38,15 @@ COLUMNS = {
 
 def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Threads = 1) -> None:
     """view-<k>.png and SIGHTS for what a lesson asks: Asked in viewer/stops/asked.ts."""
-    tracer, viewpoints = Tracer(scene, least_share=LEAST_SHARE), asked["viewpoints"]
+    viewpoints = asked["viewpoints"]
+    named = {each.get("sweep", "") for each in viewpoints} | {""}
+    tracers = {stop: Tracer(scene.at_stop(stop), least_share=LEAST_SHARE) for stop in sorted(named)}
+
+    def at(of: dict[str, Any]) -> Tracer:
+        return tracers[of.get("sweep", "")]
 
     def write_view(k: int) -> None:
-        view = view_from(tracer, viewpoints[k])
+        view = view_from(at(viewpoints[k]), viewpoints[k])
         # Slides are made of its pixels: how small the file is matters to nobody.
         Image.fromarray(view).save(folder / f"view-{k}.png", compress_level=1)
 
@@ -49,9 +54,12 @@ def write_sights(scene: Scene, asked: dict[str, Any], folder: Path, threads: Thr
         pass
     eyes = [np.array(viewpoint["eye"], float) for viewpoint in viewpoints]
     answers = {
-        "stops": [_hidden(tracer, eyes[stop["viewpoint"]], stop) for stop in asked["stops"]],
-        "exact": [exact_rays(tracer, each["n"], each["pixels"]) for each in asked["exact"]],
-        "worksheet": sheet_facts(tracer, **asked["worksheet"]),
+        "stops": [
+            _hidden(at(viewpoints[stop["viewpoint"]]), eyes[stop["viewpoint"]], stop)
+            for stop in asked["stops"]
+        ],
+        "exact": [_exact(at(each), each) for each in asked["exact"]],
+        "worksheet": sheet_facts(tracers[""], **asked["worksheet"]),
     }
     (folder / SIGHTS).write_text(json.dumps(answers, sort_keys=True), encoding="utf-8")
 
@@ -101,6 +109,12 @@ def _hidden(tracer: Tracer, eye: np.ndarray, stop: dict[str, Any]) -> dict[str, 
         ],
         "tiles": np.flatnonzero(hidden_points(tracer, eye, centres)).tolist(),
     }
+
+
+def _exact(tracer: Tracer, asked: dict[str, Any]) -> dict[str, Any]:
+    """The rays of a grid that are asked for, and at which stop of a sweep where it is one."""
+    rays = exact_rays(tracer, asked["n"], asked["pixels"])
+    return rays | {key: asked[key] for key in ("sweep",) if key in asked}
 
 
 def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:

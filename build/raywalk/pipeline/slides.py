@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Generator
-from dataclasses import dataclass
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raywalk.pipeline.parts import plain, shut_for
+from raywalk.pipeline.parts import plain, shut_for, silent
 from raywalk.pipeline.worked import FILE as WORKED
 from raywalk.pipeline.worked import read_worked, worked_chain
 from raywalk.scene.credits import named_models
@@ -53,6 +53,7 @@ class Source:
     traced: Entry
     page_data: Entry  # scene.js, in the default language
     base_data: Entry | None = None  # of a lesson on another scene: that scene's
+    sweeps: Mapping[str, Entry] = field(default_factory=dict)  # of each what is published
 
 
 @dataclass(frozen=True)
@@ -149,12 +150,19 @@ def _seen(store: Store, source: Source, asked: Entry) -> Chain[Entry]:
     scene = source.scene
     parts = {
         "what": "sights", "of": scene.id, "trace": source.traced.folder.name,
-        "asked": digest(asked.folder / ASKED), **SEE.parts(shut_for(scene)),
+        "asked": digest(asked.folder / ASKED), **_swept(scene), **SEE.parts(shut_for(scene)),
     }  # fmt: skip
     yield from reasons(store, parts)
     if not store.find(key_of(parts)):
         note((yield Job(scene.id, partial(_make_sights, store), (scene, asked, parts))))
     return store.get(key_of(parts))
+
+
+def _swept(scene: Scene) -> Parts:
+    """The scene at the stops of sweeps that its lesson shows; nothing where it shows none."""
+    views = [view for step in scene.lesson for _, view in step.stops()]
+    named = sorted({view["sweep"] for view in views if "sweep" in view})
+    return {"stops": {stop: silent(scene.at_stop(stop)) for stop in named}} if named else {}
 
 
 def _lesson(
@@ -184,7 +192,9 @@ def _data_of(source: Source) -> Parts:
 
 
 def _where(of: Source, layout: Layout) -> Parts:
-    base = {"base": str(of.base_data.folder / "scene.js")} if of.base_data else {}
+    base: Parts = {"base": str(of.base_data.folder / "scene.js")} if of.base_data else {}
+    if of.sweeps:
+        base["sweeps"] = {id: str(each.folder) for id, each in of.sweeps.items()}
     return base | {
         "scene": str(of.page_data.folder / "scene.js"), "traces": str(of.traced.folder),
         "size": {"width": layout.figure.width, "height": layout.figure.height},

@@ -13,8 +13,8 @@ from raywalk.work.chains import Chain
 from raywalk.work.digests import key_of
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.making import made, reasons
-from raywalk.work.pool import Job, Threads
-from raywalk.work.progress import Report
+from raywalk.work.pool import Job, Threads, cores
+from raywalk.work.progress import Report, say_nothing
 from raywalk.work.store import Entry, Store
 from raywalk.work.times import Spent, Stages, note
 
@@ -56,6 +56,19 @@ def sweeps_chain(store: Store, scene: Scene, traced: Entry) -> Chain[dict[str, E
         bare = replace(scene, lesson=(), sweeps=())
         found[sweep.id] = made(store, whole, partial(SWEEP, bare, sweep, traced.folder, stops))
     return found
+
+
+def sweeps_here(store: Store, scene: Scene, traced: Entry) -> dict[str, Entry]:
+    """The same, made in this process."""
+    chain = sweeps_chain(store, scene, traced)
+    try:
+        said = next(chain)
+        while True:
+            done = said.work(said.task, cores, say_nothing) if isinstance(said, Job) else None
+            said = chain.send(done)
+    except StopIteration as end:
+        found: dict[str, Entry] = end.value
+        return found
 
 
 def _make_stops(

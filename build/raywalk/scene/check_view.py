@@ -38,6 +38,10 @@ def check_view(
         _check_marks(view, named.lights, named.objects, at, problems)
         _check_works(view, render, named.objects, at, problems)
     resolutions = render.resolutions
+    if view.sweep and view.look == "traced":
+        problems.add(
+            (*at, "look"), "a sweep's stop has no traced look", hint="plain or approximate"
+        )
     if view.resolution is not None and view.resolution not in resolutions:
         problems.add(
             (*at, "resolution"),

@@ -213,6 +213,13 @@ class Scene:
         """The id of the scene that was traced for this one: as a rule its own."""
         return self.base.id if self.base else self.id
 
+    def at_stop(self, named: str) -> Scene:
+        """It at a stop of a sweep, by what views and addresses call that: "lamp-height:7"; itself
+        where it is called nothing."""
+        id, _, number = named.partition(":")
+        found = [each.stops[int(number) - 1] for each in self.sweeps if each.id == id]
+        return found[0] if named else self
+
     @property
     def has_glass(self) -> bool:
         """Whether light goes through any object."""

@@ -87,6 +87,7 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             name = path.stem.removeprefix(PART).rpartition("-")[0]
             sizes.append(Size(_part(name), f"assets/{path.name}", sent(path)))
     sizes += of_mistakes(out)
+    sizes += [size for scene in scenes if not scene.base for size in of_sweeps(out, scene)]
     fixed = styles + sum(scripts.values())
     for scene in scenes:
         folder, name = out / "scenes" / scene.id, f"scenes/{scene.id}"
@@ -114,6 +115,18 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
             over = max(triangles, FEW_TRIANGLES)
             sizes.append(Size(kind + "mesh", f"{name}/scene.js", data, over))
     return sizes
+
+
+def of_sweeps(out: Path, scene: Scene) -> Iterator[Size]:
+    """What each sweep's rays weigh, a stop at a time, and each of its pictures."""
+    for sweep in scene.sweeps:
+        name = f"scenes/{scene.id}/{sweep.id}"
+        for n in sweep.resolutions:
+            file, stops = f"{name}/{n}.js", len(sweep.stops)
+            yield Size(f"sweep {n}", file, sent(out / file), stops)
+        for path in sorted((out / name).iterdir()):
+            if path.suffix != ".js":
+                yield Size("sweep picture", f"{name}/{path.name}", sent(path))
 
 
 def of_mistakes(out: Path) -> list[Size]:
@@ -239,7 +252,8 @@ def table(out: Path, sizes: Sequence[Size], budgets: Iterable[Budget]) -> Iterat
 def floor_of(path: Path) -> tuple[int, str]:
     """What the best encoder at hand makes of the same content, for comparison; 0 if none."""
     if path.suffix == ".webp":
-        return path.with_suffix(".png").stat().st_size, "its PNG"
+        png = path.with_suffix(".png")
+        return (png.stat().st_size, "its PNG") if png.is_file() else (0, "")
     if path.suffix == ".png":
         import numpy as np
         from PIL import Image

@@ -74,6 +74,8 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
 def _switched(drawing: Drawing, places: Places) -> list[Item]:
     """What is not as traced, in the figure's upper left corner, or under what stands there."""
     settings = switched(drawing.stop.switches)
+    if drawing.stop.moved:
+        settings.append(drawing.stop.moved)
     if drawing.stop.colours != "picture":
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
     if drawing.stop.is_elsewhere:

@@ -191,11 +191,12 @@ class Stop(FromNode):
     bytes: tuple[int, int, int]  # the selected tile's colour
     rows: tuple[Row, ...]  # of the selected pixel's rays; none where they are not walked
     events: tuple[Event, ...]
+    moved: str = ""  # at which stop of a sweep the scene is shown, in words
 
     @property
-    def walk(self) -> tuple[int, tuple[int, int], Switches]:
-        """Whose rays its rows are: the same of every stop at this pixel, switched alike."""
-        return self.n, self.pixel, self.switches
+    def walk(self) -> tuple[int, tuple[int, int], Switches, str]:
+        """Whose rays its rows are: of each stop at this pixel that is switched and moved alike."""
+        return self.n, self.pixel, self.switches, self.moved
 
     def text(self, scene: Scene) -> str:
         """Its words in the lesson, Markdown."""

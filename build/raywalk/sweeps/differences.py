@@ -42,7 +42,7 @@ def whole_again(given: Sequence[Table]) -> list[Table]:
 
 def _laid(before: Table, other: Table) -> Table:
     table = before | other
-    if INNER in other and INNER in before:
+    if other.get(INNER) and INNER in before:
         table[INNER] = _laid(before[INNER], other[INNER])
     return {key: value for key, value in table.items() if value is not None}
 

@@ -60,7 +60,7 @@ export function createPicture(root: string, acts: Pick<Actions, "pick" | "point"
   const whole = named(element("section", "picture", frame), say("picture.region"));
   const brush = marks.getContext("2d")!;
   let now: Marked | null = null;
-  let shownScene = "";
+  let shown = "";
 
   function draw() {
     if (!now) return;
@@ -102,9 +102,10 @@ export function createPicture(root: string, acts: Pick<Actions, "pick" | "point"
       recombined.show(now.covered ? null : instead);
       badge.hidden = recombined.element.hidden;
       if (instead) badge.textContent = say("whatIf.recombined", { n: instead.n });
-      if (shownScene !== scene.id) {
-        shownScene = scene.id;
-        image.src = `${root}scenes/${scene.of}/${scene.picture}`;
+      const source = `${root}scenes/${scene.of}/${scene.picture}`;
+      if (shown !== scene.id + source) {
+        shown = scene.id + source;
+        image.src = source;
         image.alt = say("picture.alt", { title: scene.title }); // with switches the badge beside it says that tiles stand before it
       }
       draw();

@@ -6,6 +6,7 @@ import type { SceneData, Trace } from "../trace/types";
 /** Rays of some pixels of one grid, parents first: columns of Trace by its names, parents as rows of these. */
 export interface ExactRays {
   n: number;
+  sweep?: string; // at which stop
   pixel: readonly number[];
   parent: readonly number[];
   kind: readonly number[];

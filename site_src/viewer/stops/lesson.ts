@@ -6,14 +6,16 @@ import { rayRows, type RayRow } from "../state/ray-rows";
 import { brightness, isSwitched, lampsOf, type Switches } from "../state/switches";
 import type { Observer, ViewState } from "../state/types";
 import { scale, triple, type Vec3 } from "../state/vectors";
+import { stopIn } from "../state/swept";
 import { pixelIndex, stopOf } from "../state/view-state";
+import { valueAt, sweepName } from "../sweep-words";
 import type { SceneData } from "../trace/types";
-import { hexOf } from "../words";
-import type { Asked } from "./asked";
+import { hexOf, say } from "../words";
+import { placeOf, type Asked } from "./asked";
 import { boxesAt, type Drawable } from "./boxes";
 import { withExact, type ExactRays } from "./exact";
 import { Sheet, type ChosenLine, type DrawnLine, type Figure, type Stretches } from "./figure";
-import { seenAt, settingOf, stopsOf, walksPixel, whatIf, type Seen, type Setting, type Size, type Stop, type Traces } from "./seen";
+import { seenAt, settingOf, stopsOf, walksPixel, whatIf, type Seen, type Setting, type Size, type Places, type Stop, type Traces } from "./seen";
 import { worded, type Worded } from "./worded";
 
 /** What the tracer answered. */
@@ -43,6 +45,7 @@ export interface LessonStop {
   colours: ViewState["colours"];
   switches: Omit<Switches, "lamps"> & { lamps: readonly (readonly [string, number])[] }; // those that are not as traced
   isSwitched: boolean;
+  moved?: string; // at which stop of a sweep the scene is shown, in words
   oneIn: number;
   figure: Figure;
   chosen: readonly ChosenLine[];
@@ -82,6 +85,12 @@ interface Behind {
   isRasterised: boolean;
 }
 
+/** What a sweep has moved, and where to. */
+function movedIn(scene: SceneData, text: string): string {
+  const { sweep, stop } = stopIn(scene, text)!;
+  return say("sweep.at", { name: sweepName(scene, sweep.id), value: valueAt(sweep, stop) });
+}
+
 function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], { viewpoint, isRasterised }: Behind, sights: Sights["stops"][number], drawable: Drawable): LessonStop {
   const { step, kind, state } = stop;
   const { n, pixel, switches, colours } = state;
@@ -99,24 +108,32 @@ function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Trac
     isElsewhere: view.look === "approximate" && !isRasterised,
     switches: { ...switches, lamps: lamps.filter(([, factor]) => factor !== 1) },
     isSwitched: isSwitched(switches),
+    ...(state.sweep && { moved: movedIn(scene, state.sweep) }),
     figure: sheet.figure(setting.plane, n, switches, view, kind === "question" ? [] : boxesAt(state, scene, view, drawable)),
     chosen: seen.chosen.map((line, k) => sheet.chosen(line, sights.hidden[k], seen.trace, numbers.get(line.ray)!)),
     thin: seen.thin.map((line, k) => sheet.drawn(line, sights.hidden[seen.chosen.length + k])),
     tiles: state.tiles === "filled" ? base64(costsOf(seen.trace, seen.scene, colours).colours) : null,
     hiddenTiles: sights.tiles,
-    picture: isSwitched(switches) ? { n: finest, tiles: base64(whatIf.of(filed(finest), scene, switches).trace.tiles) } : null,
+    picture: isSwitched(switches) || state.sweep ? { n: finest, tiles: base64(whatIf.of(filed(finest), scene, switches).trace.tiles) } : null,
     bytes: triple(seen.trace.tiles, pixelIndex(state)),
   };
 }
 
-/** scene: in the language that is spoken; filed: grids as their files have them. */
-export function lessonOf(scene: SceneData, filed: Traces, size: Size, asked: Asked, sights: Sights, drawable: Drawable): Lesson {
-  const setting = settingOf(scene, size);
-  const stops = stopsOf(scene);
-  const laid = new Map(sights.exact.map((rays) => [rays.n, withExact(filed(rays.n), scene, rays)]));
-  const exact = (n: number) => laid.get(n) ?? filed(n);
+/** places: scenes in the language that is spoken, grids as their files have them. */
+export function lessonOf(places: Places, size: Size, asked: Asked, sights: Sights, drawable: Drawable): Lesson {
+  const laid = new Map(
+    sights.exact.map((rays) => {
+      const { scene, traces } = places(rays.sweep ?? "");
+      return [placeOf(rays), withExact(traces(rays.n), scene, rays)];
+    }),
+  );
   const behind = asked.stops.map(({ viewpoint }): Behind => ({ viewpoint, isRasterised: "maps" in asked.viewpoints[viewpoint] }));
   return {
-    stops: stops.map((stop, k) => lessonStop(stop, setting, [filed, exact], behind[k], sights.stops[k], drawable)),
+    stops: stopsOf(places("").scene).map((stop, k) => {
+      const { sweep } = stop.state;
+      const { scene, traces } = places(sweep);
+      const exact = (n: number) => laid.get(placeOf({ n, sweep })) ?? traces(n);
+      return lessonStop(stop, settingOf(scene, size), [traces, exact], behind[k], sights.stops[k], drawable);
+    }),
   };
 }

@@ -29,6 +29,9 @@ export const settingOf = (scene: SceneData, size: Size): Setting => ({ scene, pl
 /** A scene's grids, by n. */
 export type Traces = (n: number) => Trace;
 
+/** What is there at a stop of a sweep; "": the scene itself. */
+export type Places = (sweep: string) => { scene: SceneData; traces: Traces };
+
 export interface Stop {
   step: number; // of the lesson, from 0
   kind: "step" | "question" | "answer";

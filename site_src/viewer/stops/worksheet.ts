@@ -10,7 +10,7 @@ export interface Worksheet {
 }
 
 export function worksheetOf(stops: readonly Stop[]): Worksheet {
-  const states = stops.map(({ state }) => state).filter(({ switches }) => !isSwitched(switches));
+  const states = stops.map(({ state }) => state).filter(({ switches, sweep }) => !isSwitched(switches) && !sweep);
   if (!states.length) return { n: 0, walked: [] };
   const [{ n }] = states;
   return { n, walked: [...new Set(states.filter((state) => state.n === n && walksPixel(state)).map(pixelIndex))] };

@@ -1,42 +1,18 @@
-/** A sweep's stops: the scene as it is there, and its rays. A stop is to the page what a scene is: `of` tells them apart. */
+/** A sweep's stops as the page shows them: the scene as it is there, and its rays. */
 import type { Loader } from "../load";
 import type { Notice } from "../panels/notice";
 import type { Session } from "../session";
+import { levelsOf, sceneAt, stopIn } from "../state/swept";
 import { setLevel } from "../state/view-state";
 import { decodeWithRests } from "../trace/decode";
 import type { SceneData, StopsData, Trace } from "../trace/types";
+import { wholeAgain, type Table } from "../trace/whole";
 import { list, say } from "../words";
-import { wholeAgain } from "./whole";
 
 const KEPT = 32; // decoded stops: a few hundred kilobytes each at most
 
 interface Grids {
-  stops: readonly object[];
-}
-
-/** Sweep and stop of "lamp-height:7"; null where the scene has no such stop. */
-export function stopIn(scene: SceneData, text: string) {
-  const [id, number] = text.split(":");
-  const sweep = scene.sweeps?.find((each) => each.id === id);
-  const stop = Number(number);
-  return sweep && Number.isInteger(stop) && stop >= 1 && stop <= sweep.values.length ? { sweep, stop } : null;
-}
-
-type Things = readonly { readonly name: string }[];
-const laidOver = <T extends Things>(things: T, others: readonly object[] | undefined): T => (others ? (things.map((thing, k) => ({ ...thing, ...others[k] })) as unknown as T) : things);
-
-/** The scene at a stop. */
-function sceneAt(scene: SceneData, { stops }: StopsData, id: string, stop: number, levels: readonly number[]): SceneData {
-  const { objects, lights, materials, ...other } = stops[stop - 1];
-  return {
-    ...scene,
-    ...other,
-    of: `${scene.of}/${id}/${stop}`,
-    levels,
-    objects: laidOver(scene.objects, objects),
-    lights: laidOver(scene.lights, lights),
-    materials: laidOver(scene.materials, materials),
-  };
+  stops: readonly Table[];
 }
 
 /** Decoded stops, and scenes at them, the last few of each. */
@@ -49,9 +25,6 @@ function kept<T>(name: string, make: () => T): T {
   return value;
 }
 let of: SceneData | null = null; // whose stops they are: read anew, a scene is another
-
-/** Grids whose rays a sweep's stops have. */
-const levelsOf = (scene: SceneData, id: string) => scene.levels.filter((n) => `${id}/${n}` in scene.files);
 
 /** The rays at the stop that the state asks for; the session has the scene as it is there from then on. */
 export async function stopAt(session: Session, loader: Loader, notice: Notice): Promise<Trace> {
@@ -81,9 +54,9 @@ export async function stopAt(session: Session, loader: Loader, notice: Notice): 
   const [moved, grids] = await Promise.all([loader.data(`${folder}/stops`) as Promise<StopsData>, loader.data(`${folder}/${n}`) as Promise<Grids>]);
   if (of !== scene) known.clear();
   of = scene;
-  const there = kept(`${folder}/${stop}`, () => sceneAt(scene, moved, sweep.id, stop, levels));
+  const there = kept(`${folder}/${stop}`, () => sceneAt(scene, moved, sweep.id, stop));
   const trace = await kept(`${folder}/${stop}/${n}`, async () => {
-    const whole = kept(`${folder}//${n}`, () => wholeAgain(grids.stops as Parameters<typeof wholeAgain>[0]));
+    const whole = kept(`${folder}//${n}`, () => wholeAgain(grids.stops));
     return Object.assign(await decodeWithRests(whole[stop - 1], { scene: scene.of, n }, async () => {}), { scene: there.of });
   });
   return come(there, trace);

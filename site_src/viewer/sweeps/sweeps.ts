@@ -2,23 +2,16 @@
 import { button, disable, element, group, named, pressed } from "../element";
 import { singleKeys } from "../panels/remember";
 import type { Session } from "../session";
+import { stopIn } from "../state/swept";
 import type { ViewState } from "../state/types";
 import type { SceneData } from "../trace/types";
-import { number, say, vector } from "../words";
-import { stopIn } from "./stops";
+import { sweepName, valueAt, type Sweep } from "../sweep-words";
+import { say } from "../words";
 
 export { stopAt } from "./stops";
 
-type Sweep = NonNullable<SceneData["sweeps"]>[number];
-
 const PACE = 450; // ms a stop, by itself
 const TYPING = "input:not([type=range]), textarea, select, dialog, [contenteditable]";
-
-/** What a stop's value is, as a person writes it. */
-function written(value: Sweep["values"][number]): string {
-  if (typeof value === "number") return number(value);
-  return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map((each) => number(each)).join(" \u00b7 ");
-}
 
 /** Goes to and fro between the first stop and the last, while it is on. */
 function createPlaying(step: () => void) {
@@ -59,7 +52,7 @@ function createSlider(session: Session, sweep: Sweep, name: string) {
     stop: playing.stop,
     show() {
       const stop = stopNow();
-      const text = say("sweep.stop", { stop, count, value: written(sweep.values[stop - 1]) });
+      const text = say("sweep.stop", { stop, count, value: valueAt(sweep, stop) });
       range.value = String(stop);
       range.setAttribute("aria-valuetext", text);
       if (value.textContent !== text) value.textContent = text;
@@ -79,9 +72,9 @@ export function createSweeps(session: Session, home: HTMLElement) {
   let shown: SceneData["sweeps"];
   let sliders: ReturnType<typeof createSlider>[] = [];
 
-  function build({ sweeps = [], sweepNames = [] }: SceneData) {
+  function build(scene: SceneData) {
     for (const each of sliders) each.stop();
-    sliders = sweeps.map((each, k) => createSlider(session, each, sweepNames[k] ?? each.name));
+    sliders = (scene.sweeps ?? []).map((each) => createSlider(session, each, sweepName(scene, each.id)));
     root.replaceChildren(...sliders.map((each) => each.element));
   }
 

@@ -1,5 +1,5 @@
 /** A sweep's stops as they are published: each as what is other than in the one before (raywalk/sweeps/differences.py). */
-type Table = Readonly<Record<string, unknown>>;
+export type Table = Readonly<Record<string, unknown>>;
 
 const INNER = "columns"; // the part that is a table itself
 
@@ -11,7 +11,7 @@ export function wholeAgain(given: readonly Table[]): Table[] {
   for (const each of given) {
     const before = tables.at(-1);
     if ("whole" in each || !before) tables.push(each.whole as Table);
-    else tables.push({ ...laid(before, each), ...(INNER in each && { [INNER]: laid(before[INNER] as Table, each[INNER] as Table) }) });
+    else tables.push({ ...laid(before, each), ...(each[INNER] ? { [INNER]: laid(before[INNER] as Table, each[INNER] as Table) } : {}) });
   }
   return tables;
 }

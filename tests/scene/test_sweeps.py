@@ -1,0 +1,102 @@
+"""What is wrong with a sweep is said where it stands, all of it at once."""
+
+from __future__ import annotations
+
+import pytest
+
+from raywalk.errors import SourceErrors
+
+SCENE = """
+[render]
+size = 165
+resolutions = [15, 33]
+
+[[objects]]
+name = "ball"
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "coloured"
+
+[[lights]]
+position = [-2, 1, 1]
+"""
+LAMP = """
+[[sweeps]]
+name = "lamp"
+varies = 'lights."light 1".position'
+from = [-2, 0, 1]
+to = [-2, 2, 1]
+stops = 3
+"""
+
+
+def errors_of(scene_from, tables):
+    with pytest.raises(SourceErrors) as raised:
+        scene_from(SCENE + tables)
+    return [f"{each.key}: {each}" for each in raised.value.errors]
+
+
+def test_steps_between_two_values_are_what_one_reads(scene_from):
+    """Without a last digit that nobody wrote; whole numbers stay whole."""
+    [sweep] = scene_from(SCENE + LAMP.replace("2, 1]\nstops = 3", "1.5, 1]\nstops = 16")).sweeps
+    assert [value[1] for value in sweep.values][:4] == [0, 0.1, 0.2, 0.3]
+    assert sweep.own == 10
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ('"light 1"', '"lihgt 1"', "sweeps[0].varies", 'did you mean "light 1"?'),
+        ("lights.", "lamps.", "sweeps[0].varies", "one below camera, lights"),
+        (".position", ".positon", "sweeps[0].varies", 'did you mean "position"?'),
+        (".position", ".intensity", "sweeps[0].varies", "write the scene's own value there"),
+        ("to = [-2, 2, 1]", "to = [-2, 2.5, 1]", "sweeps[0]", "is none of its 3 stops"),
+        ("to = [-2, 2, 1]", "to = 2", "sweeps[0].to", "is not like [-2, 0, 1]"),
+        ("stops = 3", "stops = 1", "sweeps[0].stops", "a whole number from 2 to 64"),
+        ("stops = 3", "", "sweeps[0].stops", "missing"),
+        ("stops = 3", "stops = 3\nvalues = [1, 2]", "sweeps[0].from", "stands beside values"),
+        ("stops = 3", "stops = 3\nresolutions = [7]", "sweeps[0].resolutions", "the scene's"),
+        ("to = [-2, 2, 1]", "to = [-2, 0, 1]", "sweeps[0].to", "is there twice"),
+        ('name = "lamp"', 'nam = "lamp"', "sweeps[0].nam", 'did you mean "name"?'),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_said_where_it_stands(scene_from, old, new, key, said):
+    found = errors_of(scene_from, LAMP.replace(old, new, 1))
+    assert any(each.startswith(f"{key}: ") and said in each for each in found), found
+
+
+def test_a_stop_that_is_no_scene_is_named_with_what_is_wrong_with_it(scene_from):
+    """The camera looks at its own place at the second stop."""
+    sweep = '\n[[sweeps]]\nname = "eye"\nvaries = "camera.eye"\nvalues = [[0, 0, 5], [0, 0, 0]]\n'
+    found = errors_of(scene_from, sweep)
+    assert all(each.startswith("sweeps[0]: ") for each in found)
+    assert any("at stop 2, [0, 0, 0]: camera.target" in each for each in found), found
+
+
+def test_a_slider_brings_nothing_that_is_not_there(scene_from):
+    lamp = '\nname = "lamp"\nedges = [[1, 0, 0], [0, 1, 0]]\nsamples = [2, 2]\n'
+    sweep = '\n[[sweeps]]\nname = "samples"\nvaries = "lights.lamp.samples"\n'
+    sweep += "values = [[2, 2], [4, 4]]\n"
+    [found] = errors_of(scene_from, lamp + sweep)
+    assert "at stop 2 the scene has 16 lights, not 4" in found
+
+
+def test_a_step_shows_a_stop_that_there_is(scene_from):
+    """By its sweep's name and from 1."""
+    step = '\n[[lesson]]\ntext = "Low."\nview = {{ sweep = {{ "{}" = {} }} }}\n'
+    scene = scene_from(SCENE + LAMP + step.format("lamp", 1))
+    assert scene.lesson[0].view["sweep"] == "lamp:1"
+    assert scene.at_stop("lamp:1").lights[0].position == (-2.0, 0.0, 1.0)
+    [found] = errors_of(scene_from, LAMP + step.format("lamp", 4))
+    assert "4 is beyond its last stop" in found
+    [found] = errors_of(scene_from, LAMP + step.format("lmap", 1))
+    assert 'did you mean "lamp"?' in found
+
+
+def test_two_sweeps_have_two_addresses(scene_from):
+    """Two names that differ in spaces only have one."""
+    found = errors_of(
+        scene_from, LAMP + LAMP.replace('"lamp"', '"la mp"') + LAMP.replace('"lamp"', '"la-mp"')
+    )
+    assert any("has the address" in each for each in found), found
