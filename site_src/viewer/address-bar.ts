@@ -45,14 +45,8 @@ export function createAddressBar(session: Session, page: { home: string; onDisk:
       clearTimeout(timer);
       timer = window.setTimeout(() => write("replace"), AFTER);
     },
-    /** The view's whole address; embedded, that of the page it belongs to. */
-    link() {
-      write("replace");
-      const whole = new URL(address());
-      whole.searchParams.delete("embed");
-      whole.hash = whole.hash.replace(/embed=1&?/, "");
-      return whole.href;
-    },
+    /** The view's address, which is written now. */
+    now: () => (write("replace"), address()),
   };
 }
 

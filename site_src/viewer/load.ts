@@ -137,13 +137,13 @@ export function createLoader(root: string, come: Readers) {
       const [scene, translated] = await Promise.all([whole(id), code === OWN_LANGUAGE ? null : words(`${id}/words-${code}`).catch(() => null)]);
       return translated ? inWords(scene, translated) : scene; // better in its own language than not at all
     },
-    sections: (id: string) => sections(`${id}/sections`),
-    surroundings: (id: string) => surroundings(`${id}/surroundings`),
     /** What only a part reads. */
     data,
     trace: (id: string, n: number) => traces(`${id}/${n}`),
-    /** Of a scene with a mesh. */
-    boxes: (id: string) => boxes(`${id}/boxes`),
+    /** By the name of a file: of a scene with a mesh, with mirrors or glass. */
+    boxes,
+    surroundings,
+    sections,
   };
 }
 

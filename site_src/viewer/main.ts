@@ -51,7 +51,7 @@ function start(own: HTMLScriptElement) {
     loadData: loader.data,
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
-  const modes = createModes(session, acts, { link: bar.link, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });
+  const modes = createModes(session, acts, { address: bar.now, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });
   const busy = onDemand.one("busy", ({ createBusy }) => createBusy(parts.views.stage));
   const beat = createBeat({
     draw() {

@@ -7,14 +7,14 @@ import type { Session } from "./session";
 import { say } from "./words";
 
 export interface Taken {
-  link: () => string;
+  address: () => string;
   views: Views;
   recolour: () => void;
   notify: (sentence: string) => void;
   onDemand: OnDemand;
 }
 
-export function createModes(session: Session, acts: Actions, { link, views, recolour, notify, onDemand }: Taken) {
+export function createModes(session: Session, acts: Actions, { address, views, recolour, notify, onDemand }: Taken) {
   const { body } = document;
   const isEmbedded = [location.search, location.hash.slice(1)].some((asked) => new URLSearchParams(asked).has("embed"));
   const sign = onDemand.one("at-hand", ({ createKeySign }) => createKeySign(body));
@@ -25,9 +25,9 @@ export function createModes(session: Session, acts: Actions, { link, views, reco
 
   const menu = document.querySelector("#menu");
   const tools = onDemand.one("at-hand", ({ createTools, createWayOut }) => {
-    const made = createTools({ link, save: (what, done, kind) => saving.use((saves) => saves[what](done, kind)), notify, help });
+    const made = createTools({ address, save: (what, done, kind) => saving.use((saves) => saves[what](done, kind)), notify, help });
     menu?.prepend(made.element);
-    if (isEmbedded) document.querySelector(".below-row")?.append(createWayOut(link));
+    if (isEmbedded) document.querySelector(".below-row")?.append(createWayOut(address));
     return made;
   });
   const bring = () => tools.use(() => {});

@@ -43,7 +43,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
   const supplies = [
     supply(session, draw, "sections", {
       isWanted: ({ slice }) => slice !== "none",
-      load: ({ of }) => loader.sections(of), // with what draws it
+      load: ({ of }) => loader.sections(`${of}/sections`), // with what draws it
       missing(_, { slice }) {
         session.set({ ...session.state!, slice: "none" });
         notice.say(say("trouble.sliceMissing"), { again: () => session.set({ ...session.state!, slice }) });
@@ -52,13 +52,13 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
     // What mirrors and glass have round them; without it they are painted.
     supply(session, draw, "surroundings", {
       isWanted: ({ look, gl }, { files }) => gl && look !== "plain" && "surroundings" in files,
-      load: async ({ of }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(of)),
+      load: async ({ of }) => (await onDemand.come("surroundings")).createSurroundings(await loader.surroundings(`${of}/surroundings`)),
       missing: () => {},
     }),
     // The boxes that rays are tested against, where the tiles show how many tests there were.
     supply(session, draw, "boxes", {
       isWanted: (state, scene) => wantsBoxes(state, scene) && Object.keys(scene.meshes).length > 0,
-      load: ({ of }) => loader.boxes(of),
+      load: ({ of }) => loader.boxes(`${of}/boxes`),
       missing: (again) => notice.say(say("trouble.boxesMissing"), { again }),
     }),
     // Where switches are set the picture is recombined from the finest grid; without that, from the one that is here.

@@ -1,4 +1,4 @@
-"""What a sweep will cost, told before it is traced: from the scene's own rays, which are few here."""
+"""What a sweep will cost, told before it is traced: from the scene's own rays, which are few."""
 
 from __future__ import annotations
 

@@ -8,19 +8,27 @@ import { createPictureKind, type PictureKind } from "./picture-kind";
 
 export interface ToolActs {
   /** Writes the view into the address now, and gives it. */
-  link: () => string;
+  address: () => string;
   /** done: with the file's name. */
   save: (what: "save" | "slide", done: (file: string) => void, kind: PictureKind) => void;
   notify: (sentence: string) => void;
   help: () => void;
 }
 
+/** The view's whole address; embedded, that of the page it belongs to. */
+function linkOf(address: string): string {
+  const whole = new URL(address);
+  whole.searchParams.delete("embed");
+  whole.hash = whole.hash.replace(/embed=1&?/, "");
+  return whole.href;
+}
+
 /** From a page within another one to the whole page, with the same view. */
-export function createWayOut(link: () => string) {
+export function createWayOut(address: () => string) {
   const whole = element("a", "whole", say("tools.whole"));
   whole.target = "_blank";
   whole.rel = "noopener";
-  const direct = () => void (whole.href = link());
+  const direct = () => void (whole.href = linkOf(address()));
   for (const on of ["pointerenter", "focus", "pointerdown"]) whole.addEventListener(on, direct);
   direct();
   return element("p", "embed-bar", whole);
@@ -48,7 +56,7 @@ export function createTools(acts: ToolActs) {
   letSlidesFocus();
   const picture = createPictureKind();
   const copying = (what: "link" | "embed", text: (link: string) => string) => {
-    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => void copy(text(acts.link()), () => sayDone(made, say(`tools.${what}.done`))));
+    const made = button(say(`tools.${what}.word`), say(`tools.${what}.help`), () => void copy(text(linkOf(acts.address())), () => sayDone(made, say(`tools.${what}.done`))));
     return made;
   };
   const saving = (what: "save" | "slide") => {

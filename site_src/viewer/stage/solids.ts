@@ -67,11 +67,10 @@ function lightsOf(scene: SceneData, plain: boolean) {
   group.add(everywhere);
   const every = lampsApart(scene);
   const map = shadowMapOf(scene);
-  for (const { position, colour, intensity, attenuation } of scene.lights.filter((_, k) => isLamp(k, every))) {
+  for (const { colour, attenuation } of scene.lights.filter((_, k) => isLamp(k, every))) {
     const near = Math.max(1e-6, attenuation[0]);
-    const light = new PointLight(0xffffff, intensity * every * Math.PI, attenuation[1] / near, attenuation[2] / near); // three divides by pi; slim/never.mjs says the rest
+    const light = new PointLight(0xffffff, 1, attenuation[1] / near, attenuation[2] / near); // its place and strength: follow; slim/never.mjs says the rest
     light.color.setRGB(...scale(colour, 1 / near));
-    light.position.set(...position);
     light.castShadow = !plain && drawsShadows(scene);
     light.shadow.mapSize.set(map.pixels, map.pixels);
     light.shadow.camera.near = map.near;
@@ -125,14 +124,14 @@ export function createSolids(scene: SceneData, plain: boolean) {
         if (around) (look as MeshMatcapMaterial).matcap?.dispose(); // the painted ball is no longer held
       }
     },
-    /** Where things are at a stop of a sweep, lights and colours as the switches leave them. A light that is off stays, without strength: another number of
-     *  lights or shadow maps would compile every shader anew. */
+    /** Things where they are at a stop of a sweep, lights and colours as the switches leave them. A light that is off stays,
+     *  without strength: another number of lights or shadow maps would compile every shader anew. */
     follow(switched: SceneData, { without, bounces }: Switches) {
       const isOn = (part: Part) => !without.includes(part) && !(bounces === 0 && (part === "reflected" || part === "refracted"));
       for (const [k, lamp] of lights.lamps.entries()) {
         const { position, intensity } = switched.lights[k * lights.every + (lights.every >> 1)];
         lamp.position.set(...position);
-        lamp.intensity = intensity * lights.every * Math.PI;
+        lamp.intensity = intensity * lights.every * Math.PI; // three divides by pi
         lamp.shadow.intensity = switched.shadows ? 1 : 0;
       }
       for (const { mesh, at } of painted) new Matrix4().fromArray([...switched.objects[at].transform]).decompose(mesh.position, mesh.quaternion, mesh.scale);

@@ -20,9 +20,8 @@ const endsOf = (lines: readonly Line[], blocked: boolean): Dot[] =>
 
 /** How bright a lamp's sign is: a faint light is a fainter sign, one that is off a struck ring. */
 const lampDots = ({ scene, switched }: StageView): Dot[] =>
-  scene.lights.map(({ intensity, colour }, k) => {
-    const { position, intensity: now } = switched.lights[k];
-    const share = intensity > 0 ? now / intensity : 1;
+  switched.lights.map(({ position, intensity, colour }, k) => {
+    const share = scene.lights[k].intensity > 0 ? intensity / scene.lights[k].intensity : 1;
     return share > 0 ? { at: position, colour: lampColour(colour), bright: Math.min(1, 0.45 + 0.55 * share) } : { at: position, colour: STAGE.lampOff, sign: 2 };
   });
 
@@ -149,8 +148,7 @@ export function createWebglRenderer(onLost: () => void): StageRenderer | null {
     draw(now) {
       const { view, observer } = now;
       const set = sets.of(view);
-      if (shadowed !== view.switched.of) renderer.shadowMap.needsUpdate = true;
-      shadowed = view.switched.of;
+      renderer.shadowMap.needsUpdate ||= shadowed !== (shadowed = view.switched.of);
       aim(camera, now);
       set.show(view, length(sub(observer.eye, view.plane.eye)) < view.scene.bounds.radius / 50);
       renderer.render(set.world, camera);

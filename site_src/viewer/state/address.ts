@@ -23,18 +23,19 @@ export function writeAddress(state: ViewState, scene: SceneData, withScene: bool
   const parts: string[] = [];
   const put = (key: string, value: string | number) => parts.push(`${key}=${value}`);
   const putOther = (key: string, of: (state: ViewState) => string | number) => of(state) !== of(start) && put(key, of(state));
+  const putField = (key: "n" | "look" | "slice" | "colours" | "sweep") => putOther(key, (of) => of[key]);
   if (withScene) put("scene", state.scene);
-  putOther("n", ({ n }) => n);
+  putField("n");
   if (state.pixel.join() !== start.pixel.join() || state.n !== start.n) put("p", state.pixel.join());
   putOther("rays", ({ rays }) => rays.join() || "none");
   putOther("tiles", ({ tiles }) => (tiles === "empty" ? tiles : "filled"));
   putOther("cam", ({ before, observer }) => writeObserver(before ?? observer)); // the traced look has one place only
-  putOther("look", ({ look }) => look);
+  putField("look");
   if (state.wipe) put("wipe", state.wipe);
-  putOther("slice", ({ slice }) => slice);
+  putField("slice");
   putOther("if", ({ switches }) => writeSwitches(switches) || "none");
-  putOther("colours", ({ colours }) => colours);
-  putOther("sweep", ({ sweep }) => sweep);
+  putField("colours");
+  putField("sweep");
   if (state.step !== null) put("step", state.step + 1);
   if (state.revealed) put("answer", 1);
   if (state.event !== null) put("e", state.event + 1);
