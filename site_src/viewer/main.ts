@@ -79,7 +79,7 @@ function start(own: HTMLScriptElement) {
 
   navigation.followPage();
   const whole = navigation.ready().then(onDemand.bringAll).then(session.changed);
-  window.raywalkKiosk?.attach({ session, acts, begin: navigation.begin, ready: navigation.ready, ids: links.map((link) => link.dataset.scene!), notify: notice.say });
+  window.raywalkKiosk?.attach({ session, acts, begin: navigation.begin, ready: navigation.ready, ids: navigation.ids, notify: notice.say });
   exposeSession(session, {
     ready: navigation.ready,
     whole,

@@ -120,6 +120,8 @@ export function createNavigation(session: Session, { home, onDisk, links, withGl
   window.addEventListener("online", notice.tryAgain);
 
   return {
+    /** The scenes', in the course's order. */
+    ids,
     /** What the page's address asks for, now and whenever the person goes back or on. */
     followPage,
     ready: () => ready,

@@ -64,7 +64,7 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
     // Where switches are set the picture is recombined from the finest grid; without that, from the one that is here.
     supply(session, draw, "finest", {
       isWanted: ({ switches }) => isSwitched(switches),
-      load: ({ of, levels }) => loader.trace(of, levels[levels.length - 1]),
+      load: ({ of, levels }) => loader.trace(of, levels.at(-1)!),
       missing: () => {},
     }),
   ];

@@ -51,7 +51,7 @@ const PARTS = {
   lecture: [(page) => press(page, "j", "b"), ".blackout"],
 };
 
-const IN_IDLE_TIME = ["spoken", "inset", "busy", "guide", "marks", "choices", "worked"]; // the page speaks once it is whole; a narrow page, a slow machine and a lesson ask for the others
+const IN_IDLE_TIME = ["spoken", "inset", "busy", "guide", "marks", "choices", "worked", "sweeps"]; // the page speaks once it is whole; a narrow page, a slow machine and a lesson, a scene in which something moves ask for the others
 const ALL = [...Object.keys(PARTS), ...IN_IDLE_TIME].sort();
 
 const partOf = (request) => /assets\/part-(.+)-\w+\.js/.exec(request.url())?.[1];

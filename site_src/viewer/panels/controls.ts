@@ -34,7 +34,7 @@ export function createControls(acts: Pick<Actions, "render" | "rays" | "level">)
       for (const [choice, each] of choices) pressed(each, state.rays.includes(choice));
       size.textContent = say("controls.gridSize", { n: state.n });
       disable(coarser, state.n === scene.levels[0]);
-      disable(finer, state.n === scene.levels[scene.levels.length - 1]);
+      disable(finer, state.n === scene.levels.at(-1)!);
     },
   };
 }

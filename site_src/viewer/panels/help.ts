@@ -24,6 +24,7 @@ const GROUPS = [
     { name: "bounces", keys: ["[", "]"] },
     { name: "lamp", keys: ["l"] },
     { name: "shadows", keys: ["s"] },
+    { name: "sweep", keys: ["<", ">"] },
   ],
   [
     { name: "drag", keys: [] },

@@ -14,7 +14,7 @@ const GAPS_UP_TO = 60; // events: with more, gaps would eat the colours
 const colourOf = (event: RayEvent) => (event.line ? `var(--ray-${event.line})` : QUIET);
 
 function paint({ events, starts }: Timeline): string {
-  const end = starts[starts.length - 1];
+  const end = starts.at(-1)!;
   const gap = events.length > GAPS_UP_TO ? "0px" : "2px";
   const stops = events.map((event, k) => {
     const [from, to] = [starts[k], starts[k + 1]].map((s) => `${((100 * s) / end).toFixed(3)}%`);
@@ -58,7 +58,7 @@ export function createPlayer(acts: Pick<Actions, "play" | "event" | "time" | "en
       const { event, playing } = state;
       if (shown.timeline !== timeline) {
         colours.style.backgroundImage = timeline ? paint(timeline) : "none";
-        range.max = String(timeline ? timeline.starts[timeline.starts.length - 1] : 1);
+        range.max = String(timeline ? timeline.starts.at(-1)! : 1);
       }
       if (shown.playing !== playing) {
         const what = playing ? "pause" : "play";

@@ -22,7 +22,7 @@ export function namesOf({ view, projection }: Drawn): Label[] {
   return [
     ...(hit ? label("hit", vector(hit), hit, "hit") : []),
     ...blockersOf(view).flatMap(({ line, by }) => label(`stop ${line.ray} ${line.light}`, say("stage.blocked", { name: scene.objects[by].name }), line.to, "stop")),
-    ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), scene.camera.eye, "sign", true)),
+    ...(state.observer === "camera" ? [] : label("camera", say("stage.camera"), switched.camera.eye, "sign", true)),
     // An area light's points are named once, at the first.
     ...lampsOf(scene).flatMap(({ name, lights: [k] }) => label(`light ${name}`, switched.lights[k].intensity > 0 ? name : say("stage.off", { light: name }), switched.lights[k].position, "sign")),
   ];

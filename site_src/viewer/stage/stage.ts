@@ -46,7 +46,7 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => readon
     redraw();
   }
 
-  const observerFor = (choice: ObserverChoice, { scene, plane }: StageView) => observerOf(choice, scene, plane, size.width / size.height);
+  const observerFor = (choice: ObserverChoice, { scene, switched, plane }: StageView) => observerOf(choice, { ...scene, camera: switched.camera }, plane, size.width / size.height);
 
   function draw(view: StageView) {
     const { scene, plane, state, recombined } = view;

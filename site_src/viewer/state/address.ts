@@ -62,7 +62,7 @@ const numberIn = (text: string): number => (/^[-+]?\d+(\.\d*)?(e\d+)?$/i.test(te
 
 /** allowed: in order. Asked for within them first: beside a huge number all are equally far. */
 function nearestOf(asked: number, allowed: readonly number[]): number {
-  const within = Math.max(allowed[0], Math.min(allowed[allowed.length - 1], asked));
+  const within = Math.max(allowed[0], Math.min(allowed.at(-1)!, asked));
   return allowed.reduce((best, each) => (Math.abs(each - within) < Math.abs(best - within) ? each : best));
 }
 

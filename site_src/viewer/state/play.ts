@@ -43,7 +43,7 @@ export function goToTime(state: ViewState, { starts }: Timeline, seconds: number
 /** seconds: time that has passed. */
 export function advancePlay(state: ViewState, timeline: Timeline, seconds: number): ViewState {
   if (!state.playing) return state;
-  const end = timeline.starts[timeline.starts.length - 1];
+  const end = timeline.starts.at(-1)!;
   const now = timeOf(state, timeline) + seconds * state.speed;
   return now >= end ? goToEvent(state, timeline, timeline.events.length - 1) : goToTime(state, timeline, now);
 }

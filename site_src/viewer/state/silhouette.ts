@@ -24,7 +24,7 @@ export function hull(points: readonly Flat[]): Flat[] {
   const chain = (of: readonly Flat[]) => {
     const kept: Flat[] = [];
     for (const point of of) {
-      while (kept.length > 1 && turn(kept[kept.length - 2], kept[kept.length - 1], point) <= 0) kept.pop();
+      while (kept.length > 1 && turn(kept[kept.length - 2], kept.at(-1)!, point) <= 0) kept.pop();
       kept.push(point);
     }
     return kept.slice(0, -1);

@@ -18,7 +18,7 @@ export function timelineOf(trace: Trace, scene: SceneData, pixel: number): Timel
   const events = eventsOf(trace, scene, pixel);
   const grows = events.map((event) => (event.long / scene.bounds.radius) * CROSSING);
   const starts = [0];
-  for (const seconds of grows) starts.push(starts[starts.length - 1] + seconds + READ_SECONDS);
+  for (const seconds of grows) starts.push(starts.at(-1)! + seconds + READ_SECONDS);
   return { events, starts, grows };
 }
 

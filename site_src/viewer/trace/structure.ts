@@ -25,7 +25,7 @@ export function grow(header: Header, columns: Columns, firstObject: Int32Array, 
   let paths = [0, n * n]; // where each path (RR, RT ...) of one depth starts, and the end
   let histories = 0, befores = header.patches.reduce((most, { object }) => Math.max(most, object), 0) + 2;
   for (let depth = 0; paths.length > 1; depth++) {
-    const first = paths[0], end = paths[paths.length - 1];
+    const first = paths[0], end = paths.at(-1)!;
     columns.symbols("surface", first, end, tree.before, tree.before, befores, tree.sides, surfaces.length, tree.surface);
     const next = markHistories(tree, first, end, patchOf, histories);
     columns.symbols("children", first, end, tree.group, tree.surface, base, tree.sides, CHILDREN, tree.children);
@@ -80,7 +80,7 @@ function markHistories(tree: Growing, first: number, end: number, patchOf: Int32
  *  parents' order. Returns the children's paths. */
 function branch(tree: Growing, paths: number[], depth: number, rays: number, histories: number): number[] {
   const { children, pixel, parent, kind, history, before } = tree;
-  const end = paths[paths.length - 1];
+  const end = paths.at(-1)!;
   const starts = [end];
   let k = end;
   for (let path = 0; path + 1 < paths.length; path++) {
@@ -99,7 +99,7 @@ function branch(tree: Growing, paths: number[], depth: number, rays: number, his
         before[k] = BRANCHES * (history[row] - histories) + branch;
         k++;
       }
-      if (k > starts[starts.length - 1]) starts.push(k);
+      if (k > starts.at(-1)!) starts.push(k);
     }
   }
   tree.depth.fill(depth, end, k);
