@@ -142,3 +142,22 @@ test("the drawer opens the slider in a scene that has one, and offers none where
   await openDrawer(page);
   assert.equal(await page.locator(".open-sweeps:visible").count(), 0);
 });
+
+test("a kiosk goes through all stops of a step's answer, and ends where the step stands", async () => {
+  const kiosk = await newPage(browser, { held: true, viewport: { width: 640, height: 480 } });
+  await open(kiosk, ON_DISK, `scenes/${ID}/index.html`, "kiosk=1&gl=none&attract-pace=0.3");
+  const step = scene.lesson.findIndex(({ view }) => view.sweep);
+  const seen = new Set();
+  const asked = new Set();
+  let now = await state(kiosk);
+  for (let k = 0; k < 600 && now.step <= step; k++) {
+    await pass(kiosk, 200);
+    now = await state(kiosk);
+    if (now.step === step) (now.revealed ? seen : asked).add(now.sweep);
+  }
+  assert.deepEqual([...asked], [`${sweep.id}:6`], "while it asks nothing moves");
+  assert.equal(seen.size, sweep.values.length);
+  assert.equal(now.step, step + 1);
+  assert.deepEqual(kiosk.faults, []);
+  await kiosk.close();
+});

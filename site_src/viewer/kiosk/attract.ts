@@ -1,8 +1,11 @@
 /** What an unattended screen shows: every scene's lesson in turn, its tiles filling and its rays being walked. */
+import { stopIn } from "../state/swept";
+import { isAsking } from "../state/view-state";
 import type { KioskViewer } from "./hook";
 
 const CHECKED_EVERY = 250; // ms
 const PLAYS_UP_TO = 3; // times a stop's pace: then the next stop comes, whatever still plays
+const SWEEP_PACE = 0.6; // seconds a stop of what moves
 const PATIENCE = 20; // seconds for a scene to come
 const RENEWED_AFTER = 6 * 3_600_000; // ms: then, between two rounds, the page is loaded anew; nothing can pile up for months
 
@@ -45,10 +48,26 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
       if (running && tiles() === "filling") viewer.acts.render();
     }
     if (running) await wait(pace);
+    if (running && moves()) await showSweep();
     if (!running || !moves() || !session.state?.rays.includes("pixel") || !session.timeline()) return;
     viewer.acts.play();
     await whileIt(() => session.state?.playing === true);
     if (running) viewer.acts.endEvents();
+  }
+
+  /** Where a step shows a stop of a sweep: from there to the last, back to the first and there again. Not while it asks. */
+  async function showSweep() {
+    const { scene, state } = session;
+    const found = scene && state && !isAsking(state, scene) && stopIn(scene, state.sweep);
+    if (!found) return;
+    const { sweep, stop } = found;
+    const range = (from: number, to: number) => Array.from({ length: Math.abs(to - from) }, (_, k) => from + Math.sign(to - from) * (k + 1));
+    const last = sweep.values.length;
+    for (const to of [...range(stop, last), ...range(last, 1), ...range(1, stop)]) {
+      if (!running) return;
+      session.set({ ...session.state!, sweep: `${sweep.id}:${to}` });
+      await wait(Math.min(pace, SWEEP_PACE));
+    }
   }
 
   /** The lesson's next stop; false at its end. */
