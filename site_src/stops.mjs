@@ -75,7 +75,8 @@ function drawableOf({ traces, worked }, scene) {
 
 function answer({ do: what, size, pixel, words, spoken, programs, id, n, ...files }) {
   if (what === "columns") return columnsOf(unpacked(files.trace), { scene: id, n });
-  const scene = { ...(files.base && unpacked(files.base)), ...unpacked(files.scene) };
+  const base = files.base && unpacked(files.base);
+  const scene = { ...base, ...unpacked(files.scene), ...(base && { files: base.files }) };
   globalThis.raywalkWords = words;
   if (what === "events") return listEvents(scene, decode(unpacked(files.trace), { scene: scene.of }), pixel);
   if (what === "beside") return eventsBeside(spoken ? inWords(scene, spoken) : scene, programs);

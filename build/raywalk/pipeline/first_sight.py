@@ -5,6 +5,7 @@ the grids from the store."""
 from __future__ import annotations
 
 from argparse import Namespace
+from dataclasses import replace
 from pathlib import Path
 
 from raywalk.pipeline.parts import trace_parts
@@ -36,7 +37,8 @@ def first_sight(chosen: Namespace, folder: Path) -> bool:
     from raywalk.site.scene_data import write_page_data
 
     grids = grids_into(store, made_from, scene, cores)
-    shown = filled_here(store, scene, is_quick=True)
+    # Its sweeps come with the build: until then nothing moves.
+    shown = replace(filled_here(store, scene, is_quick=True), sweeps=())
     place = folder / "scenes" / scene.id
     publish_scene(place, [grids])
     write_page_data(shown, grids.folder, place)
