@@ -20,6 +20,19 @@ export interface Listeners {
 
 type Recombine = (trace: Trace, scene: SceneData, switches: Switches) => WhatIf;
 
+const EMPTY = {
+  state: null as ViewState | null,
+  scene: null as SceneData | null,
+  sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
+  stop: null as SceneData | null, // the scene as it is at the stop of a sweep that came last; null: as it is
+  missing: false, // the trace could not be loaded
+  finest: null as Trace | null, // of the finest grid, once switches were set
+  surroundings: null as Surrounded | null, // of the scene's mirrors and glass, once the look asked for them
+  boxes: null as Boxes | null, // of the scene's meshes, once they were wanted
+  lit: null as LitLine | null, // what the pointer is on
+  pointed: null as readonly [number, number] | null, // the tile it is on
+};
+
 /** recombining: what switches make of the shown trace and of the finest; null until its script is there, as `costing` is. */
 export function createSession(recombining: () => { shown: Recombine; finest: Recombine } | null, costing: () => CostsOf | null) {
   const shown = createShown(costing);
@@ -27,16 +40,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
   let loaded: Trace | null = null;
 
   const session = {
-    state: null as ViewState | null,
-    scene: null as SceneData | null,
-    sections: null as SectionsData | null, // of the scene, once a slice of it was asked for
-    stop: null as SceneData | null, // the scene as it is at the stop of a sweep that came last; null: as it is
-    missing: false, // the trace could not be loaded
-    finest: null as Trace | null, // of the finest grid, once switches were set
-    surroundings: null as Surrounded | null, // of the scene's mirrors and glass, once the look asked for them
-    boxes: null as Boxes | null, // of the scene's meshes, once they were wanted
-    lit: null as LitLine | null, // what the pointer is on
-    pointed: null as readonly [number, number] | null, // the tile it is on
+    ...EMPTY,
 
     listen: (to: Listeners) => void (listeners = to),
     changed: () => listeners?.changed(),
@@ -45,9 +49,8 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     set(next: ViewState) {
       const { state } = session;
       if (!state || next === state) return;
-      const traceChanged = next.n !== state.n || next.sweep !== state.sweep;
       session.state = next;
-      if (traceChanged) listeners?.otherLevel();
+      if (next.n !== state.n || next.sweep !== state.sweep) listeners?.otherLevel();
       else session.changed();
     },
 
@@ -63,7 +66,7 @@ export function createSession(recombining: () => { shown: Recombine; finest: Rec
     },
 
     /** The trace of what the state shows, as it was traced; null while another one is on its way. */
-    traced: (): Trace | null => (loaded && session.state && loaded.scene === session.here()?.of && loaded.n === session.state.n ? loaded : null),
+    traced: (): Trace | null => (loaded && loaded.scene === session.here()?.of && loaded.n === session.state?.n ? loaded : null),
 
     /** The scene as it is traced here: at the state's stop. */
     here: () => (session.state?.sweep && session.stop) || session.scene,

@@ -71,12 +71,13 @@ export function createSupplies(session: Session, loader: Loader, onDemand: OnDem
 
   let traceAsked = 0; // the newest request; older ones that arrive late, or never, are dropped
   async function trace() {
-    if (!session.state || !session.scene) return;
+    const { state, scene } = session;
+    if (!state || !scene) return;
     const mine = ++traceAsked;
-    const { n, sweep } = session.state;
+    const { n, sweep } = state;
     const wait = window.setTimeout(draw, PATIENCE); // slow: say so, with an empty frustum
     try {
-      const arrived = await awaited(sweep ? onDemand.come("sweeps").then(({ stopAt }) => stopAt(session, loader, notice)) : loader.trace(session.scene.of, n), "trace", notice);
+      const arrived = await awaited(sweep ? onDemand.come("sweeps").then(({ stopAt }) => stopAt(session, loader, notice)) : loader.trace(scene.of, n), "trace", notice);
       if (mine !== traceAsked) return;
       session.receive(arrived);
       notice.hide("trace");

@@ -16,6 +16,17 @@ function inTime(what: Promise<boolean>): Promise<boolean> {
   return Promise.race([what, late]).finally(() => clearTimeout(timer));
 }
 
+const range = (from: number, to: number) => Array.from({ length: Math.abs(to - from) }, (_, k) => from + Math.sign(to - from) * (k + 1));
+
+/** Where a step shows a stop of a sweep: from there to the last, back to the first and there again. Not while it asks. */
+function stopsFrom({ scene, state }: KioskViewer["session"]): string[] {
+  const found = scene && state && !isAsking(state, scene) && stopIn(scene, state.sweep);
+  if (!found) return [];
+  const { sweep, stop } = found;
+  const last = sweep.values.length;
+  return [...range(stop, last), ...range(last, 1), ...range(1, stop)].map((to) => `${sweep.id}:${to}`);
+}
+
 /** pace: seconds that a stop of a lesson is shown. */
 export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: () => void; renew: () => void }) {
   const { session } = viewer;
@@ -48,26 +59,11 @@ export function createAttract(viewer: KioskViewer, pace: number, acts: { stuck: 
       if (running && tiles() === "filling") viewer.acts.render();
     }
     if (running) await wait(pace);
-    if (running && moves()) await showSweep();
+    for (const sweep of moves() ? stopsFrom(session) : []) if (running) await (session.set({ ...session.state!, sweep }), wait(Math.min(pace, SWEEP_PACE)));
     if (!running || !moves() || !session.state?.rays.includes("pixel") || !session.timeline()) return;
     viewer.acts.play();
     await whileIt(() => session.state?.playing === true);
     if (running) viewer.acts.endEvents();
-  }
-
-  /** Where a step shows a stop of a sweep: from there to the last, back to the first and there again. Not while it asks. */
-  async function showSweep() {
-    const { scene, state } = session;
-    const found = scene && state && !isAsking(state, scene) && stopIn(scene, state.sweep);
-    if (!found) return;
-    const { sweep, stop } = found;
-    const range = (from: number, to: number) => Array.from({ length: Math.abs(to - from) }, (_, k) => from + Math.sign(to - from) * (k + 1));
-    const last = sweep.values.length;
-    for (const to of [...range(stop, last), ...range(last, 1), ...range(1, stop)]) {
-      if (!running) return;
-      session.set({ ...session.state!, sweep: `${sweep.id}:${to}` });
-      await wait(Math.min(pace, SWEEP_PACE));
-    }
   }
 
   /** The lesson's next stop; false at its end. */
