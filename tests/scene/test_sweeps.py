@@ -82,6 +82,25 @@ def test_a_slider_brings_nothing_that_is_not_there(scene_from):
     assert "at stop 2 the scene has 16 lights, not 4" in found
 
 
+@pytest.mark.parametrize(
+    ("varies", "values", "said"),
+    [
+        ("materials.matt.diffuse", "[[1, 0, 0], [0, 1, 0]]", 'the material "matt" is other'),
+        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]", '"floor" is other'),
+        ('lights."light 1".colour', "[[1, 1, 1], [1, 0, 0]]", 'the colour of "light 1" is other'),
+    ],
+)
+def test_what_the_page_cannot_move_is_no_sweep(scene_from, varies, values, said):
+    """Tiles would show what the stage does not."""
+    more = "colour = [1, 1, 1]\n\n[materials.matt]\ndiffuse = [1, 0, 0]\n\n[[objects]]\n"
+    more += 'name = "floor"\ntype = "plane"\npoint = [0, -2, 0]\nnormal = [0, 1, 0]\n'
+    more += 'material = "matt"\n'
+    sweep = f"\n[[sweeps]]\nname = \"it\"\nvaries = '{varies}'\nvalues = {values}\n"
+    [found] = errors_of(scene_from, more + sweep)
+    assert found.startswith("sweeps[0].varies: ") and f"at stop 2 {said}" in found
+    assert "what moves: the camera" in found
+
+
 def test_a_step_shows_a_stop_that_there_is(scene_from):
     """By its sweep's name and from 1."""
     step = '\n[[lesson]]\ntext = "Low."\nview = {{ sweep = {{ "{}" = {} }} }}\n'

@@ -179,7 +179,7 @@ RULES = """\
 - A view's resolution is one of the scene's, and its pixel is inside. Its switches name lights of
   the scene, and no more bounces than it traces.
 - A sweep's value stands in the file, and is one of its stops; the scene with any other of them is
-  as sound as it is.
+  as sound as it is. What the page draws once stays: colours, planes, the background.
 - Slots ask for what there is: a quantity, a ray of the pixel, a light, a material, a mesh."""
 
 

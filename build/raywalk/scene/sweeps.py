@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Sequence
 from copy import deepcopy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isclose
 from typing import Any
 
@@ -17,6 +17,7 @@ from raywalk.scene.model import Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.schema_sweeps import CLEAN, SweepTable
+from raywalk.scene.shapes import Plane
 from raywalk.scene.wording import did_you_mean, joined, quoted, show
 
 VARIED = ("camera", "lights", "materials", "objects", "render")
@@ -209,7 +210,30 @@ def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems
             message = f"at stop {k + 1} the scene has {there} {what}, not {here}"
             problems.add(at, message, hint="a slider moves and changes what is there")
             return False
+    own = _drawn_once(scene)
+    for what, there in _drawn_once(stop).items():
+        if there != own[what]:
+            problems.add(
+                (*at, "varies"), f"at stop {k + 1} {what} is other, which the page draws once",
+                allowed="what moves: the camera, lamps' positions and intensities, all objects "
+                "but planes; and a material's ior, render.depth",
+            )  # fmt: skip
+            return False
     return True
+
+
+def _drawn_once(scene: Scene) -> dict[str, Any]:
+    """By its name, what the page's stage draws the same at every stop."""
+    drawn: dict[str, Any] = {"the background": scene.background}
+    for material in scene.materials:
+        drawn[f"the material {quoted(material.name)}"] = replace(material, ior=1.0)
+    for light in scene.lights:
+        drawn[f"the colour of {quoted(light.name)}"] = light.colour, light.attenuation
+    for obj in scene.objects:
+        fixed = obj.shape.drawn(), obj.material, obj.checker, obj.base
+        is_plane = isinstance(obj.shape, Plane)
+        drawn[quoted(obj.name)] = (*fixed, obj.shape, obj.transform.tolist()) if is_plane else fixed
+    return drawn
 
 
 def _stop(
