@@ -53,7 +53,7 @@ teacher: packages ## guide, answers, assignments, quizzes for teachers: dist-tea
 kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
 	@$(PYTHON) -m raywalk kiosk
 
-test: site $(TEST_READY) ## check types and style, run all tests, in a real browser too
+test: site $(TEST_READY) ## check types and style, run the tests, in a real browser too
 	@sh build/setup/browser.sh
 	@$(PYTHON) -m tests.run_all
 
@@ -70,8 +70,9 @@ serve: packages ## the site at http://127.0.0.1:8000/, built anew whenever a fil
 bench: site $(TEST_READY) ## measure run time against error, beside peers (about half an hour, on a machine that does nothing else)
 	@$(PYTHON) -m raywalk bench
 
-stress: site $(TEST_READY) ## the hardest cases against their bounds; a kiosk for half an hour (about 50 minutes)
-	@sh build/setup/browser.sh
+stress: site $(TEST_READY) ## every case of each test; the hardest ones against their bounds; a kiosk for half an hour (about 70 minutes)
+	@sh build/setup/browser.sh firefox
+	@$(PYTHON) -m tests.run_all --every
 	@$(PYTHON) -m raywalk stress
 
 mutants: $(TEST_READY) $(MUTANTS)/.ready ## change sources and see that a test fails: SAMPLE=200 SEED=1 ONLY=optics JOBS=2; all of them take a night

@@ -2,7 +2,7 @@
 
 Each file of the viewer's tests is a step, and steps often wait: for a browser, a server, a clock.
 What fails beside others is tried once more by itself, and told as unsteady if it passes then; with
---once it is not.
+--once it is not. Each law is asked of few cases, with --every of all of them (`make stress`).
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ from tests.lean_sites import build_lean_sites
 PYTHON = sys.executable
 SOURCES = ["build/raywalk", "tests"]
 VIEWER = Path("tests/viewer")
+#: What --every asks more: tests/viewer/cases.mjs reads it, and these files are there for it alone.
+EVERY_CASE = "RAYWALK_EVERY_CASE"
+SLOW_OF_VIEWER = VIEWER / "slow"
 #: A path, for steps of tests run in folders of their own.
 REAPING = Path(__file__).with_name("reaping.py")
 #: A quarter of an hour for a file is ten times what the longest takes: what needs more hangs, on a
@@ -45,17 +48,31 @@ class Step:
     again: tuple[str, ...] = ()
 
 
-def steps() -> list[Step]:
+#: Python's tests are two steps of about as much work: one would end last, with a core idle beside.
+WHAT_IS_BUILT = [f"tests/{room}" for room in ("commands", "site", "slides", "work")]
+
+
+def steps(every: bool = False) -> list[Step]:
     """All there is, what takes longest first."""
-    files = sorted(VIEWER.rglob("*.test.mjs"))
+    slow = set(SLOW_OF_VIEWER.glob("*"))
+    files = sorted(path for path in VIEWER.rglob("*.test.mjs") if every or path not in slow)
     return [
-        Step("python", [PYTHON, "-m", "pytest"], PYTEST_COUNTS, again=("--last-failed",)),
+        python("python: what is built", WHAT_IS_BUILT, every),
+        python("python: all else", [f"--ignore={room}" for room in WHAT_IS_BUILT], every),
         Step("types", [PYTHON, "-m", "mypy"]),
         *(Step(path.name.partition(".")[0], [*NODE, str(path)], NODE_COUNTS) for path in files),
         Step("viewer's types", ["npm", "run", "--silent", "typecheck"]),
         Step("style", [PYTHON, "-m", "ruff", "check", *SOURCES]),
         Step("format", [PYTHON, "-m", "ruff", "format", "--check", *SOURCES]),
     ]
+
+
+def python(name: str, which: list[str], every: bool) -> Step:
+    """Tests of Python, which remember by themselves what failed."""
+    cases = ["-m", ""] if every else []
+    kept = ["-o", f"cache_dir=.pytest_cache/{name.rpartition(' ')[2]}"]
+    command = [PYTHON, "-m", "pytest", *kept, *cases, *which]
+    return Step(name, command, PYTEST_COUNTS, again=("--last-failed",))
 
 
 @dataclass(frozen=True)
@@ -168,4 +185,7 @@ def count(pattern: str, output: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(steps(), once="--once" in sys.argv[1:]))
+    every = "--every" in sys.argv[1:]
+    if every:
+        os.environ[EVERY_CASE] = "1"
+    sys.exit(main(steps(every), once="--once" in sys.argv[1:]))

@@ -7,6 +7,8 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from tests.cases import EVERY
+
 from raywalk.commands.slides import traced
 from raywalk.pipeline.figures import filled_lessons
 from raywalk.pipeline.scenes import translated
@@ -30,6 +32,8 @@ from raywalk.work.store import Store
 from .conftest import last
 
 ROOT = Path(__file__).parent.parent.parent
+#: What the others share most with: German has the longer words, 4:3 the narrower lines.
+FEW = (("en", "16:9"), ("de", "4:3"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +54,7 @@ class CourseDeck:
 
 @cache
 def course_decks() -> list[CourseDeck]:
-    """Of every scene in every language and aspect."""
+    """Of every scene in two languages and aspects, or in all that there are."""
     store = Store(ROOT / ".work")
     with Workers() as workers:
         spoken = last(
@@ -66,7 +70,10 @@ def course_decks() -> list[CourseDeck]:
             ]
             plans = last(plans_of(store, stops, sources))
             for plan, of in zip(plans, sources, strict=True):
-                decks += [_deck(stops, plan, of, layout) for layout in LAYOUTS.values()]
+                decks += [
+                    _deck(stops, plan, of, layout) for layout in LAYOUTS.values()
+                    if EVERY or (plan.language, layout.name) in FEW
+                ]  # fmt: skip
     return decks
 
 

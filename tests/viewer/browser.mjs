@@ -11,16 +11,22 @@ export const ON_DISK = pathToFileURL(`${DIST}/`).href;
 export const PATIENCE = 180_000;
 
 const BROWSERS = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+/** The same engine without windows: starting it and putting a page together cost half. */
+const SHELL = /headless-shell$/;
+const SHELLS = ["/usr/bin/chromium-headless-shell"];
 const FLAGS = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --disable-background-networking --disable-sync --no-first-run";
 // Without a graphics card WebGL is drawn in software. Putting the rest of the page together that way too would double what
 // a test costs. The other way reads each drawing back, of which the driver warns.
 const COMPOSED_APART = "--disable-gpu-compositing";
 const OF_READING_BACK = /GL Driver Message .* GPU stall due to ReadPixels/;
 
-export function launch(more = []) {
-  const executablePath = BROWSERS.find((path) => path && existsSync(path));
+/** whole: the browser that people have, for tests of what the one without windows lacks: idle time, say. */
+export async function launch(more = [], { whole = false } = {}) {
+  const [asked, ...others] = BROWSERS;
+  const executablePath = [asked, ...(whole ? [] : SHELLS), ...others].find((path) => path && existsSync(path));
   if (!executablePath) throw new Error("no browser: set CHROMIUM to the path of a Chromium or Chrome");
-  return chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), COMPOSED_APART, ...more] });
+  const browser = await chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), COMPOSED_APART, ...more] });
+  return Object.assign(browser, { isShell: SHELL.test(executablePath) });
 }
 
 /** The scenes the site has, from the first scene page's links: [{ id, key, path }]. */
@@ -54,6 +60,8 @@ export const richScene = () => scenesOfSite().find((scene) => scene.key === "5")
 export async function newPage(browser, { worker = false, held = false, sharp = false, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: sharp ? 1 : 0.5, ...options });
   if (!worker) await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "serviceWorker", { get: () => undefined }));
+  // Without windows the browser is never idle; the viewer then waits as in a browser that does not tell of idle time.
+  if (browser.isShell) await page.addInitScript(() => delete window.requestIdleCallback);
   page.setDefaultTimeout(PATIENCE);
   const evaluate = page.evaluate.bind(page);
   page.evaluate = (...what) => inTime(evaluate(...what), `the page never answered: ${what[0]}`);

@@ -73,9 +73,9 @@ test("the first page leads to each chapter", async () => {
   const names = await links.allInnerTexts();
   assert.deepEqual(names, await home.locator(".chapter-name").allInnerTexts());
   await links.last().click();
-  await settled(home); // it is scrolled there with the next frame
+  await settled(home); // it is scrolled there with the next frame, to a whole pixel of the screen, which is two of the page
   const [heading, seen] = await home.locator(".chapter-name").last().evaluate((each) => [each.getBoundingClientRect(), innerHeight]);
-  assert.ok(heading.top >= 0 && heading.bottom <= seen, `${heading.top} to ${heading.bottom} of ${seen}`);
+  assert.ok(heading.top >= -1 && heading.bottom <= seen, `${heading.top} to ${heading.bottom} of ${seen}`);
   assert.deepEqual(home.faults, []);
   await home.close();
 });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { chooseTab, follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, sceneCalled, scenesOfSite, state, stats } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 
 const rich = richScene();
 const QUICK = "still=1&gl=none"; // where things are does not depend on what draws the stage
@@ -64,7 +65,7 @@ for (const [width, height] of [[390, 844], [360, 640]])
   });
 
 for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]])
-  for (const home of ["", "de/"])
+  for (const home of cases(["", "de/"], ["de/"])) // its words are longer
     test(`at ${width} x ${height} no part of the card lies on another, whichever tab is open (${home || "en"})`, async () => {
       await size(page, width, height);
       for (const { path } of [rich, sceneCalled("01-shading")]) {

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -40,7 +41,7 @@ function pointsOf(object, scene) {
   return along.flatMap((polar) => along.map((azimuth) => toWorld(object.transform, [Math.sin(polar) * Math.cos(2 * azimuth), Math.sin(polar) * Math.sin(2 * azimuth), Math.cos(polar)])));
 }
 
-for (const [width, height] of SIZES)
+for (const [width, height] of cases(SIZES, SIZES.slice(0, 1)))
   test(`at ${width} x ${height} each ring holds the whole of what the step names, and little else`, async () => {
     await page.setViewportSize({ width, height });
     const stops = stopsWith("highlight");

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, state, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -62,7 +63,7 @@ test("Embed copies a frame's code that shows this very view in another page, and
   await outer.close();
 });
 
-for (const how of ["", "&gl=none", "&slice=row"])
+for (const how of cases(["", "&gl=none", "&slice=row"], ["", "&slice=row"]))
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();

@@ -5,6 +5,7 @@ import { gzipSync } from "node:zlib";
 import { bundleViewer } from "../../site_src/bundle.mjs";
 import { asOfferedPart } from "../../site_src/parts.mjs";
 import { DIST, launch, newPage, ON_DISK, openChooser, openDrawer, openMenu, press, richScene, scenesOfSite, settled, state, stats } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -14,7 +15,7 @@ const HASH = "#still=1&look=plain"; // the approximate look would ask for what m
 const FLAT = "#still=1&gl=none"; // for what other parts do: drawn in less time
 let browser, server;
 before(async () => {
-  [browser, server] = await Promise.all([launch(), serve(DIST)]);
+  [browser, server] = await Promise.all([launch([], { whole: true }), serve(DIST)]);
 });
 after(async () => {
   await browser.close();
@@ -169,13 +170,14 @@ test("a part that is late does not show where something else was asked for meanw
 });
 
 const MISSING = /^A part of the page could not be loaded; everything else works\.$/;
-for (const [what, reply] of Object.entries({
+const REPLIES = Object.entries({
   "is not there": (route) => route.fulfill({ status: 404 }),
   "is lost on its way": (route) => route.abort("connectionreset"),
   "is a sign-in page": (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>Sign in</title>" }),
   "is cut": (route) => route.fulfill({ contentType: "text/javascript", body: 'raywalkParts.offer("at-hand",$shared=>{' }),
   "is empty": (route) => route.fulfill({ contentType: "text/javascript", body: "" }),
-}))
+});
+for (const [what, reply] of cases(REPLIES, REPLIES.slice(1, 4)))
   test(`a part ${what}: said when it is used, not in idle time; the rest works; a second try does what was asked for`, async () => {
     const page = await newPage(browser);
     await page.route("**/part-at-hand-*", reply);

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { PNG } from "pngjs";
 import { DIST, launch, newPage, ON_DISK, open, openMenu, richScene, stats } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -53,7 +54,7 @@ function difference(small, large, scale, height) {
   return sum / (3 * height * small.width);
 }
 
-for (const how of ["", "&gl=none", "&slice=row"])
+for (const how of cases(["", "&gl=none", "&slice=row"], [""]))
   test(`twice and four times as large it is the same picture, only sharper, and the page stays as it was (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8&look=plain${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();

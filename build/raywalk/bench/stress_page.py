@@ -51,7 +51,7 @@ def soak_cases(count: int, seed: int) -> Iterator[Case]:
     lessons = max(LEAST, count // RAYS_A_LESSON)
     minutes = max(3.0, count / RAYS_A_MINUTE)
     settings = {"RAYWALK_SOAK_CYCLES": str(lessons), "RAYWALK_SOAK_MINUTES": f"{minutes:.1f}"}
-    failed, said = run_in_browser("soak", settings)
+    failed, said = run_in_browser("slow/soak", settings)
     found = re.search(r"soak (\{.*\})", said)
     report: dict[str, Any] = json.loads(found[1]) if found else {}
     shown = int(report.get("cycles", 0))

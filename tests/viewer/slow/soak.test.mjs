@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { appendFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, keyedScenes } from "./browser.mjs";
-import { countGpu, grown, memoryOf, objectsIn } from "./memory.mjs";
+import { launch, newPage, ON_DISK, open, keyedScenes } from "../browser.mjs";
+import { countGpu, grown, memoryOf, objectsIn } from "../memory.mjs";
 
 // `make stress` asks for 2,000 cycles or half an hour, with tiles that fill and rays that grow. A cycle is a lesson.
 const IS_LONG = !!process.env.RAYWALK_SOAK_CYCLES;

@@ -6,10 +6,10 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { DIST, ON_DISK, richScene } from "./browser.mjs";
-import { firefoxHere, startFirefox } from "./firefox.mjs";
-import { GOOD, HOSTILE } from "./picture-files.mjs";
-import { serve } from "./server.mjs";
+import { DIST, ON_DISK, richScene } from "../browser.mjs";
+import { firefoxHere, startFirefox } from "../firefox.mjs";
+import { GOOD, HOSTILE } from "../picture-files.mjs";
+import { serve } from "../server.mjs";
 
 const path = firefoxHere();
 const skip = path ? false : "no Firefox here: apt-get install firefox-esr, or say where one is with FIREFOX=/path/to/firefox";
