@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from tests.cases import cases
 
 from raywalk.bench import check_work, look, speed
 from raywalk.bench.bench import TIMES, time_bounds
@@ -30,7 +31,7 @@ def small(name: str):
     return replace(scene, render=replace(scene.render, size=105, resolutions=(5, 15)))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", cases(NAMES, NAMES[:3]))
 def test_no_skip_changes_a_picture(name):
     """Each is measured beside doing what it leaves out: the same pixels come out."""
     scene = small(name)
@@ -154,6 +155,7 @@ def test_a_path_slower_than_its_peer_breaks_the_bound_of_time():
     assert list(time_bounds(task, 0, 1)) == []
 
 
+@pytest.mark.slow
 def test_whole_pictures_of_all_methods_are_made_and_ours_is_right():
     """Once a new question to a scene was asked that Embree's scene did not know."""
     made = pictures(1, 1, 48)

@@ -265,6 +265,7 @@ def test_a_killed_build_leaves_a_whole_site_and_the_next_one_resumes(build, scen
     assert not [path.name for path in tmp_path.rglob("*.partial")]
 
 
+@pytest.mark.slow
 def test_a_site_is_whole_without_what_is_left_out(
     tmp_path, built, with_viewer, monkeypatch, capsys
 ):
@@ -286,6 +287,7 @@ def test_a_site_is_whole_without_what_is_left_out(
         assert ("check/index.html#scene=01-ball" in page) is ("check" not in without)
 
 
+@pytest.mark.slow
 def test_two_builds_at_once_make_the_same_site_as_one(scenes, tmp_path, with_viewer):
     """Two processes on one tree, from a store that has the viewer only, into one folder."""
     before = contents(tmp_path / "dist")

@@ -14,12 +14,13 @@ from raywalk.mistakes.tracer import Version, picture, pictures
 from .course import scene
 
 GRID = 9
+GLASS = pytest.param("08-glass", EXACT, marks=pytest.mark.slow)
 FLOATS = Habits(precision=np.float32, offset=1e-3)
 
 
 @pytest.mark.parametrize(
     ("name", "habits"),
-    [("03-two-lights", FLOATS), ("05-many-bounces", EXACT), ("08-glass", EXACT)],
+    [("03-two-lights", FLOATS), ("05-many-bounces", EXACT), GLASS],
     ids=["03 in float32", "05", "08"],
 )
 def test_together_every_picture_is_what_it_is_alone(name: str, habits: Habits) -> None:

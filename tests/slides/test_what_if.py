@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.cases import cases
 
 from raywalk.slides.figure import Dot, Slide, Text, flat
 from raywalk.slides.layout import WIDE
@@ -46,7 +47,7 @@ def altered(name: str) -> str:
     return text
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", cases(CASES, ["one light dimmed", "one bounce"]))
 def test_switched_tiles_are_those_of_a_fresh_trace(name, tmp_path: Path):
     """Every tile of 7 x 7 in the figure and of 21 x 21 beside it, and the selected pixel's rays."""
     [stop] = make(tmp_path / "switched", BALLS + with_step(CASES[name][0])).lesson().stops

@@ -124,6 +124,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
 
+@pytest.mark.slow
 def test_a_cluster_makes_the_same_bytes_though_a_worker_is_killed_while_it_traces(folder, cluster):
     """Scenes and meshes are sent, files come back; the lost worker's scene goes to another."""
     from distributed import Client
@@ -143,6 +144,7 @@ def test_a_cluster_makes_the_same_bytes_though_a_worker_is_killed_while_it_trace
     assert contents(folder / "there") == contents(folder / "here")
 
 
+@pytest.mark.slow
 def test_a_scene_that_cannot_be_traced_is_told_as_it_is_here(folder, cluster, tmp_path, capsys):
     """The error comes back from the worker whole: file, key, what is wrong."""
     place = tmp_path / "scenes" / "01-broken"
