@@ -8,7 +8,7 @@ import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { PNG } from "pngjs";
 import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, reload, richScene, settled, state, stats, until } from "./browser.mjs";
-import { cases } from "./cases.mjs";
+import { cases, oneMore } from "./cases.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
