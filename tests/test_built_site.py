@@ -72,11 +72,14 @@ def test_the_first_view_of_a_scene_takes_at_most_200_kb_besides_the_picture(scen
 @pytest.mark.parametrize("scene", OWN, ids=lambda scene: scene.id)
 def test_a_scenes_data_name_every_script_of_their_build(scene):
     """So an open page never draws what a later upload put in their place."""
-    beside = {path.stem for path in folder(scene).glob("*.js")} - {"scene"}
-    data = json.loads(unpack((folder(scene) / "scene.js").read_bytes()))
+    there = folder(scene)
+    beside = {
+        path.relative_to(there).with_suffix("").as_posix() for path in there.rglob("*.js")
+    } - {"scene"}
+    data = json.loads(unpack((there / "scene.js").read_bytes()))
     assert set(data["files"]) == {name for name in beside if not name.startswith("words-")}
     for name, mark in data["files"].items():
-        assert mark_of(folder(scene) / f"{name}.js") == mark
+        assert mark_of(there / f"{name}.js") == mark
     assert len(set(data["files"].values())) == len(data["files"])
 
 

@@ -76,7 +76,7 @@ def test_a_mistake_that_there_is_not_is_refused_with_the_nearest_name(
     assert "shadow-acne" in error.hint
     scene = own.path.read_text("utf-8").replace("version = 1", 'version = 1\nmistakes = ["acne"]')
     other = own.path.parent.parent / "named" / "scene.toml"
-    other.parent.mkdir()
+    shutil.copytree(own.path.parent, other.parent)  # its lesson's pictures, too
     other.write_text(scene, encoding="utf-8")
     monkeypatch.setattr(check, "check_scene", lambda *_: [])  # what is asked of rays takes seconds
     with pytest.raises(SourceErrors, match=r"mistakes\[0\]: there is no mistake \"acne\""):
