@@ -34,6 +34,8 @@ from .conftest import last
 ROOT = Path(__file__).parent.parent.parent
 #: What the others share most with: German has the longer words, 4:3 the narrower lines.
 FEW = (("en", "16:9"), ("de", "4:3"))
+#: Decks of each scene.
+DECKS = 4 if EVERY else len(FEW)
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.slides.course import course_decks
+from tests.slides.course import DECKS, course_decks
 
 from raywalk.slides.figure import Text
 
@@ -20,7 +20,7 @@ FORMULAS = [
 @pytest.mark.parametrize(("id", "names", "formula"), FORMULAS)
 def test_a_formula_stands_on_a_slide_of_its_step(id, names, formula):
     decks = [each for each in course_decks() if each.deck.id == id]
-    assert len(decks) == 4
+    assert len(decks) == DECKS
     for each in decks:
         name = names[each.language == "de"]
         with_it = [s for s in each.slides if any(formula in t.words for t in texts(s.items))]

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from tests.slides.course import CourseDeck, course_decks
+from tests.slides.course import DECKS, CourseDeck, course_decks
 from tests.slides.test_words_and_space import tight
 
 from raywalk.scene.read import read_scenes
@@ -34,7 +34,7 @@ def decks() -> list[CourseDeck]:
 def of_scene(request: pytest.FixtureRequest, decks: list[CourseDeck]) -> list[CourseDeck]:
     """One scene's decks: two languages, two aspects."""
     own = [each for each in decks if each.deck.id == request.param]
-    assert len(own) == 4
+    assert len(own) == DECKS
     return own
 
 

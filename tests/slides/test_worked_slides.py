@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from tests.slides.course import ROOT, CourseDeck, course_decks
+from tests.slides.course import DECKS, ROOT, CourseDeck, course_decks
 
 from raywalk.scene.read import read_scene
 from raywalk.slides import worked_tree
@@ -45,7 +45,7 @@ def of_lesson(request: pytest.FixtureRequest) -> list[CourseDeck]:
 def decks_of(id: str) -> list[CourseDeck]:
     """In two languages and two aspects."""
     own = [each for each in course_decks() if each.deck.id == id]
-    assert len(own) == 4
+    assert len(own) == DECKS
     return own
 
 

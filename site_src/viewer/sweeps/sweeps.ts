@@ -99,7 +99,8 @@ export function createSweeps(session: Session, home: HTMLElement) {
     show(state: ViewState, scene: SceneData) {
       if (shown !== scene.sweeps) build(scene);
       shown = scene.sweeps;
-      document.querySelector("#drawer .open-what-if")?.after(opener); // once there is anything in the drawer
+      // Once there is anything in the drawer; before its neighbour, behind which the guide puts a word.
+      if (!opener.isConnected) document.querySelector("#drawer .open-what-if")?.before(opener);
       opener.hidden = !shown;
       if (!shown) return turn(false);
       if (state.sweep && root.hidden) turn(true);
