@@ -173,14 +173,14 @@ def test_tables_and_sums_stand_behind_the_lesson(of_scene):
         assert set(kinds[divider + 1 :]) <= set(NUMBERS), each.name
         sums = [s for s in each.deck.slides if s.kind == "sum" and not s.is_continued]
         assert len(sums) == len(walks), each.name
-        # A pixel may be there twice, with other switches: its title says so.
-        assert len({title_and_grid(slide) for slide in sums}) == len(sums), each.name
+        # A pixel may be there twice: its title tells the switches, its source line the stop.
+        assert len({title_and_setting(slide) for slide in sums}) == len(sums), each.name
 
 
-def title_and_grid(slide: Slide) -> tuple[str, str]:
-    """Of a sum: the title, and what its source line says of the grid."""
+def title_and_setting(slide: Slide) -> tuple[str, str]:
+    """Of a sum: the title, and what its source line says behind the pixel: grid and stop."""
     line = next(t.words for t in slide.items if isinstance(t, Text) and t.name == "where")
-    return slide.title, line.partition("×")[2].split(" ·")[0]
+    return slide.title, line.partition("×")[2]
 
 
 def test_no_text_lies_on_another_or_outside_of_its_slide(of_scene):

@@ -23,7 +23,7 @@ from raywalk.slides.pictures import (
     washed,
 )
 from raywalk.slides.stops import ChosenLine, ThinLine
-from raywalk.slides.words import chosen_tile, figure_alt, ray_name, say, switched
+from raywalk.slides.words import altered, chosen_tile, figure_alt, ray_name, say
 
 CHOSEN_WIDTH = 3.0
 PASSED_WIDTH = 1.8  # of rays that a walk has behind it
@@ -73,9 +73,7 @@ def step_figure(drawing: Drawing, insets: Sequence[Inset] = ()) -> Group:
 
 def _switched(drawing: Drawing, places: Places) -> list[Item]:
     """What is not as traced, in the figure's upper left corner, or under what stands there."""
-    settings = switched(drawing.stop.switches)
-    if drawing.stop.moved:
-        settings.append(drawing.stop.moved)
+    settings = altered(drawing.stop)
     if drawing.stop.colours != "picture":
         settings.append(say(f"tileView.means.{drawing.stop.colours}"))
     if drawing.stop.is_elsewhere:

@@ -18,7 +18,7 @@ from raywalk.slides.picture_inset import inset_of
 from raywalk.slides.step_figure import step_figure
 from raywalk.slides.stops import Stop
 from raywalk.slides.word_parts import word_parts
-from raywalk.slides.words import place, say, switched
+from raywalk.slides.words import altered, place, say
 from raywalk.slides.worked_figures import Worked, view_of
 from raywalk.slides.worked_panel import panel_inset, panel_of
 
@@ -145,4 +145,4 @@ def where(lesson: Lesson, stop: Stop) -> str:
         parts.append(f"{stop.n} × {stop.n}")
     if stop.one_in > 1:
         parts.append(say("slides.oneIn", count=stop.one_in))
-    return " · ".join([*parts, *switched(stop.switches)])
+    return " · ".join([*parts, *altered(stop)])

@@ -81,6 +81,11 @@ def switched(switches: Switches) -> list[str]:
     return parts
 
 
+def altered(stop: Stop) -> list[str]:
+    """What is not as the scene is by itself: switches, and the stop of a sweep."""
+    return [*switched(stop.switches), *([stop.moved] if stop.moved else [])]
+
+
 def columns() -> list[str]:
     """Headings of the table of rays; x, y, z and t are symbols."""
     return [say("slides.columnRay"), say("slides.columnHits"), "x", "y", "z", "t", ""]
