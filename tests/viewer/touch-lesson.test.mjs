@@ -40,7 +40,8 @@ async function tapOn(locator) {
       assert.ok(box.width >= 44 && box.height >= 44, `${box.width} x ${box.height} is large enough for a finger`);
       return tap(x, y);
     }
-    const by = Math.max(-300, Math.min(300, 420 - y)); // on the page's edge, which no part takes for itself
+    // To the middle of what the stage leaves free: under it nothing can be touched. On the page's edge, which no part takes for itself.
+    const by = Math.max(-300, Math.min(300, 640 - y));
     await drag([4, 422 - by / 2], [4, 422 - by / 4], [4, 422], [4, 422 + by / 4], [4, 422 + by / 2]);
     await page.evaluate(async () => {
       let at;
