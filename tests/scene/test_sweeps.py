@@ -119,3 +119,9 @@ def test_two_sweeps_have_two_addresses(scene_from):
         scene_from, LAMP + LAMP.replace('"lamp"', '"la mp"') + LAMP.replace('"lamp"', '"la-mp"')
     )
     assert any("has the address" in each for each in found), found
+
+
+def test_no_sweep_takes_the_folder_of_a_lessons_pictures(scene_from):
+    """Both stand in the scene's folder of the site."""
+    [found] = errors_of(scene_from, LAMP.replace('"lamp"', '"Pictures"'))
+    assert found.startswith("sweeps[0].name: ") and "a lesson's pictures" in found

@@ -13,6 +13,7 @@ from raywalk.scene.address import address_of
 from raywalk.scene.checks import check_names
 from raywalk.scene.compile import compile_scene, light_names, object_names
 from raywalk.scene.draft import Draft, read_tables
+from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
@@ -53,10 +54,11 @@ def read_sweeps(
 
 
 def _check_addresses(draft: Draft, problems: Problems) -> None:
-    """Names that differ in spaces only are one in a page's address."""
-    first: dict[str, str] = {}
+    """Names that differ in spaces only are one in a page's address, those that differ in capitals
+    one folder on some disks; beside it stands that of a lesson's pictures."""
+    first: dict[str, str] = {PICTURES: "the folder of a lesson's pictures"}
     for i, table in draft.sweeps.items():
-        other = first.setdefault(address_of(table.name), table.name)
+        other = first.setdefault(address_of(table.name).lower(), table.name)
         if other != table.name:
             message = f"has the address {quoted(address_of(table.name))} that {quoted(other)} has"
             problems.add(("sweeps", i, "name"), message)
