@@ -59,7 +59,7 @@ function placesOf(scene, traces, sweeps = {}) {
     const { sweep, stop } = stopIn(scene, text);
     if (stop === sweep.own) return own;
     const stops = (name) => unpacked(`${sweeps[sweep.id]}/${name}.js`);
-    const there = sceneAt(scene, stops("stops"), sweep.id, stop);
+    const there = sceneAt(scene, stops("stops").stops[stop - 1], sweep.id, stop);
     const grids = new Map();
     const grid = (n) => ({ ...decode(wholeAgain(stops(n).stops)[stop - 1], { scene: scene.of, n }), scene: there.of });
     return { scene: there, traces: (n) => grids.get(n) ?? grids.set(n, grid(n)).get(n) };

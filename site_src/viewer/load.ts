@@ -123,7 +123,6 @@ export function createLoader(root: string, come: Readers) {
   const sections = kept(KEPT_SCENES, async (json) => (await come("slice")).sectionsFrom(json));
   const surroundings = kept(KEPT_SCENES, async (json) => (await come("surroundings")).surroundingsFrom(json));
   const words = kept(KEPT_SCENES, wordsFrom);
-  const data = kept(KEPT_SCENES, (json) => json);
   /** A lesson on another scene is laid over that scene. */
   const whole = async (id: string): Promise<SceneData> => {
     const scene = await scenes(`${id}/scene`);
@@ -137,8 +136,8 @@ export function createLoader(root: string, come: Readers) {
       const [scene, translated] = await Promise.all([whole(id), code === OWN_LANGUAGE ? null : words(`${id}/words-${code}`).catch(() => null)]);
       return translated ? inWords(scene, translated) : scene; // better in its own language than not at all
     },
-    /** What only a part reads. */
-    data,
+    /** For what only a part reads, which knows whether it is what it must be. */
+    kept,
     trace: (id: string, n: number) => traces(`${id}/${n}`),
     /** By the name of a file: of a scene with a mesh, with mirrors or glass. */
     boxes,

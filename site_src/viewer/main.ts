@@ -48,7 +48,7 @@ function start(own: HTMLScriptElement) {
     page: { root, article: find("#page"), title: find("#title"), links },
     withGl,
     pictureFailed: (again) => notice.say(say("trouble.pictureMissing"), { about: "picture", again }),
-    loadData: loader.data,
+    kept: loader.kept,
     simpler: (why) => (why ? notice.say(why, { about: "stage" }) : notice.hide("stage")),
   });
   const modes = createModes(session, acts, { address: bar.now, views: parts.views, recolour: parts.recolour, notify: notice.say, onDemand });

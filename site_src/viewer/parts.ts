@@ -27,7 +27,7 @@ export interface PartsPlace {
   page: PageParts;
   withGl: boolean;
   pictureFailed: (again: () => void) => void;
-  loadData: Loader["data"];
+  kept: Loader["kept"];
   /** Why the stage is drawn in a simpler way from now on; "": it no longer is. */
   simpler: (why: string) => void;
 }
@@ -111,7 +111,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
 }
 
 /** The stage, and what of it comes later. */
-function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, simpler, loadData }: PartsPlace, changed: () => void) {
+function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, simpler, kept }: PartsPlace, changed: () => void) {
   const flat = (why: "refused" | "lost" | null) => {
     if (why) document.body.dataset.renderer = "flat";
     else delete document.body.dataset.renderer;
@@ -128,7 +128,7 @@ function createStageOf(acts: Actions, onDemand: OnDemand, { home, page, withGl, 
     stage.element.append(made.element);
     return made;
   });
-  const worked = onDemand.one("worked", ({ createWorked }) => createWorked({ stage: stage.element, side: home.querySelector(".side")!, load: loadData, changed }));
+  const worked = onDemand.one("worked", ({ createWorked }) => createWorked({ stage: stage.element, side: home.querySelector(".side")!, kept, changed }));
   const hint = onDemand.one("at-hand", ({ createSwipeHint }) => createSwipeHint());
   const later = {
     flat,

@@ -10,6 +10,7 @@ import { serve } from "./server.mjs";
 const rich = richScene();
 const other = keyedScenes().find((scene) => scene.id !== rich.id);
 const meshes = scenesOfSite().find((scene) => Object.keys(readScene(scene.id).meshes).length);
+const swept = scenesOfSite().find((scene) => readScene(scene.id).sweeps);
 const N = readScene(rich.id).start.resolution;
 const TRACE = `**/scenes/${rich.id}/${N}.js*`;
 let browser, server, page;
@@ -75,6 +76,13 @@ const altered = (file, change) => {
   const json = JSON.parse(gunzipSync(Buffer.from(text.match(/,\s*"([^"]+)"/)[1], "base64")));
   return received(file, gzipSync(JSON.stringify({ ...json, ...change })).toString("base64"));
 };
+const [SWEEP] = readScene(swept.id).sweeps.map(({ id }) => id);
+function withoutStop(stop) {
+  const [name, packed] = readFileSync(`${DIST}/scenes/${swept.id}/${SWEEP}/15.js`, "utf8").match(/"[^"]+"/g).map((text) => text.slice(1, -1));
+  const json = JSON.parse(gunzipSync(Buffer.from(packed, "base64")));
+  json.stops[stop - 1] = { whole: {} };
+  return `raywalkReceive("${name}", "${gzipSync(JSON.stringify(json)).toString("base64")}")`;
+}
 const received = (name, data) => `raywalkReceive("${rich.id}/${name}", "${data}")`;
 const HTML = "<!doctype html><title>Sign in</title><p>Please sign in to this network.</p>";
 
@@ -265,6 +273,20 @@ const FAULTS = [
       await wholeAgain();
       await again();
       await until(page, (s, t) => t.boxes > 0);
+    },
+  },
+  {
+    name: "a stop of what moves is damaged in a file that reads well: a second try has the file anew, not the copy that is there",
+    scene: swept,
+    hash: `still=1&gl=none&tiles=filled&n=15&sweep=${SWEEP}:3`,
+    make: () => script(`**/${SWEEP}/15.js`, withoutStop(3)), // without ?again
+    says: DAMAGED,
+    async then() {
+      await theRestWorks();
+      await again();
+      await rays();
+      assert.equal((await state(page)).sweep, `${SWEEP}:3`);
+      assert.ok(await isQuiet());
     },
   },
   { name: "the browser gives no WebGL", query: "?fault=webgl", hash: "still=1", says: /^This browser gives no WebGL: the scene is drawn in a simpler way; everything else works\.$/, then: () => theRestWorks() },

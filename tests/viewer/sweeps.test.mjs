@@ -24,7 +24,7 @@ test("the stop that is the scene itself has the rays of the scene, at both grids
 test("a stop's scene has the light where its trace has it, and is otherwise the scene", () => {
   const stops = read("stops");
   for (const [k, value] of sweep.values.entries()) {
-    const there = sceneAt(scene, stops, sweep.id, k + 1);
+    const there = sceneAt(scene, stops.stops[k], sweep.id, k + 1);
     assert.deepEqual(there.lights[0].position, value);
     assert.equal(there.lights[0].name, scene.lights[0].name);
     assert.equal(there.objects, scene.objects);

@@ -1,12 +1,31 @@
 /** A scene at a stop of one of its sweeps. A stop is to the page what a scene is: `of` tells them apart. */
 import type { SceneData, StopsData } from "../trace/types";
 
+/** What varies; of two values, `across` are the other one's. */
+export type Sweep = NonNullable<SceneData["sweeps"]>[number] & { across?: { values: readonly (number | number[])[] } };
+
+export const rowsOf = ({ across }: Sweep): number => across?.values.length ?? 1;
+export const countOf = (sweep: Sweep): number => sweep.values.length * rowsOf(sweep);
+/** Column and row of a stop, from 0: stops are numbered row by row. */
+export const placeOf = ({ values }: Sweep, stop: number): readonly [number, number] => [(stop - 1) % values.length, Math.floor((stop - 1) / values.length)];
+/** The stop in that column and row, or the nearest to it. */
+export function stopOf(sweep: Sweep, [column, row]: readonly [number, number]): number {
+  const within = (at: number, count: number) => Math.max(0, Math.min(count - 1, Math.round(at)));
+  return within(row, rowsOf(sweep)) * sweep.values.length + within(column, sweep.values.length) + 1;
+}
+/** Stops beside one, those ahead first. */
+export function besides(sweep: Sweep, stop: number): number[] {
+  const [column, row] = placeOf(sweep, stop);
+  const near = [[column + 1, row], [column - 1, row], [column, row + 1], [column, row - 1]] as const;
+  return [...new Set(near.map((at) => stopOf(sweep, at)))].filter((each) => each !== stop);
+}
+
 /** Sweep and stop of "lamp-height:7"; null where the scene has no such stop. */
 export function stopIn(scene: SceneData, text: string) {
   const [id, number] = text.split(":");
-  const sweep = scene.sweeps?.find((each) => each.id === id);
+  const sweep: Sweep | undefined = scene.sweeps?.find((each) => each.id === id);
   const stop = Number(number);
-  return sweep && Number.isInteger(stop) && stop >= 1 && stop <= sweep.values.length ? { sweep, stop } : null;
+  return sweep && Number.isInteger(stop) && stop >= 1 && stop <= countOf(sweep) ? { sweep, stop } : null;
 }
 
 /** Grids whose rays a sweep's stops have. */
@@ -16,8 +35,8 @@ type Things = readonly { readonly name: string }[];
 const laidOver = <T extends Things>(things: T, others: readonly object[] | undefined): T => (others ? (things.map((thing, k) => ({ ...thing, ...others[k] })) as unknown as T) : things);
 
 /** The scene as it is at a stop, from 1. */
-export function sceneAt(scene: SceneData, { stops }: StopsData, id: string, stop: number): SceneData {
-  const { objects, lights, materials, ...other } = stops[stop - 1];
+export function sceneAt(scene: SceneData, given: StopsData["stops"][number], id: string, stop: number): SceneData {
+  const { objects, lights, materials, ...other } = given;
   return {
     ...scene,
     ...other,

@@ -2,29 +2,86 @@
 import type { Loader } from "../load";
 import type { Notice } from "../panels/notice";
 import type { Session } from "../session";
-import { levelsOf, sceneAt, stopIn } from "../state/swept";
+import { besides, countOf, levelsOf, sceneAt, stopIn, type Sweep } from "../state/swept";
 import { setLevel } from "../state/view-state";
 import { decodeWithRests } from "../trace/decode";
+import { damaged } from "../trace/errors";
 import type { SceneData, StopsData, Trace } from "../trace/types";
 import { wholeAgain, type Table } from "../trace/whole";
 import { list, say } from "../words";
 
-const KEPT = 32; // decoded stops: a few hundred kilobytes each at most
+const KEPT_FILES = 4; // of each kind
+const KEPT_TRACES = 64; // decoded stops, a few hundred kilobytes each: all of a sweep at one grid
 
-interface Grids {
-  stops: readonly Table[];
+/** A sweep's rays at one grid: stops are decoded when they are asked for. */
+type Rays = (stop: number) => Promise<Trace>;
+
+/** What is published of a scene's sweeps. A file is read with the stop that is asked for: what is damaged is not kept. */
+function readersOf(loader: Loader, scene: SceneData) {
+  let wanted = 1; // the stop
+  const traces = new Map<string, Promise<Trace>>();
+
+  function stopsFrom<T>(json: unknown, id: string): readonly T[] {
+    const { format, stops } = json as { format: number; stops: readonly T[] };
+    if (format !== 1 || stops.length !== countOf(scene.sweeps!.find((each) => each.id === id)!)) throw damaged("not the stops of this sweep");
+    return stops;
+  }
+
+  async function scenesFrom(json: unknown, name: string): Promise<readonly SceneData[]> {
+    const id = name.split("/")[1];
+    return stopsFrom<StopsData["stops"][number]>(json, id).map((stop, k) => sceneAt(scene, stop, id, k + 1));
+  }
+
+  async function raysFrom(json: unknown, name: string): Promise<Rays> {
+    const [of, id, n] = name.split("/");
+    const whole = wholeAgain(stopsFrom<Table>(json, id));
+    const rays = (stop: number) => {
+      const key = `${name} ${stop}`;
+      const trace = traces.get(key) ?? decodeWithRests(whole[stop - 1], { scene: of, n: Number(n) }, async () => {}).then((made) => Object.assign(made, { scene: `${of}/${id}/${stop}` }));
+      traces.delete(key);
+      traces.set(key, trace);
+      for (const old of traces.keys()) if (traces.size > KEPT_TRACES) traces.delete(old);
+      return trace;
+    };
+    await rays(wanted);
+    return rays;
+  }
+
+  const scenes = loader.kept(KEPT_FILES, scenesFrom);
+  const rays = loader.kept(KEPT_FILES, raysFrom);
+  return {
+    of: scene,
+    async at(id: string, n: number, stop: number) {
+      wanted = stop;
+      const [there, decoded] = await Promise.all([scenes(`${scene.of}/${id}/stops`), rays(`${scene.of}/${id}/${n}`)]);
+      return { there, trace: await decoded(stop), decoded };
+    },
+  };
 }
 
-/** Decoded stops, and scenes at them, the last few of each. */
-const known = new Map<string, unknown>();
-function kept<T>(name: string, make: () => T): T {
-  const value = known.has(name) ? (known.get(name) as T) : make();
-  known.delete(name);
-  known.set(name, value);
-  for (const old of known.keys()) if (known.size > 2 * KEPT) known.delete(old);
-  return value;
+let readers: ReturnType<typeof readersOf> | null = null; // of the scene that is shown: read anew, it is another
+
+/** Scene and rays at a stop; what turns out damaged is asked for once more, and with it the file. */
+async function readAt(loader: Loader, scene: SceneData, id: string, n: number, stop: number) {
+  const known = readers?.of === scene ? readers : null;
+  readers = known ?? readersOf(loader, scene);
+  try {
+    return await readers.at(id, n, stop);
+  } catch (error) {
+    if (!known) throw error;
+    readers = readersOf(loader, scene);
+    return readers.at(id, n, stop);
+  }
 }
-let of: SceneData | null = null; // whose stops they are: read anew, a scene is another
+
+/** What stops beside it will show, before they are asked for; what cannot be had is said when it is. */
+async function bringNear(root: string, { there, decoded }: Awaited<ReturnType<typeof readAt>>, sweep: Sweep, stop: number) {
+  for (const near of besides(sweep, stop)) {
+    await new Promise((done) => (window.requestIdleCallback ?? setTimeout)(done));
+    await decoded(near).catch(() => {});
+    if (near !== sweep.own) new Image().src = `${root}scenes/${there[near - 1].of}/${there[near - 1].picture}`;
+  }
+}
 
 /** The rays at the stop that the state asks for; the session has the scene as it is there from then on. */
 export async function stopAt(session: Session, loader: Loader, notice: Notice): Promise<Trace> {
@@ -50,14 +107,7 @@ export async function stopAt(session: Session, loader: Loader, notice: Notice): 
     session.set(setLevel(asked, levels.reduce((a, b) => (Math.abs(b - n) < Math.abs(a - n) ? b : a))));
     return own(); // dropped: the other grid was asked for
   }
-  const folder = `${scene.of}/${sweep.id}`;
-  const [moved, grids] = await Promise.all([loader.data(`${folder}/stops`) as Promise<StopsData>, loader.data(`${folder}/${n}`) as Promise<Grids>]);
-  if (of !== scene) known.clear();
-  of = scene;
-  const there = kept(`${folder}/${stop}`, () => sceneAt(scene, moved, sweep.id, stop));
-  const trace = await kept(`${folder}/${stop}/${n}`, async () => {
-    const whole = kept(`${folder}//${n}`, () => wholeAgain(grids.stops));
-    return Object.assign(await decodeWithRests(whole[stop - 1], { scene: scene.of, n }, async () => {}), { scene: there.of });
-  });
-  return come(there, trace);
+  const read = await readAt(loader, scene, sweep.id, n, stop);
+  void bringNear(document.body.dataset.root ?? "", read, sweep, stop);
+  return come(read.there[stop - 1], read.trace);
 }

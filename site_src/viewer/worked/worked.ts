@@ -2,8 +2,10 @@
  *  numbers are the pipeline's; here they are only shown, and a point moves along its ray. */
 import { element, named } from "../element";
 import { svg } from "../panels/svg";
+import type { Loader } from "../load";
 import type { Drawn } from "../stage/renderer";
 import { isAsking, stopOf } from "../state/view-state";
+import { damaged } from "../trace/errors";
 import type { WorkedData } from "../trace/types";
 import { say } from "../words";
 import { createAverage } from "./average";
@@ -13,28 +15,36 @@ import type { WorkedPanel } from "./types";
 
 const MAKERS = { equation: createEquation, tree: createTree, average: createAverage };
 
+const KEPT = 4; // scenes
+
+function workedFrom(json: unknown): WorkedData {
+  if ((json as WorkedData | null)?.format !== 1) throw damaged("not what a lesson works out");
+  return json as WorkedData;
+}
+
 export interface WorkedPlace {
   stage: HTMLElement;
   side: Element;
-  load: (name: string) => Promise<unknown>;
+  kept: Loader["kept"];
   /** Something was moved, or has come. */
   changed: () => void;
 }
 
-export function createWorked({ stage, side, load, changed }: WorkedPlace) {
+export function createWorked({ stage, side, kept, changed }: WorkedPlace) {
   const lines = svg("svg", { class: "worked-lines", "aria-hidden": "true" });
   const elsewhere = element("p", "worked-none", say("worked.elsewhere"));
   const root = named(element("section", "worked"), say("worked.region"));
   stage.append(lines);
   side.querySelector(".card")!.after(root);
   const panels = new Map<string, WorkedPanel>();
+  const load = kept(KEPT, workedFrom);
   const come = new Map<string, WorkedData | null>(); // null: on its way, or not to be had
   let shown = ""; // the step
 
   function dataOf(scene: string): WorkedData | null {
     if (!come.has(scene)) {
       come.set(scene, null);
-      load(`${scene}/worked`).then((data) => (come.set(scene, data as WorkedData), changed()), () => come.delete(scene));
+      load(`${scene}/worked`).then((data) => (come.set(scene, data), changed()), () => come.delete(scene));
     }
     return come.get(scene)!;
   }
