@@ -75,7 +75,7 @@ VIEWER_MAY_IMPORT = {
     "worked": {"worked", "panels", "stage", "state", "trace"},
     # A panel that acts on the session, and what it brings to it.
     "sweeps": {"sweeps", "sweep-words", "load", "panels", "session", "state", "trace"},
-    "sweep-words.ts": {"trace"},
+    "sweep-words.ts": {"state", "trace"},
     "kiosk": {"kiosk", "actions", "session", "state", "panels"},
 }
 FOR_ANYONE = {"words", "articles", "way-words", "word-keys", "element", "palette", "tile-picture"}

@@ -1,6 +1,9 @@
 /** A sweep and its stops in words, for the page and for paper. */
 import type { SceneData } from "./trace/types";
+import { placeOf } from "./state/swept";
 import { number, vector } from "./words";
+
+const BETWEEN = " \u00b7 ";
 
 export type Sweep = NonNullable<SceneData["sweeps"]>[number];
 
@@ -9,9 +12,20 @@ export const sweepName = ({ sweeps = [], sweepNames = [] }: SceneData, id: strin
   return sweepNames[k] ?? sweeps[k].name;
 };
 
-/** What a stop's value is, as a person writes it. */
-export function valueAt(sweep: Sweep, stop: number): string {
-  const value = sweep.values[stop - 1];
-  if (typeof value === "number") return number(value);
-  return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map((each) => number(each)).join(" \u00b7 ");
+export const acrossName = ({ sweeps = [], acrossNames = [] }: SceneData, id: string): string => {
+  const k = sweeps.findIndex((each) => each.id === id);
+  return acrossNames[k] || sweeps[k].across?.name || "";
+};
+
+/** What a value is, as a person writes it. */
+export function written(value: Sweep["values"][number], unit?: Sweep["unit"]): string {
+  if (typeof value === "number") return number(value) + (unit ? "\u00b0" : "");
+  return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map((each) => number(each)).join(BETWEEN);
+}
+
+/** What a stop's value is; of a grid both. */
+export function valueAt({ across, ...sweep }: Sweep, stop: number): string {
+  const [column, row] = placeOf(sweep, stop);
+  const both = [written(sweep.values[column], sweep.unit), ...(across ? [written(across.values[row], across.unit)] : [])];
+  return both.join(BETWEEN);
 }

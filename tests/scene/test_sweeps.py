@@ -113,6 +113,67 @@ def test_a_step_shows_a_stop_that_there_is(scene_from):
     assert 'did you mean "lamp"?' in found
 
 
+GRID = """
+[[sweeps]]
+name = "place"
+varies = "objects.ball.center.0"
+values = [-1, 0, 1]
+across = { name = "depth", varies = "objects.ball.center.2", from = 0, to = 1, stops = 2 }
+"""
+
+
+def test_a_grids_stops_are_numbered_in_rows(scene_from):
+    """Stop (row - 1) * columns + column, from 1, has both values; `own` counts all of them."""
+    [sweep] = scene_from(SCENE + GRID).sweeps
+    centres = [[*each.objects[0].shape.center] for each in sweep.stops]
+    assert centres == [[-1, 0, 0], [0, 0, 0], [1, 0, 0], [-1, 0, 1], [0, 0, 1], [1, 0, 1]]
+    assert (sweep.own, sweep.values, sweep.across.values) == (1, (-1, 0, 1), (0, 1))
+    assert sweep.shape == (3, 2)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ("center.2", "center.0", "sweeps[0].across.varies", '"objects.ball.center.0" already'),
+        ("center.2", "center", "sweeps[0].across", "is none of its 2 stops"),
+        ('center.2", from = 0, to = 1', 'center", from = [0, 0, 0], to = [1, 0, 0]',
+         "sweeps[0].across.varies", "leaves as it is"),
+        ("from = 0", "from = 0.5", "sweeps[0].across", "the scene's own value, 0, is none"),
+        ("stops = 2", "stops = 22", "sweeps[0].across", "3 values with 22 each are 66 stops"),
+        ("stops = 2", "stps = 2", "sweeps[0].across.stps", 'did you mean "stops"?'),
+        ("center.2", "centre.2", "sweeps[0].across.varies", 'did you mean "center"?'),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_with_a_grid_is_said_where_it_stands(scene_from, old, new, key, said):
+    found = errors_of(scene_from, GRID.replace(old, new, 1))
+    assert any(each.startswith(f"{key}: ") and said in each for each in found), found
+
+
+def test_a_grid_has_at_most_64_stops(scene_from):
+    """8 x 8 are; 25 and 36 are well below."""
+    eight = GRID.replace("[-1, 0, 1]", "[-3, -2, -1, 0, 1, 2, 3, 4]").replace(
+        "stops = 2", "stops = 8"
+    )
+    [sweep] = scene_from(SCENE + eight).sweeps
+    assert len(sweep.stops) == 64
+
+
+def test_a_step_shows_a_grids_stop_by_its_number_or_by_column_and_row(scene_from):
+    step = '\n[[lesson]]\ntext = "There."\nview = {{ sweep = {{ place = {} }} }}\n'
+    for stop in ("6", "[3, 2]"):
+        scene = scene_from(SCENE + GRID + step.format(stop))
+        assert scene.lesson[0].view["sweep"] == "place:6"
+    for stop, said in {
+        "7": "allowed: 1 to 6", "[4, 1]": "columns 1 to 3, rows 1 to 2",
+        "[1, 3]": "columns 1 to 3, rows 1 to 2", "[0, 1]": "[column, row]",
+    }.items():  # fmt: skip
+        [found] = errors_of(scene_from, GRID + step.format(stop))
+        assert said in found, found
+    step = '\n[[lesson]]\ntext = "There."\nview = { sweep = { lamp = [1, 1] } }\n'
+    [found] = errors_of(scene_from, LAMP + step)
+    assert "it has no rows: write the stop's number, 1 to 3" in found
+
+
 def test_two_sweeps_have_two_addresses(scene_from):
     """Two names that differ in spaces only have one."""
     found = errors_of(

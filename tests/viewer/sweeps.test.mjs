@@ -7,7 +7,7 @@ import { DIST, launch, newPage, ON_DISK, open, openDrawer, pass, press, settled,
 import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
-const { decode, wholeAgain, sceneAt, stopIn } = await load("trace/decode.ts", "trace/whole.ts", "state/swept.ts");
+const { decode, wholeAgain, sceneAt, placeOf, stopIn } = await load("trace/decode.ts", "trace/whole.ts", "state/swept.ts");
 const ID = "02-shadows";
 const scene = readScene(ID);
 const [sweep] = scene.sweeps;
@@ -35,6 +35,13 @@ test("a stop's scene has the light where its trace has it, and is otherwise the 
 test("what names no stop is none", () => {
   for (const text of ["", "none", `${sweep.id}`, `${sweep.id}:0`, `${sweep.id}:1.5`, `${sweep.id}:${sweep.values.length + 1}`, "other:1"]) assert.equal(stopIn(scene, text), null, text);
   assert.equal(stopIn(scene, `${sweep.id}:2`).stop, 2);
+});
+
+test("of two values that are crossed every stop has its number: row by row", () => {
+  const grid = { id: "place", values: [1, 2, 3], across: { values: [5, 6] } };
+  const stops = Array.from({ length: 8 }, (_, stop) => stopIn({ sweeps: [grid] }, `place:${stop}`)?.stop ?? null);
+  assert.deepEqual(stops, [null, 1, 2, 3, 4, 5, 6, null]);
+  assert.deepEqual([1, 3, 4, 6].map((stop) => placeOf(grid, stop)), [[0, 0], [2, 0], [0, 1], [2, 1]]);
 });
 
 let browser, page;

@@ -11,6 +11,11 @@ from raywalk.scene.schema import SwitchesTable, ViewTable
 from raywalk.scene.shapes import Mesh, Plane, Sphere
 from raywalk.scene.wording import did_you_mean, joined, plain, quoted
 
+Stop = int | tuple[int, int]  # its number, or column and row, from 1
+
+#: How many columns and rows of stops each sweep has, by its name.
+Shapes = Mapping[str, tuple[int, int]]
+
 #: The ray-tracing camera's name in `labels`, in every language.
 CAMERA = "camera"
 
@@ -21,7 +26,7 @@ class Named:
 
     lights: Sequence[str]  # of an area light as its file gives it
     objects: Sequence[SceneObject] | None  # None: some are flawed, and left out
-    sweeps: Mapping[str, int] = field(default_factory=dict)  # how many stops each has
+    sweeps: Shapes = field(default_factory=dict)
 
 
 def check_view(
@@ -64,14 +69,30 @@ def check_view(
 
 
 def _check_stop(
-    asked: Mapping[str, int], sweeps: Mapping[str, int], at: Location, problems: Problems
+    asked: Mapping[str, Stop], sweeps: Shapes, at: Location, problems: Problems
 ) -> None:
     """The sweep is the scene's, and has that stop."""
     for name, stop in asked.items():
         _check_known(name, list(sweeps), (*at, name), problems)
-        if stop > sweeps.get(name, stop):
-            message = f"{stop} is beyond its last stop"
-            problems.add((*at, name), message, allowed=f"allowed: 1 to {sweeps[name]}")
+        if name not in sweeps:
+            continue
+        columns, rows = sweeps[name]
+        if isinstance(stop, int):
+            if stop > columns * rows:
+                message = f"{stop} is beyond its last stop"
+                problems.add((*at, name), message, allowed=f"allowed: 1 to {columns * rows}")
+        elif rows == 1:
+            hint = f"it has no rows: write the stop's number, 1 to {columns}"
+            problems.add((*at, name), f"{plain(stop)} is none of its stops", hint=hint)
+        elif stop[0] > columns or stop[1] > rows:
+            message = f"{plain(stop)} is beyond its last column or row"
+            allowed = f"allowed: columns 1 to {columns}, rows 1 to {rows}"
+            problems.add((*at, name), message, allowed=allowed)
+
+
+def stop_number(stop: Stop, shape: tuple[int, int]) -> int:
+    """Of all stops, row by row; as it is given, or by column and row."""
+    return stop if isinstance(stop, int) else (stop[1] - 1) * shape[0] + stop[0]
 
 
 def _check_works(

@@ -10,7 +10,7 @@ import numpy as np
 from raywalk.scene.address import address_of
 from raywalk.scene.check_choices import check_choices, choice_of
 from raywalk.scene.check_slots import check_slots
-from raywalk.scene.check_view import Named, check_view
+from raywalk.scene.check_view import Named, Shapes, check_view, stop_number
 from raywalk.scene.checks import (
     check_camera,
     check_closed,
@@ -57,7 +57,7 @@ def compile_scene(
     lights = _lights(draft, problems)
     # With a light or an object left out for its errors, its name would seem to be wrong.
     objects = parts.known()
-    sweeps = {each.name: len(each.all_values()) for each in draft.sweeps.values()}
+    sweeps = {each.name: each.shape() for each in draft.sweeps.values()}
     named = None
     if whole is not None:
         named = Named(list(light_names(draft).values()), objects, sweeps)
@@ -92,7 +92,7 @@ def compile_lesson(
 ) -> Scene | None:  # fmt: skip
     """A lesson on a scene that is there, or None with all problems noted. base: that scene, None if
     it has problems of its own; lights: the names of its lights, as its file gives them."""
-    sweeps = {each.name: len(each.stops) for each in base.sweeps} if base else {}
+    sweeps = {each.name: each.shape for each in base.sweeps} if base else {}
     named = Named(lights, base.objects, sweeps) if base and lights is not None else None
     names = [obj.name for obj in base.objects] if base else None
     lesson = _lesson(steps, base.render if base else None, named, names, problems)
@@ -167,26 +167,30 @@ def _lesson(
             if render is not None and view is not None:
                 check_view(view, render, named, ("lesson", i, key), problems)
         check_choices(step, objects, ("lesson", i), problems)
-        for place, (text, shown) in _step(step, objects or []).said().items():
+    sweeps = named.sweeps if named else {}
+    lesson = {i: _step(step, objects or [], sweeps) for i, step in steps.items()}
+    for i, each in lesson.items():
+        for place, (text, shown) in each.said().items():
             check_pictures(text, ("lesson", i, *place), problems)
             check_slots(text, shown, render, ("lesson", i, *place), problems)
-    return [_step(step, objects or []) for step in steps.values()]
+    return list(lesson.values())
 
 
-def _step(step: StepTable, objects: list[str]) -> LessonStep:
-    revealed = _plain(step.answer_view) if step.answer_view else {}
+def _step(step: StepTable, objects: list[str], sweeps: Shapes) -> LessonStep:
+    revealed = _plain(step.answer_view, sweeps) if step.answer_view else {}
     words = (each.strip() if each else "" for each in (step.text, step.answer, step.headline))
     text, answer, headline = words
     choices = tuple(choice_of(each, objects) for each in step.choices)
-    return LessonStep(text, _plain(step.view), answer, revealed, headline, choices)
+    return LessonStep(text, _plain(step.view, sweeps), answer, revealed, headline, choices)
 
 
-def _plain(view: ViewTable) -> dict[str, object]:
+def _plain(view: ViewTable, sweeps: Shapes) -> dict[str, object]:
     """The view's given keys, as JSON has them; a sweep's stop as addresses name it."""
     given = view.model_dump(mode="json", exclude_none=True)
     if view.sweep:
         [(name, stop)] = view.sweep.items()
-        given["sweep"] = f"{address_of(name)}:{stop}"
+        number = stop_number(stop, sweeps.get(name, (1, 1)))
+        given["sweep"] = f"{address_of(name)}:{number}"
     return given
 
 

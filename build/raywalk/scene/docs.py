@@ -34,7 +34,7 @@ from raywalk.scene.schema_objects import (
     ObjectTable,
     TextureTable,
 )
-from raywalk.scene.schema_sweeps import SweepTable
+from raywalk.scene.schema_sweeps import AcrossTable, SweepTable
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.table import Table
 from raywalk.scene.wording import counted, plain
@@ -93,6 +93,7 @@ SECTIONS: list[tuple[str, type[Table]]] = [
     ("checker = { ... }", CheckerTable),
     ("[[lights]]", LightTable),
     ("[[sweeps]]", SweepTable),
+    ("across = { ... }, of a sweep", AcrossTable),
     ("[[lesson]]", StepTable),
     ("[[lesson.choices]], after the step's other keys", ChoiceTable),
     ("view = { ... }", ViewTable),

@@ -171,18 +171,36 @@ class LessonStep:
         return replace(self, **own, choices=choices)  # type: ignore[arg-type]
 
 
+@dataclass(frozen=True)
+class Across:
+    """What a sweep is crossed with: each of these values has a row of stops."""
+
+    name: str  # "" if it has none of its own
+    varies: str
+    values: tuple[Any, ...]
+    is_turned: bool = False  # values are degrees
+
+
 @dataclass(frozen=True, eq=False)
 class Sweep:
     """One value of a scene that takes several, stop by stop. Each stop is the scene with that
-    value, validated as any scene; without a lesson, which is the scene's."""
+    value, validated as any scene; without a lesson, which is the scene's. Crossed with a second
+    one, the stops are a grid's, row by row."""
 
     id: str  # its name as it can stand in an address
     name: str
     varies: str  # what, as its file says it: lights."light 1".position
-    values: tuple[Any, ...]  # numbers, or lists of them
-    own: int  # the stop that is the scene itself
+    values: tuple[Any, ...]  # numbers, or lists of them: of a grid's columns
+    own: int  # the stop that is the scene itself, of all
     resolutions: tuple[int, ...]  # whose rays are kept at each stop
     stops: tuple[Scene, ...]
+    across: Across | None = None  # of its rows
+    is_turned: bool = False  # values are degrees
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """How many columns and rows of stops; one row where it is not crossed."""
+        return len(self.values), len(self.across.values) if self.across else 1
 
 
 @dataclass(frozen=True, eq=False)

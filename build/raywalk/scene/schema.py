@@ -179,8 +179,14 @@ TreeDepth = Annotated[
 RaysATile = Annotated[Literal[1, 9, 25, 49], Allowed("1, 9, 25 or 49")]
 
 
+Ordinal = Annotated[int, Field(strict=True, ge=1)]
+# Of a grid's stops its number, or column and row.
+StopNumber = Annotated[
+    Ordinal | tuple[Ordinal, Ordinal],
+    Allowed("a whole number of at least 1, or [column, row] of such"),
+]  # fmt: skip
 Stop = Annotated[
-    dict[str, Count], Field(min_length=1, max_length=1),
+    dict[str, StopNumber], Field(min_length=1, max_length=1),
     Allowed("a table of one sweep", hint='write sweep = { "lamp height" = 7 }'),
 ]  # fmt: skip
 
@@ -218,7 +224,8 @@ class ViewTable(Table):
     rays_a_tile: Maybe[RaysATile] = maybe("rays of the mean that the step begins with")
     sweep: Maybe[Stop] = Field(
         default=None, json_schema_extra={"viewer": "string"},
-        description="a sweep by its name, and the stop that is shown, counted from 1",
+        description="a sweep by its name, and the stop that is shown, counted from 1; of a grid's "
+        "stops (`across`) its number, row by row, or `[column, row]`",
     )  # fmt: skip
 
 

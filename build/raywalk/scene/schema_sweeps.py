@@ -32,11 +32,10 @@ Grids = Annotated[
 ]  # fmt: skip
 
 
-class SweepTable(Table):
-    """A slider: something of the scene moves or changes, stop by stop, and each stop is traced.
-    The scene's own value is one of the stops."""
+class SteppedTable(Table):
+    """A key of the scene's file, and the values that it takes."""
 
-    name: Name = means("what a person calls it")
+    name: Maybe[Name] = maybe("what a person calls it (default: the sweep's name)")
     varies: Text = means(
         "the key of this file whose value changes; objects, lights and materials by their names, "
         'items of a list by their number from 0: `lights."light 1".position`, '
@@ -46,10 +45,6 @@ class SweepTable(Table):
     to: Maybe[Value] = maybe("the last stop's value")
     stops: Maybe[Stops] = maybe("how many, in equal steps from `from` to `to`")
     values: Maybe[Values] = maybe("each stop's value, in place of `from`, `to` and `stops`")
-    resolutions: Maybe[Grids] = maybe(
-        "of the scene's, those whose rays each stop has (default: 15 and 33, those of them that "
-        "the scene has)"
-    )
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
@@ -78,15 +73,50 @@ class SweepTable(Table):
         return self
 
     def all_values(self) -> list[Any]:
-        """Stop by stop."""
+        """One after the other."""
         if self.values is not None:
             return list(self.values)
         assert self.from_ is not None and self.to is not None and self.stops is not None
         return [_between(self.from_, self.to, k, self.stops - 1) for k in range(self.stops)]
 
     def said(self) -> str:
-        """How many stops, in words."""
+        """How many values, in words."""
         return counted(len(self.all_values()), "stop")
+
+
+class AcrossTable(SteppedTable):
+    """A second key that a sweep varies: each of its values, which are rows, with each of the
+    sweep's own, which are columns."""
+
+
+class SweepTable(SteppedTable):
+    """A slider: something of the scene moves or changes, stop by stop, and each stop is traced.
+    The scene's own value is one of the stops. With `across` it is a grid of stops, numbered from 1
+    in rows: first those of the first row, one for each of the sweep's own values."""
+
+    name: Name = means("what a person calls it")
+    across: Maybe[AcrossTable] = maybe(
+        "a second key, each of whose values is crossed with each of the first: "
+        f"{{ varies, from, to, stops }} or {{ varies, values }}; at most {MOST_STOPS} stops in all"
+    )
+    resolutions: Maybe[Grids] = maybe(
+        "of the scene's, those whose rays each stop has (default: 15 and 33, those of them that "
+        "the scene has)"
+    )
+
+    @model_validator(mode="after")
+    def _few(self) -> Self:
+        columns, rows = self.shape()
+        if columns * rows > MOST_STOPS:
+            raise refusal(
+                f"{columns} values with {rows} each are {columns * rows} stops", at="across",
+                allowed=f"allowed: {MOST_STOPS} in all",
+            )  # fmt: skip
+        return self
+
+    def shape(self) -> tuple[int, int]:
+        """How many columns and rows of stops."""
+        return len(self.all_values()), len(self.across.all_values()) if self.across else 1
 
 
 def _length(value: Any) -> int | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Sequence
 from copy import deepcopy
 from dataclasses import dataclass, replace
@@ -11,33 +10,57 @@ from typing import Any
 
 from raywalk.scene.address import address_of
 from raywalk.scene.checks import check_names
-from raywalk.scene.compile import compile_scene, light_names, object_names
+from raywalk.scene.compile import compile_scene
 from raywalk.scene.draft import Draft, read_tables
 from raywalk.scene.lesson_text import PICTURES
-from raywalk.scene.model import Scene, Sweep
+from raywalk.scene.model import Across, Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema_sweeps import CLEAN, SweepTable
+from raywalk.scene.schema_sweeps import CLEAN, SteppedTable, SweepTable
 from raywalk.scene.shapes import Plane
-from raywalk.scene.wording import did_you_mean, joined, quoted, show
+from raywalk.scene.varied_keys import Path, path_of, value_at
+from raywalk.scene.wording import joined, quoted, show
 
-VARIED = ("camera", "lights", "materials", "objects", "render")
 WORDS = ("lesson", "goals", "sweeps")  # of the file: no stop has any
 GRIDS = (15, 33)  # whose rays a stop has, where its sweep does not say
+DEGREES = ("degrees", "fov")  # keys whose numbers are
 NEAR = 10.0**-CLEAN  # a stop so close to the scene's own value is that
 
-Path = list[str | int]
+
+@dataclass(frozen=True)
+class _Axis:
+    """A key that was found in the file, and its values: of a grid's columns, or of its rows."""
+
+    varies: str
+    path: Path
+    values: list[Any]
+    own: int  # which of them is the scene's
+
+    @property
+    def is_turned(self) -> bool:
+        """Whether its values are degrees."""
+        return self.path[-1] in DEGREES
 
 
 @dataclass(frozen=True)
 class _Plan:
-    """A sweep whose value was found in the file."""
-
     place: int  # among the sweeps
     table: SweepTable
-    path: Path
-    values: list[Any]
-    own: int
+    columns: _Axis
+    rows: _Axis | None = None
+
+    @property
+    def own(self) -> int:
+        """The stop that is the scene itself."""
+        row = self.rows.own if self.rows else 0
+        return row * len(self.columns.values) + self.columns.own
+
+    def stops(self) -> list[list[tuple[Path, Any]]]:
+        """What is put where at each stop, row by row."""
+        columns = [[(self.columns.path, each)] for each in self.columns.values]
+        if self.rows is None:
+            return columns
+        return [[*each, (self.rows.path, row)] for row in self.rows.values for each in columns]
 
 
 def read_sweeps(
@@ -67,20 +90,36 @@ def _check_addresses(draft: Draft, problems: Problems) -> None:
 def _plan(
     i: int, table: SweepTable, raw: dict[str, Any], draft: Draft, problems: Problems
 ) -> _Plan | None:
-    at = ("sweeps", i, "varies")
-    path = _path(table.varies, raw, draft, at, problems)
+    columns = _axis(table, ("sweeps", i), raw, draft, problems)
+    if table.across is None:
+        return _Plan(i, table, columns) if columns else None
+    at = ("sweeps", i, "across")
+    rows = _axis(table.across, at, raw, draft, problems)
+    if columns is None or rows is None:
+        return None
+    if all(one == other for one, other in zip(columns.path, rows.path, strict=False)):
+        message = f"{quoted(rows.varies)} changes with {quoted(columns.varies)} already"
+        problems.add((*at, "varies"), message, hint="cross it with a key that it leaves as it is")
+        return None
+    return _Plan(i, table, columns, rows)
+
+
+def _axis(
+    table: SteppedTable, at: Location, raw: dict[str, Any], draft: Draft, problems: Problems
+) -> _Axis | None:
+    path = path_of(table.varies, raw, draft, (*at, "varies"), problems)
     if path is None:
         return None
-    own, values = _at(raw, path), table.all_values()
+    own, values = value_at(raw, path), table.all_values()
     near = next((k for k, value in enumerate(values) if _is_same(value, own)), None)
     if near is None:
         problems.add(
-            ("sweeps", i), f"the scene's own value, {show(own)}, is none of its {table.said()}",
+            at, f"the scene's own value, {show(own)}, is none of its {table.said()}",
             allowed=f"its stops: {joined(map(show, map(_listed, values)))}",
             hint="choose them so that one is the scene as it is",
         )  # fmt: skip
         return None
-    return _Plan(i, table, path, [*values[:near], own, *values[near + 1 :]], near)
+    return _Axis(table.varies, path, [*values[:near], own, *values[near + 1 :]], near)
 
 
 def _is_same(value: Any, own: Any) -> bool:
@@ -92,87 +131,6 @@ def _is_same(value: Any, own: Any) -> bool:
 
 def _listed(value: Any) -> Any:
     return list(value) if isinstance(value, tuple) else value
-
-
-def _path(
-    varies: str, raw: dict[str, Any], draft: Draft, at: Location, problems: Problems
-) -> Path | None:
-    """Where in the file the value stands; None, with the problem noted, if it is not there."""
-    keys = _keys(varies)
-    if keys is None or len(keys) < 2 or keys[0] not in VARIED:
-        problems.add(
-            at, f"{quoted(varies)} is no key whose value may change",
-            allowed=f"allowed: one below {joined(VARIED)}",
-            hint='write it as lights."light 1".position, or camera.fov',
-        )  # fmt: skip
-        return None
-    path: Path = [keys[0]]
-    known = {"lights": light_names(draft), "objects": object_names(draft)}.get(keys[0])
-    if known is not None and keys[1] not in known.values():
-        if not known or any(e.key.startswith(keys[0]) for e in problems.errors):
-            return None  # its table may be one of those that could not be read
-        problems.add(
-            at, f"there is no {quoted(keys[1])} in {keys[0]}",
-            allowed=f"known: {joined(map(quoted, known.values()))}",
-            hint=did_you_mean(keys[1], known.values()),
-        )  # fmt: skip
-        return None
-    if known is not None:
-        path.append(next(place for place, name in known.items() if name == keys[1]))
-    return _walk(varies, raw, path, keys[len(path) :], at, problems)
-
-
-def _keys(varies: str) -> list[str] | None:
-    """A dotted key as TOML reads it."""
-    try:
-        table: Any = tomllib.loads(f"{varies} = 0")
-    except tomllib.TOMLDecodeError:
-        return None
-    keys = []
-    while isinstance(table, dict):
-        if len(table) != 1:
-            return None
-        [(key, table)] = table.items()
-        keys.append(key)
-    return keys if table == 0 else None
-
-
-def _walk(
-    varies: str, raw: dict[str, Any], path: Path, rest: list[str], at: Location, problems: Problems
-) -> Path | None:  # fmt: skip
-    """The whole path, through tables and lists, to a number or a list of numbers."""
-    here: Any = _at(raw, path)
-    for key in rest:
-        if isinstance(here, dict) and key in here:
-            step: str | int = key
-        elif isinstance(here, list) and key.isdecimal() and int(key) < len(here):
-            step = int(key)
-        else:
-            known = list(here) if isinstance(here, dict) else []
-            problems.add(
-                at, f"{quoted(varies)}: the file gives no {quoted(key)} there",
-                allowed=f"there: {joined(known)}" if known else "",
-                hint=did_you_mean(key, known)
-                or "write the scene's own value there: it is one of the stops",
-            )  # fmt: skip
-            return None
-        path, here = [*path, step], here[step]
-    if not _is_number(here) and not (
-        isinstance(here, list) and here and all(map(_is_number, here))
-    ):
-        problems.add(at, f"{quoted(varies)} is {show(here)}: neither a number nor a list of them")
-        return None
-    return path
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-def _at(raw: Any, path: Path) -> Any:
-    for key in path:
-        raw = raw[key]
-    return raw
 
 
 def _swept(
@@ -189,19 +147,31 @@ def _swept(
         )  # fmt: skip
         return None
     stops: list[Scene] = []
-    for k, value in enumerate(plan.values):
+    for k, settings in enumerate(plan.stops()):
         own = Problems(problems.file)
-        stop = _stop(raw, plan.path, value, models, own)
+        stop = _stop(raw, settings, models, own)
         for error in own.errors:
-            said = f"at stop {k + 1}, {show(_listed(value))}: {error.key}: {error.message}"
+            values = " and ".join(show(_listed(value)) for _, value in settings)
+            said = f"at stop {k + 1}, {values}: {error.key}: {error.message}"
             problems.add(at, said, allowed=error.allowed, hint=error.hint)
         if stop is None or own.errors or not _is_like(stop, scene, k, at, problems):
             return None
         stops.append(stop)
-    values = tuple(tuple(each) if isinstance(each, list) else each for each in plan.values)
     return Sweep(
-        address_of(table.name), table.name, table.varies, values, plan.own, grids, tuple(stops)
-    )
+        address_of(table.name), table.name, table.varies, _frozen(plan.columns), plan.own, grids,
+        tuple(stops), _across(plan), plan.columns.is_turned,
+    )  # fmt: skip
+
+
+def _across(plan: _Plan) -> Across | None:
+    if plan.rows is None or plan.table.across is None:
+        return None
+    name, rows = plan.table.across.name or "", plan.rows
+    return Across(name, rows.varies, _frozen(rows), rows.is_turned)
+
+
+def _frozen(axis: _Axis) -> tuple[Any, ...]:
+    return tuple(tuple(each) if isinstance(each, list) else each for each in axis.values)
 
 
 def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems) -> bool:
@@ -239,11 +209,12 @@ def _drawn_once(scene: Scene) -> dict[str, Any]:
 
 
 def _stop(
-    raw: dict[str, Any], path: Path, value: Any, models: Models, problems: Problems
+    raw: dict[str, Any], settings: list[tuple[Path, Any]], models: Models, problems: Problems
 ) -> Scene | None:
-    """The scene with this value, as if its file had it."""
+    """The scene with these values, as if its file had them."""
     changed = deepcopy({key: part for key, part in raw.items() if key not in WORDS})
-    table = _at(changed, path[:-1])
-    table[path[-1]] = _listed(value)
+    for path, value in settings:
+        table = value_at(changed, path[:-1])
+        table[path[-1]] = _listed(value)
     whole, draft = read_tables(changed, problems)
     return compile_scene(whole, draft, models, problems)

@@ -13,7 +13,7 @@ from raywalk.errors import SourceErrors
 from raywalk.scene.check_slots import check_slots
 from raywalk.scene.fields import Headline, LessonText, Maybe, Name, Text, maybe, means
 from raywalk.scene.lesson_pictures import check_pictures
-from raywalk.scene.model import Choice, LessonStep, Scene
+from raywalk.scene.model import Choice, LessonStep, Scene, Sweep
 from raywalk.scene.problems import Problems
 from raywalk.scene.schema import Goals
 from raywalk.scene.schema_choices import TranslatedChoice, TranslatedChoices
@@ -116,7 +116,7 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
         materials=tuple(replace(each, name=named(each.name)) for each in scene.materials),
         objects=tuple(replace(each, name=named(each.name)) for each in scene.objects),
         lights=tuple(replace(each, name=named(each.name)) for each in scene.lights),
-        sweeps=tuple(replace(each, name=named(each.name)) for each in scene.sweeps),
+        sweeps=tuple(_in_sweep(each, named) for each in scene.sweeps),
         lesson=tuple(
             replace(
                 step,
@@ -130,6 +130,11 @@ def in_words_of(table: TranslationFile, scene: Scene) -> Scene:
             for step, said in lesson
         ),
     )
+
+
+def _in_sweep(sweep: Sweep, named: Callable[[str], str]) -> Sweep:
+    across = sweep.across and replace(sweep.across, name=named(sweep.across.name))
+    return replace(sweep, name=named(sweep.name), across=across)
 
 
 def _in_choice(choice: Choice, said: TranslatedChoice) -> Choice:
@@ -227,6 +232,7 @@ def _check_choices(i: int, step: LessonStep, said: TranslatedStep, problems: Pro
 def _check_names(table: TranslationFile, scene: Scene, problems: Problems) -> None:
     parts: Sequence[Sequence[object]] = (
         scene.objects, scene.lights, scene.materials, scene.sweeps,
+        [each.across for each in scene.sweeps if each.across and each.across.name],
     )  # fmt: skip
     known = list(dict.fromkeys(str(getattr(each, "name", "")) for of in parts for each in of))
     if scene.base:

@@ -7,7 +7,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from raywalk.scene.shapes import Mesh, Plane
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
+    AcrossData,
     ChoiceData,
     LessonData,
     LessonStepData,
@@ -83,8 +84,23 @@ def scene_data(
 
 
 def _sweep(sweep: Sweep) -> SweepData:
-    values = [list(each) if isinstance(each, tuple) else each for each in sweep.values]
-    return {"id": sweep.id, "name": sweep.name, "values": values, "own": sweep.own + 1}
+    data: SweepData = {
+        "id": sweep.id, "name": sweep.name, "values": _listed(sweep.values), "own": sweep.own + 1,
+    }  # fmt: skip
+    if sweep.is_turned:
+        data["unit"] = "degrees"
+    if sweep.across:
+        across: AcrossData = {"values": _listed(sweep.across.values)}
+        if sweep.across.name:
+            across["name"] = sweep.across.name
+        if sweep.across.is_turned:
+            across["unit"] = "degrees"
+        data["across"] = across
+    return data
+
+
+def _listed(values: tuple[Any, ...]) -> list[Any]:
+    return [list(each) if isinstance(each, tuple) else each for each in values]
 
 
 def lesson_data(scene: Scene, base: Scene, own: dict[str, str]) -> LessonData:
@@ -109,6 +125,9 @@ def scene_words(scene: Scene, glossary: Glossary | None = None) -> SceneWords:
     }
     if scene.sweeps:
         words["sweepNames"] = [each.name for each in scene.sweeps]
+    if any(each.across for each in scene.sweeps):
+        crossed = [each.across for each in scene.sweeps]
+        words["acrossNames"] = [each.name if each else "" for each in crossed]
     return words
 
 

@@ -141,13 +141,27 @@ class Savings(TypedDict):
     counts: list[tuple[Saving, int, int]]
 
 
+SweptUnit = Literal["degrees"]  # of numbers that have one
+
+
+class AcrossData(TypedDict):
+    """What a sweep is crossed with: of each value a row of stops."""
+
+    name: NotRequired[str]  # if it has one of its own
+    values: list[float | list[float]]
+    unit: NotRequired[SweptUnit]
+
+
 class SweepData(TypedDict):
-    """What can be moved: its stops are numbered from 1, as in addresses."""
+    """What can be moved: its stops are numbered from 1, as in addresses; of a grid row by row:
+    (row - 1) * values.length + column."""
 
     id: str  # the folder of its files beside scene.js
     name: str
-    values: list[float | list[float]]
-    own: int  # the stop that is the scene itself
+    values: list[float | list[float]]  # of a grid's columns
+    unit: NotRequired[SweptUnit]
+    across: NotRequired[AcrossData]
+    own: int  # the stop that is the scene itself, of all
 
 
 class SceneData(TypedDict):
@@ -177,6 +191,7 @@ class SceneData(TypedDict):
     files: dict[str, str]  # the marks of the scripts beside it: of this build, and no other
     sweeps: NotRequired[list[SweepData]]
     sweepNames: NotRequired[list[str]]  # in another language, laid over by its words
+    acrossNames: NotRequired[list[str]]  # likewise; "" where there is none
 
 
 class StopData(TypedDict):
@@ -278,6 +293,7 @@ class SceneWords(TypedDict):
     materials: list[str]
     lesson: list[LessonStepData]
     sweepNames: NotRequired[list[str]]
+    acrossNames: NotRequired[list[str]]
 
 
 # The slope of a section's plane, and outlines in it: object, kind, whole steps x, y, ...

@@ -2,7 +2,7 @@
 import type { SceneData, StopsData } from "../trace/types";
 
 /** What varies; of two values, `across` are the other one's. */
-export type Sweep = NonNullable<SceneData["sweeps"]>[number] & { across?: { values: readonly (number | number[])[] } };
+export type Sweep = NonNullable<SceneData["sweeps"]>[number];
 
 export const rowsOf = ({ across }: Sweep): number => across?.values.length ?? 1;
 export const countOf = (sweep: Sweep): number => sweep.values.length * rowsOf(sweep);
