@@ -10,7 +10,7 @@
  *
  * picture and right name files of any format that check/formats reads. names is what objects and mistakes are called in the language
  * (Names of check/report.ts: of mistakes their titles and lines to look for). data is a folder of a scene's scripts
- * (build/raywalk/check/write.py), atlas one with about.json and atlas.png. An answer is {answer}, or {fault: sentence}, in the
+ * (build/raywalk/check/write.py), atlas one with about.json and atlas.gz. An answer is {answer}, or {fault: sentence}, in the
  * language if one is named.
  */
 import { readFileSync } from "node:fs";
@@ -21,7 +21,7 @@ import { build } from "esbuild";
 
 const place = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { outputFiles } = await build({ entryPoints: [place("./check/main.ts")], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, readPng, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, taken, wantsTiles, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, stripsOf, taken, wantsTiles, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 
 function speak(language = "en") {
   if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(place(`./words/${language}.json`), "utf8"));
@@ -41,7 +41,7 @@ function keeping(make) {
     return made;
   };
 }
-const recogniserIn = keeping((folder) => recogniserOf(atlasOf(JSON.parse(readFileSync(join(folder, "about.json"), "utf8")), readPng(readFileSync(join(folder, "atlas.png")), Infinity))));
+const recogniserIn = keeping(async (folder) => recogniserOf(atlasOf(JSON.parse(readFileSync(join(folder, "about.json"), "utf8")), await stripsOf(readFileSync(join(folder, "atlas.gz"))))));
 const scriptIn = (folder, name) => new Uint8Array(Buffer.from(readFileSync(join(folder, `${name}.js`), "latin1").split('"')[3], "base64"));
 const sceneIn = keeping((folder) => {
   const about = aboutOf(scriptIn(folder, "about"));
@@ -50,13 +50,13 @@ const sceneIn = keeping((folder) => {
 
 const told = (found, lines) => ({ ...found, lines, written: written(lines) });
 
-function checked({ picture: file, data, names }) {
+async function checked({ picture: file, data, names }) {
   const { picture, sentence } = pictureOrSentence(readFileSync(file));
   if (!picture) return told({ fault: sentence }, sentenceAlone(sentence));
   const { width, height, isLossy, hadAlpha } = picture;
   const square = squareOf(picture);
   if (isRefusal(square)) return told({ width, height, refusal: square }, sentenceAlone(refused(square)));
-  const scene = sceneIn(data);
+  const scene = await sceneIn(data);
   const size = square.picture.width;
   const source = sourceFor(size, scene.about);
   const nearest = nearestSize(size, scene.about);
@@ -68,14 +68,14 @@ function checked({ picture: file, data, names }) {
   return told({ ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest, leftOut }, lines);
 }
 
-const DOES = { check: checked, recognise: ({ picture, right, atlas }) => recogniserIn(atlas).recognise(pictureIn(picture), pictureIn(right)) };
+const DOES = { check: checked, recognise: async ({ picture, right, atlas }) => (await recogniserIn(atlas)).recognise(pictureIn(picture), pictureIn(right)) };
 
 for await (const line of createInterface({ input: process.stdin })) {
   let reply;
   try {
     const request = JSON.parse(line);
     speak(request.language);
-    reply = { answer: DOES[request.do](request) };
+    reply = { answer: await DOES[request.do](request) };
   } catch (error) {
     reply = { fault: error.message };
   }

@@ -1,6 +1,4 @@
 /** A scene's right picture and the wrong ones that its mistakes make, each on one grid: what a student's picture is held against. */
-import type { Picture } from "./formats/picture";
-
 /** As build/raywalk/check/write.py writes it. */
 export interface About {
   scene: string;
@@ -23,10 +21,10 @@ export interface Atlas {
   mistakes: { name: string; family: string; pictures: Uint8Array[] }[];
 }
 
-/** strips: pictures below one another, the right one first, then what others differ from it by, modulo 256. */
-export function atlasOf({ scene, grid, mistakes }: Pick<About, "scene" | "grid" | "mistakes">, strips: Picture): Atlas {
+/** strips: bytes of pictures, one after the other, the right one first, then what others differ from it by, modulo 256. */
+export function atlasOf({ scene, grid, mistakes }: Pick<About, "scene" | "grid" | "mistakes">, strips: Uint8Array): Atlas {
   const bytes = 3 * grid * grid;
-  const strip = (k: number) => strips.values.slice(k * bytes, (k + 1) * bytes) as Uint8Array;
+  const strip = (k: number) => strips.slice(k * bytes, (k + 1) * bytes);
   const right = strip(0);
   const wrong = (k: number) => {
     const laid = strip(k);

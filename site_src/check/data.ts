@@ -11,7 +11,13 @@ export const aboutOf = (bytes: Uint8Array): About => JSON.parse(new TextDecoder(
 /** Of our own pipeline: as large as it is. */
 export const rightOf = (bytes: Uint8Array): Picture => readPng(bytes, Infinity);
 
+/** Megabytes, which an engine's own code unpacks in a tenth of the time that a library's takes. Rejects what is damaged. */
+export async function stripsOf(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
 /** atlas: null where about says why there is none. */
-export function sceneOf(about: About, places: Uint8Array, atlas: Uint8Array | null): Scene {
-  return { about, places: rightOf(places), recogniser: atlas && recogniserOf(atlasOf(about, rightOf(atlas))) };
+export async function sceneOf(about: About, places: Uint8Array, atlas: Uint8Array<ArrayBuffer> | null): Promise<Scene> {
+  return { about, places: rightOf(places), recogniser: atlas && recogniserOf(atlasOf(about, await stripsOf(atlas))) };
 }

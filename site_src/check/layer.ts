@@ -45,7 +45,7 @@ export function sampled(values: ArrayLike<number>, n: number, size: number): Flo
 }
 
 /** Means of blocks, each `by` pixels along; what is over at the right and at the bottom is left out. */
-export function meansOf(colours: Float32Array, n: number, by: number): Float32Array {
+export function meansOf(colours: ArrayLike<number>, n: number, by: number): Float32Array {
   const size = Math.floor(n / by);
   const means = new Float32Array(3 * size * size);
   for (let v = 0, to = 0; v < size; v++) {
@@ -99,7 +99,7 @@ export function counted(r: number, g: number, b: number, most: number): number {
   return size < 0 ? 0 : size > most ? most : size;
 }
 
-export function deviationOf({ right, most, weights }: Layer, wrong: Float32Array): Deviation {
+export function deviationOf({ right, most, weights }: Layer, wrong: ArrayLike<number>): Deviation {
   const colours = new Float32Array(wrong.length);
   const sizes = new Float32Array(wrong.length / 3);
   let amount = 0;

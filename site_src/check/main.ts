@@ -2,7 +2,7 @@
 export { alikeIn, toldApartIn } from "./alike";
 export { check, wantsTiles } from "./check";
 export { compare } from "./compare";
-export { aboutOf, rightOf, sceneOf } from "./data";
+export { aboutOf, rightOf, sceneOf, stripsOf } from "./data";
 export { atlasOf } from "./atlas";
 export { readPng } from "./formats/png";
 export { pictureOrSentence, readPicture } from "./formats/read";

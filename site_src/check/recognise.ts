@@ -51,7 +51,9 @@ export interface Recognised {
 }
 
 /** A picture on all layers: every pixel of the grid, means of blocks, and the pixels in the middle of blocks. */
-type Layered<Of> = { pixels: Of; blocks: Of; middles: Of };
+type Layered<Of, Pixels = Of> = { pixels: Pixels; blocks: Of; middles: Of };
+/** Red, green, blue, row by row. */
+type Colours = Float32Array | Uint8Array;
 
 const RIGHT_INDEED: Recognised = { isRight: true, answers: [], isPair: false };
 
@@ -74,7 +76,7 @@ export function recogniserOf(atlas: Atlas) {
   const along = Math.floor(size / BLOCK);
   const layers = { pixels: layerOf(right.pixels, size, MOST_OF_PIXEL), blocks: layerOf(right.blocks, along, MOST_OF_BLOCK), middles: layerOf(right.middles, along, MOST_OF_PIXEL) };
   const references = atlas.mistakes.flatMap(({ name, family, pictures }) =>
-    pictures.map((picture) => ({ name, family, picture, on: deviations(layers, layered(new Float32Array(picture), size)) }))).filter(({ on }) => on.pixels.sizes.some((of) => of > 0));
+    pictures.map((picture) => ({ name, family, picture, on: deviations(layers, layered(picture, size)) }))).filter(({ on }) => on.pixels.sizes.some((of) => of > 0));
 
   function singlesOf(student: Picture, expected: Picture): { seen: Layered<Deviation>; singles: Scored[] } {
     const of = sampled(expected.values, expected.width, size);
@@ -171,9 +173,9 @@ export function isAsRight(student: Picture, expected: Picture, isExact = true): 
 
 const byAgreement = (a: { agreement: number }, b: { agreement: number }) => b.agreement - a.agreement;
 
-const layered = (pixels: Float32Array, size: number): Layered<Float32Array> => ({ pixels, blocks: meansOf(pixels, size, BLOCK), middles: sampled(pixels, size, Math.floor(size / BLOCK)) });
+const layered = <P extends Colours>(pixels: P, size: number): Layered<Float32Array, P> => ({ pixels, blocks: meansOf(pixels, size, BLOCK), middles: sampled(pixels, size, Math.floor(size / BLOCK)) });
 
-const deviations = (layers: Layered<Layer>, of: Layered<Float32Array>): Layered<Deviation> => ({
+const deviations = (layers: Layered<Layer>, of: Layered<Colours>): Layered<Deviation> => ({
   pixels: deviationOf(layers.pixels, of.pixels), blocks: deviationOf(layers.blocks, of.blocks), middles: deviationOf(layers.middles, of.middles),
 });
 

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { DIST } from "./browser.mjs";
 import { load } from "./typescript.mjs";
 
-const { aboutOf, allScenesOf, atlasOf, otherScene, rightOf, toldApartFromAfar } = await load("../check/main.ts");
+const { aboutOf, allScenesOf, atlasOf, otherScene, rightOf, stripsOf, toldApartFromAfar } = await load("../check/main.ts");
 const bytesOf = (path) => Buffer.from(readFileSync(`${DIST}/check/${path}.js`, "latin1").split('"')[3], "base64");
 const ALL = allScenesOf(bytesOf("scenes"));
 const right = (scene, size = aboutOf(bytesOf(`${scene}/about`)).own.at(-1)) => rightOf(bytesOf(`${scene}/${size}`));
@@ -30,10 +30,10 @@ test("scenes that look the same from afar are not told for one another where the
   for (const scene of ALL.scenes.filter((id) => /^1[2-6]-/.test(id))) assert.equal(otherScene(right(scene), scene, false, ALL), null, scene);
 });
 
-test("what a mistake makes of a scene is taken for no other scene, unless it is that one's picture", () => {
+test("what a mistake makes of a scene is taken for no other scene, unless it is that one's picture", async () => {
   const told = [];
   for (const scene of ["01-shading", "02-shadows", "03-two-lights", "04-one-bounce", "05-many-bounces", "08-glass", "10-cornell-box"]) {
-    const { size, mistakes } = atlasOf(aboutOf(bytesOf(`${scene}/about`)), rightOf(bytesOf(`${scene}/atlas`)));
+    const { size, mistakes } = atlasOf(aboutOf(bytesOf(`${scene}/about`)), await stripsOf(bytesOf(`${scene}/atlas`)));
     for (const { name, pictures } of mistakes)
       for (const values of pictures) {
         const other = otherScene({ width: size, height: size, values }, scene, true, ALL);
@@ -45,20 +45,21 @@ test("what a mistake makes of a scene is taken for no other scene, unless it is 
 });
 
 /** Of a scene: each mistake's name and the picture it makes. */
-function wrongIn(scene) {
-  const { size, mistakes } = atlasOf(aboutOf(bytesOf(`${scene}/about`)), rightOf(bytesOf(`${scene}/atlas`)));
+async function wrongIn(scene) {
+  const { size, mistakes } = atlasOf(aboutOf(bytesOf(`${scene}/about`)), await stripsOf(bytesOf(`${scene}/atlas`)));
   return mistakes.flatMap(({ name, pictures }) => pictures.map((values) => ({ name, picture: { width: size, height: size, values } })));
 }
 
-test("a wrong picture is known as its own scene's where no mistake of the chosen one explains it, though the right ones look alike", () => {
-  const told = wrongIn("02-shadows").filter(({ picture }) => otherScene(picture, "01-shading", false, ALL) === "02-shadows").map(({ name }) => name);
+test("a wrong picture is known as its own scene's where no mistake of the chosen one explains it, though the right ones look alike", async () => {
+  const wrong = await wrongIn("02-shadows");
+  const told = wrong.filter(({ picture }) => otherScene(picture, "01-shading", false, ALL) === "02-shadows").map(({ name }) => name);
   assert.ok(told.includes("shadow-darkens-ambient"), told.join());
-  for (const { name, picture } of wrongIn("02-shadows")) assert.equal(otherScene(picture, "02-shadows", false, ALL) ?? "01-shading", "01-shading", name);
+  for (const { name, picture } of wrong) assert.equal(otherScene(picture, "02-shadows", false, ALL) ?? "01-shading", "01-shading", name);
 });
 
-test("in any scene most wrong pictures of another one are known as that one's", () => {
+test("in any scene most wrong pictures of another one are known as that one's", async () => {
   for (const [scene, chosen] of [["08-glass", "10-cornell-box"], ["03-two-lights", "08-glass"], ["10-cornell-box", "02-shadows"]]) {
-    const all = wrongIn(scene);
+    const all = await wrongIn(scene);
     const told = all.filter(({ picture }) => otherScene(picture, chosen, false, ALL) === scene);
     assert.ok(told.length > 0.9 * all.length, `${told.length} of ${all.length}: ${scene} taken for ${chosen}`);
   }

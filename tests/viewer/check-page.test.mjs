@@ -11,7 +11,7 @@ import { DIST, isWhole, launch, newPage, ON_DISK, open, PATIENCE, press, reload,
 import { GOOD, HEIGHT, HOSTILE, WIDTH } from "./picture-files.mjs";
 import { load, wordsOf } from "./typescript.mjs";
 
-const { aboutOf, atlasOf, pictureOrSentence, rightOf } = await load("../check/main.ts");
+const { aboutOf, atlasOf, pictureOrSentence, stripsOf } = await load("../check/main.ts");
 const { readYours } = await load("panels/yours.ts");
 const [EN, DE] = ["en", "de"].map((language) => wordsOf(language).check);
 const mistakes = JSON.parse(readFileSync(`${DIST}/check/index.html`, "utf8").match(/data-mistakes="([^"]*)"/)[1].replaceAll("&#34;", '"').replaceAll("&#39;", "'").replaceAll("&amp;", "&"));
@@ -48,9 +48,9 @@ async function drop(bytes, name = "picture") {
 }
 
 /** What a mistake makes of a scene, as its atlas has it. */
-function wrongPicture(scene, name) {
+async function wrongPicture(scene, name) {
   const about = aboutOf(dataOf(scene, "about"));
-  const { size, mistakes } = atlasOf(about, rightOf(dataOf(scene, "atlas")));
+  const { size, mistakes } = atlasOf(about, await stripsOf(dataOf(scene, "atlas")));
   const [picture] = mistakes.find((each) => each.name === name).pictures;
   const png = new PNG({ width: size, height: size });
   for (let i = 0; i < size * size; i++) png.data.set([...picture.subarray(3 * i, 3 * i + 3), 255], 4 * i);
@@ -90,7 +90,7 @@ test("a picture of another scene than was chosen is told as that, and is compare
 
 test("beside what a picture looks like stands this scene with that mistake, and the wipe begins where most is wrong", async () => {
   await visit("#scene=03-two-lights");
-  const { found } = await drop(wrongPicture("03-two-lights", "normal-not-unit"));
+  const { found } = await drop(await wrongPicture("03-two-lights", "normal-not-unit"));
   assert.match(found, /most like this mistake: /);
   const shown = page.locator(".check-answers canvas").first();
   assert.equal(await shown.getAttribute("aria-label"), EN.looks.shown);
@@ -115,7 +115,7 @@ for (const [scene, name] of [["02-shadows", "shadows-forgotten"], ["03-two-light
   test(`in ${scene} the picture of ${name} is named`, async () => {
     await visit(`#scene=${scene}`);
     assert.equal(await page.locator("[name=scene]:checked").inputValue(), scene);
-    await drop(wrongPicture(scene, name));
+    await drop(await wrongPicture(scene, name));
     const first = await page.locator(".check-answers > li").first().innerText();
     assert.ok(first.includes(mistakes[name].title), first);
     assert.match(first, /\d\s?% agreement/);
@@ -126,7 +126,7 @@ for (const [scene, name] of [["02-shadows", "shadows-forgotten"], ["03-two-light
 
 test("what is copied is what the command says, line by line", async () => {
   await visit("#scene=02-shadows");
-  const [file, bytes] = [join(mkdtempSync(join(tmpdir(), "raywalk-check-")), "mine.png"), wrongPicture("02-shadows", "shadows-forgotten")];
+  const [file, bytes] = [join(mkdtempSync(join(tmpdir(), "raywalk-check-")), "mine.png"), await wrongPicture("02-shadows", "shadows-forgotten")];
   writeFileSync(file, bytes);
   await drop(bytes, "mine.png");
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void (window.copied = text) }, configurable: true }));
@@ -153,7 +153,7 @@ function drawnOut(png, n) {
 
 test("a mistake's page shows the scene that was checked, and both its link and the browser's Back lead to the report as it was left", async () => {
   await visit("#scene=03-two-lights");
-  await drop(wrongPicture("03-two-lights", "phong-for-blinn"), "mine.png");
+  await drop(await wrongPicture("03-two-lights", "phong-for-blinn"), "mine.png");
   const verdict = await page.locator("#found").innerText();
   const link = page.locator(".check-answers h3 a").first();
   await link.scrollIntoViewIfNeeded();
@@ -163,7 +163,7 @@ test("a mistake's page shows the scene that was checked, and both its link and t
   const wrong = page.locator(".pair canvas").last();
   assert.match(await wrong.getAttribute("aria-label"), /^“Two lights” with the mistake: /);
   const shown = await wrong.evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data].filter((_, i) => i % 4 < 3));
-  const { mistakes: all } = atlasOf(aboutOf(dataOf("03-two-lights", "about")), rightOf(dataOf("03-two-lights", "atlas")));
+  const { mistakes: all } = atlasOf(aboutOf(dataOf("03-two-lights", "about")), await stripsOf(dataOf("03-two-lights", "atlas")));
   assert.deepEqual(Uint8Array.from(shown), all.find(({ name }) => name === "phong-for-blinn").pictures[0], "its own picture of the mistake");
   assert.match(await page.locator(".of-scene").innerText(), /“Two lights”, the scene that you checked/);
   assert.match(await page.locator(".beside a").last().getAttribute("href"), /#scene=03-two-lights$/, "and so do its neighbours");
@@ -191,7 +191,7 @@ test("where a mistake does not show in the scene that was checked, its page says
 
 test("a pixel that is far off leads to its rays, and is there what it was in the report", async () => {
   await visit("#scene=02-shadows");
-  await drop(drawnOut(wrongPicture("02-shadows", "shadows-forgotten"), 512));
+  await drop(drawnOut(await wrongPicture("02-shadows", "shadows-forgotten"), 512));
   assert.ok((await page.locator(".check-walk").innerText()).includes("None of your 512 × 512 pixels"));
   const link = page.locator(".check-tiles a").first();
   const [, x, y, n] = (await link.innerText()).match(/Tile (\d+), (\d+) of (\d+)/);
@@ -230,7 +230,7 @@ test("what is not a pixel and three bytes is passed over", () => {
 
 test("the wipe moves by keys and by hand, other views are a press away, and a pixel tells both colours", async () => {
   await visit("#scene=02-shadows");
-  await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  await drop(await wrongPicture("02-shadows", "shadows-forgotten"));
   const clip = () => page.locator(".check-picture canvas").last().evaluate((canvas) => canvas.style.clipPath);
   const half = await clip();
   await page.locator(".check-wipe").focus();
@@ -281,7 +281,7 @@ test("another scene checks the same picture again", async () => {
 
 test("in German all of it is German", async () => {
   await visit("#scene=02-shadows", "de/");
-  const { found } = await drop(wrongPicture("02-shadows", "shadows-forgotten"));
+  const { found } = await drop(await wrongPicture("02-shadows", "shadows-forgotten"));
   for (const head of [DE.how.head, DE.where.head, DE.looks.head, DE.walk.head]) assert.ok(found.includes(head));
   assert.ok(!/\b(pixels|yours|within|agreement)\b/.test(found), found);
   const { says } = await drop(new Uint8Array(0));

@@ -5,16 +5,16 @@ import { test } from "node:test";
 import { DIST } from "./browser.mjs";
 import { load } from "./typescript.mjs";
 
-const { aboutOf, atlasOf, recogniserOf, rightOf } = await load("../check/main.ts");
+const { aboutOf, atlasOf, recogniserOf, stripsOf } = await load("../check/main.ts");
 const { undoOf, UNDONE } = await load("../check/undone.ts");
 const { ON_WHOLE_PICTURES } = await load("../check/together.ts");
 
 const dataOf = (scene, name) => new Uint8Array(Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64"));
-function atlasIn(scene) {
-  const atlas = atlasOf(aboutOf(dataOf(scene, "about")), rightOf(dataOf(scene, "atlas")));
+async function atlasIn(scene) {
+  const atlas = atlasOf(aboutOf(dataOf(scene, "about")), await stripsOf(dataOf(scene, "atlas")));
   return { ...atlas, recogniser: recogniserOf(atlas), wrong: (name) => atlas.mistakes.find((each) => each.name === name).pictures[0] };
 }
-const SCENES = Object.fromEntries(["01-shading", "02-shadows", "08-glass"].map((scene) => [scene, atlasIn(scene)]));
+const SCENES = Object.fromEntries(await Promise.all(["01-shading", "02-shadows", "08-glass"].map(async (scene) => [scene, await atlasIn(scene)])));
 const pictureOf = (values, size) => ({ width: size, height: size, values: Uint8Array.from(values, Math.round), isLossy: false, hadAlpha: false });
 
 function recognised(scene, values) {

@@ -15,12 +15,12 @@ const ROUNDS = 5;
 /** A scene, and a mistake there that leaves enough unexplained for all pairs to be tried. */
 const STUDENTS = [["02-shadows", "phong-for-blinn"], ["08-glass", "not-bent-at-exit"]];
 
-const { aboutOf, atlasOf, readPicture, rightOf, taken } = await load("../check/main.ts");
+const { aboutOf, atlasOf, readPicture, rightOf, stripsOf, taken } = await load("../check/main.ts");
 const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
 
 /** The atlas' wrong picture, each of its pixels so large that it has the size. */
-function wrongPicture(scene, name, n) {
-  const { size, mistakes } = atlasOf(aboutOf(dataOf(scene, "about")), rightOf(dataOf(scene, "atlas")));
+async function wrongPicture(scene, name, n) {
+  const { size, mistakes } = atlasOf(aboutOf(dataOf(scene, "about")), await stripsOf(dataOf(scene, "atlas")));
   const found = mistakes.find((each) => each.name === name);
   assert.ok(found, `${scene} shows no ${name}`);
   const { values } = taken({ width: size, height: size, values: found.pictures[0] }, n);
@@ -56,7 +56,7 @@ async function rests(page, work) {
 /** ms: the first check in a new page, with loading and preparing; the first after a file was looked for; another one there; the floor. The
  *  least of all rounds. */
 async function measured(browser, scene, name, n) {
-  const file = wrongPicture(scene, name, n);
+  const file = await wrongPicture(scene, name, n);
   const right = taken(rightOf(dataOf(scene, n)), n);
   const least = { first: Infinity, chosen: Infinity, again: Infinity, floor: Infinity };
   const keep = (key, ms) => (least[key] = Math.min(least[key], ms));
@@ -79,9 +79,9 @@ async function measured(browser, scene, name, n) {
   return { scene, size: n, ...least };
 }
 
-test("what is measured is a wrong picture of the size asked for, and its floor reads it", () => {
+test("what is measured is a wrong picture of the size asked for, and its floor reads it", async () => {
   const [[scene, name]] = STUDENTS;
-  const file = wrongPicture(scene, name, 512);
+  const file = await wrongPicture(scene, name, 512);
   const { width, height } = readPicture(new Uint8Array(file.buffer));
   assert.deepEqual([width, height], [512, 512]);
   assert.ok(floorOf(file, taken(rightOf(dataOf(scene, 512)), 512)) >= 0);

@@ -18,13 +18,12 @@ import numpy as np
 
 from raywalk.bench.cases import Case
 from raywalk.check.atlas import CHANGED, GRID, USUAL, atlas_of, changed
-from raywalk.check.write import about_of, strips
+from raywalk.check.write import about_of, packed_strips
 from raywalk.mistakes.habits import EXACT, Habits
 from raywalk.mistakes.table import BY_NAME, FAMILIES
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.model import Scene
 from raywalk.stops.process import Stops
-from raywalk.trace_file.png import png
 
 SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "check.mjs"
 # What tells nothing: each of them is a right program.
@@ -80,7 +79,7 @@ class Asked:
         folder.mkdir(parents=True, exist_ok=True)
         atlas = atlas_of(scene)
         self.names = [each.mistake.name for each in atlas.wrong]
-        (folder / "atlas.png").write_bytes(png(strips(atlas)))
+        (folder / "atlas.gz").write_bytes(packed_strips(atlas))
         (folder / "about.json").write_text(json.dumps(about_of(scene, atlas)), encoding="utf-8")
 
     def written(self, name: str, values: np.ndarray) -> str:

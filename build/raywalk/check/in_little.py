@@ -28,7 +28,7 @@ def write_in_little(check: Path, folder: Path) -> None:
     about = json.loads(unpack((check / "about.js").read_bytes()))
     tiles = tiles_of(_picture(check / f"{about['own'][-1]}.js"), about["grids"][-1])
     write_beside(folder / "tiles.js", script("check/tiles", png(tiles)))
-    told = means_of(about, _picture(check / "atlas.js")) if about["mistakes"] else {}
+    told = means_of(about, (check / "atlas.js").read_bytes()) if about["mistakes"] else {}
     text = json.dumps(told, separators=(",", ":"))
     (folder / AFAR).write_text(text, encoding="utf-8")
 
@@ -39,9 +39,9 @@ def tiles_of(picture: np.ndarray, n: int) -> np.ndarray:
     return np.ascontiguousarray(picture[step // 2 :: step, step // 2 :: step])
 
 
-def means_of(about: dict[str, Any], atlas: np.ndarray) -> dict[str, list[list[int]]]:
-    """By mistake. atlas: its strips, as write.py has them."""
-    strips = atlas.reshape(-1, about["grid"], about["grid"], 3)
+def means_of(about: dict[str, Any], atlas: bytes) -> dict[str, list[list[int]]]:
+    """By mistake. atlas: the script that write.py wrote."""
+    strips = np.frombuffer(unpack(atlas), np.uint8).reshape(-1, about["grid"], about["grid"], 3)
     right = strips[0]
     return {
         each["name"]: [_means(right + strips[place]) for place in each["wrong"]]

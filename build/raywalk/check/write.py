@@ -3,8 +3,9 @@
     about      {"scene", "grid", "own": sizes that are parts of the scene's picture, the last is
                its own, "others": sizes, "grids": of the frustum, "mistakes": [{"name", "family",
                "wrong": [strip, ...]}, ...], "leftOut": why there are none, or ""}
-    atlas      PNG, grid wide, a strip grid high each: first the right picture, then what pictures
-               are wrong by (modulo 256), strip 1, 2, ...
+    atlas      red, green, blue of grid x grid pixels, a picture after the other: first the right
+               one, then what others are wrong by (modulo 256), strip 1, 2, ... Packed by gzip,
+               which browsers unpack themselves: a first check waits for no filters
     places     PNG, grid x grid: what is seen where (places.py)
     <n>        PNG, n x n: the right picture at the scene's own size and at others
 
@@ -49,7 +50,7 @@ def write_check(scene: Scene, traced: Path, threads: Threads, folder: Path) -> N
     why = why_no_atlas(scene)
     atlas = None if why else atlas_of(scene)
     if atlas:
-        _write(folder, "atlas", png(strips(atlas)))
+        _write(folder, "atlas", packed_strips(atlas))
     about = about_of(scene, atlas) | {"leftOut": why}
     _write(folder, "about", pack(json.dumps(about, separators=(",", ":")).encode()))
 
@@ -84,6 +85,11 @@ def strips(atlas: Atlas) -> np.ndarray:
     """(GRID * (1 + pictures), GRID, 3) uint8."""
     every = [picture for each in atlas.wrong for picture in each.pictures]
     return np.concatenate([atlas.right, *_wrong_by(atlas.right, every)])
+
+
+def packed_strips(atlas: Atlas) -> bytes:
+    """The atlas, as it is published."""
+    return pack(strips(atlas).tobytes())
 
 
 def _wrong_by(right: np.ndarray, pictures: Iterable[np.ndarray]) -> Iterable[np.ndarray]:

@@ -1,13 +1,13 @@
 /** A scene's data, by classic scripts put into the page: from file:// a browser refuses anything else. Each calls raywalkReceive. */
 import { atlasOf, type About, type Atlas } from "../atlas";
 import type { Scene } from "../check";
-import { aboutOf, rightOf, sceneOf } from "../data";
+import { aboutOf, rightOf, sceneOf, stripsOf } from "../data";
 import type { Picture } from "../formats/picture";
 import { allScenesOf, type AllScenes } from "../other-scene";
 
 const arrived = new Map<string, string>();
 
-function bytesOf(base64: string): Uint8Array {
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
@@ -15,7 +15,7 @@ function bytesOf(base64: string): Uint8Array {
 }
 
 /** Rejects where it cannot be had. */
-function run(address: string, name: string): Promise<Uint8Array> {
+function run(address: string, name: string): Promise<Uint8Array<ArrayBuffer>> {
   return new Promise((resolve, reject) => {
     const script = document.createElement("script");
     script.src = address;
@@ -75,7 +75,7 @@ export function createFiles(root: string) {
       return all;
     },
     /** Its wrong pictures alone: nothing is made ready to recognise them. */
-    atlas: async (id: string): Promise<Atlas> => atlasOf(await about(id), rightOf(await file(id, "atlas"))),
+    atlas: async (id: string): Promise<Atlas> => atlasOf(await about(id), await stripsOf(await file(id, "atlas"))),
     right: async (id: string, size: number): Promise<Picture> => rightOf(await file(id, String(size))),
     /** The right colours at the tiles of the finest grid. */
     tiles: async (id: string): Promise<Picture> => rightOf(await file(id, "tiles")),
