@@ -174,6 +174,59 @@ def test_a_step_shows_a_grids_stop_by_its_number_or_by_column_and_row(scene_from
     assert "it has no rows: write the stop's number, 1 to 3" in found
 
 
+ROUND = """
+[[sweeps]]
+name = "round the ball"
+varies = "camera.eye"
+about = [0, 0, 0]
+from = -90
+to = 90
+stops = 3
+"""
+
+
+def test_a_place_goes_round_a_point_by_degrees(scene_from):
+    """Right-handed about the upright axis: from in front, 90 degrees lead to the right, as seen by
+    the camera. The scene's own place is 0, to the last digit."""
+    [sweep] = scene_from(SCENE + ROUND).sweeps
+    eyes = [each.camera.eye for each in sweep.stops]
+    assert (sweep.values, sweep.own, sweep.is_turned) == ((-90, 0, 90), 1, True)
+    assert eyes == [(-5, 0, 0), (0, 0, 5), (5, 0, 0)]
+    lamp = ROUND.replace('"camera.eye"', "'lights.\"light 1\".position'") + 'axis = "z"\n'
+    [sweep] = scene_from(SCENE + lamp).sweeps
+    assert [each.lights[0].position for each in sweep.stops] == [(1, 2, 1), (-2, 1, 1), (-1, -2, 1)]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ("from = -90", "from = 10", "sweeps[0]", "the scene's own value, 0, is none"),
+        ("from = -90", "from = [0, 0, 5]", "sweeps[0].from", "is not in degrees"),
+        ("camera.eye", "objects.ball.radius", "sweeps[0].about", "is no place: 1"),
+        ("about = [0, 0, 0]", 'axis = "y"', "sweeps[0].axis", "give about"),
+        ("about = [0, 0, 0]", "about = [0, 0]", "sweeps[0].about", "three numbers"),
+        ('"camera.eye"\nabout = [0, 0, 0]', '"camera.eye"\nabout = [0, 0, 5]', "sweeps[0].about",
+         "is the place itself"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_with_a_circle_is_said_where_it_stands(scene_from, old, new, key, said):
+    found = errors_of(scene_from, ROUND.replace(old, new, 1))
+    assert any(each.startswith(f"{key}: ") and said in each for each in found), found
+
+
+def test_a_lamp_grows_about_its_middle(scene_from):
+    """Its points stay as many and as bright together; that is what the page's stage can follow."""
+    lamp = '\nname = "lamp"\nedges = [[2, 0, 0], [0, 1, 0]]\nsamples = [2, 1]\nsize = 1\n'
+    sweep = '\n[[sweeps]]\nname = "lamp"\nvaries = "lights.lamp.size"\nvalues = [0.5, 1, 2]\n'
+    [sweep] = scene_from(SCENE + lamp + sweep).sweeps
+    places = [[each.position[0] for each in stop.lights] for stop in sweep.stops]
+    assert places == [[-1.25, -0.75], [-1.5, -0.5], [-2, 0]]
+    assert {stop.lights[0].position[1:] for stop in sweep.stops} == {(1.5, 1.0)}
+    assert {stop.lights[0].intensity for stop in sweep.stops} == {0.5}
+    [found] = errors_of(scene_from, "size = 2\n")
+    assert "only an area light has a size" in found
+
+
 def test_two_sweeps_have_two_addresses(scene_from):
     """Two names that differ in spaces only have one."""
     found = errors_of(

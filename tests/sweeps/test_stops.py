@@ -15,10 +15,11 @@ from raywalk.pipeline.sweeps import stop_parts, sweeps_here
 from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scene
+from raywalk.scene.sweeps import picture_side
 from raywalk.site.scene_data import Display
 from raywalk.site.stop_data import stop_data
 from raywalk.sweeps.differences import as_differences, whole_again
-from raywalk.sweeps.trace_stop import picture_side, write_stop
+from raywalk.sweeps.trace_stop import write_stop
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.wavefront import Tracer, trace_picture
 from raywalk.trace_file.container import unpack
@@ -132,7 +133,7 @@ def test_every_stop_equals_a_fresh_trace_of_the_scene_with_that_value(
 ) -> None:
     """Byte for byte: both grids' files, and the picture's pixels."""
     [sweep] = [each for each in swept.sweeps if each.name == name]
-    write_stop(sweep.stops[stop], sweep.resolutions, tmp_path, 2)
+    write_stop(sweep.stops[stop], sweep.resolutions, sweep.picture, tmp_path, 2)
     fresh = scene_with(sweep.varies, sweep.values[stop], tmp_path / swept.id)
     traced = trace_picture(Tracer(fresh, least_share=LEAST_SHARE))
     for n in (15, 33):

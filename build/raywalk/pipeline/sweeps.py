@@ -26,7 +26,8 @@ def stop_parts(stop: Scene, sweep: Sweep) -> Parts:
     """The scene with the stop's value, and which of its rays are kept."""
     return {
         "what": "stop", "of": stop.id, "scene": silent(stop), "models": models_of(stop),
-        "resolutions": list(sweep.resolutions), **STOP.parts(shut_for(stop)),
+        "resolutions": list(sweep.resolutions), "picture": sweep.picture,
+        **STOP.parts(shut_for(stop)),
     }  # fmt: skip
 
 
@@ -49,7 +50,7 @@ def sweeps_chain(store: Store, scene: Scene, traced: Entry) -> Chain[dict[str, E
             for k in missing:
                 yield from reasons(store, parts[k])
             wanted = [(sweep.stops[k], parts[k]) for k in missing]
-            note((yield Job(scene.id, partial(_make_stops, store, sweep.resolutions), wanted)))
+            note((yield Job(scene.id, partial(_make_stops, store, sweep), wanted)))
         whole = sweep_parts(scene, sweep, traced, [key_of(each) for each in parts])
         yield from reasons(store, whole)
         stops = [store.get(key_of(each)).folder for each in parts]
@@ -72,15 +73,16 @@ def sweeps_here(store: Store, scene: Scene, traced: Entry) -> dict[str, Entry]:
 
 
 def _make_stops(
-    store: Store, resolutions: tuple[int, ...], wanted: list[tuple[Scene, Parts]],
+    store: Store, sweep: Sweep, wanted: list[tuple[Scene, Parts]],
     threads: Threads, report: Report,
 ) -> Spent:  # fmt: skip
     # Only where something is traced: a change of words imports no compiler.
     from raywalk.optics.compiling import seconds_spent
 
     stages = Stages("compiling kernels", seconds_spent)
+    of = sweep.resolutions, sweep.picture
     for k, (stop, parts) in enumerate(wanted):
-        made(store, parts, partial(STOP, stop, resolutions, threads=threads))
+        made(store, parts, partial(STOP, stop, *of, threads=threads))
         report("stops", (k + 1) / len(wanted))
     return stages.spent("stops of sweeps")
 

@@ -32,6 +32,9 @@ def sample_points(table: LightTable) -> list[Triple]:
         return [table.position]
     across, along = table.samples or DEFAULT_SAMPLES
     corner, edge_a, edge_b = (np.array(v) for v in (table.position, *table.edges))
+    if table.size != 1:
+        corner = corner + (1 - table.size) / 2 * (edge_a + edge_b)
+        edge_a, edge_b = table.size * edge_a, table.size * edge_b
     return [
         _triple(corner + (i + 0.5) / across * edge_a + (j + 0.5) / along * edge_b)
         for j in range(along)

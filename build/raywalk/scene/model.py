@@ -193,6 +193,7 @@ class Sweep:
     values: tuple[Any, ...]  # numbers, or lists of them: of a grid's columns
     own: int  # the stop that is the scene itself, of all
     resolutions: tuple[int, ...]  # whose rays are kept at each stop
+    picture: int  # pixels across of each stop's
     stops: tuple[Scene, ...]
     across: Across | None = None  # of its rows
     is_turned: bool = False  # values are degrees

@@ -18,6 +18,7 @@ from raywalk.scene.fields import (
     Maybe,
     Name,
     Point,
+    Positive,
     Text,
     maybe,
     means,
@@ -84,6 +85,7 @@ class LightTable(Table):
         "light at distance D is divided by a0 + a1 D + a2 D^2", (1.0, 0.0, 0.0)
     )
     edges: Maybe[Edges] = maybe("the two sides from the corner, in world units: an area light")
+    size: Positive = means("factor of both sides about the middle: a larger or smaller lamp", 1.0)
     samples: Maybe[Samples] = maybe(
         "point lights along each edge, in the middle of equal cells "
         f"(default [4, 4], together at most {MOST_SAMPLES})"
@@ -91,6 +93,8 @@ class LightTable(Table):
 
     @model_validator(mode="after")
     def _sampled(self) -> Self:
+        if self.size != 1 and not self.edges:
+            raise refusal("only an area light has a size", at="size", hint="give it edges")
         if self.samples and not self.edges:
             raise refusal("only an area light has samples", at="samples", hint="give it edges")
         if self.samples and self.samples[0] * self.samples[1] > MOST_SAMPLES:

@@ -7,11 +7,22 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from raywalk.scene.fields import Allowed, Maybe, Name, Text, maybe, means, refusal
+from raywalk.scene.fields import (
+    Allowed,
+    AxisName,
+    Maybe,
+    Name,
+    Point,
+    Text,
+    maybe,
+    means,
+    refusal,
+)
 from raywalk.scene.table import Table
 from raywalk.scene.wording import counted, show
 
 MOST_STOPS = 64  # of a sweep: each is a trace of its own
+PICTURE = 385  # pixels across of a stop's picture: a third of 1155, sharp beside the stage
 CLEAN = 9  # decimals of a stop between `from` and `to`: 0.1 + 0.2 is 0.3 to whoever reads it
 
 # Of numbers as TOML has them: whole ones stay whole.
@@ -45,6 +56,21 @@ class SteppedTable(Table):
     to: Maybe[Value] = maybe("the last stop's value")
     stops: Maybe[Stops] = maybe("how many, in equal steps from `from` to `to`")
     values: Maybe[Values] = maybe("each stop's value, in place of `from`, `to` and `stops`")
+    about: Maybe[Point] = maybe(
+        "a point: the value, a place, goes round it on a circle, and `from` and `to`, or `values`, "
+        "are degrees from where the scene has it, which is 0; seen from above, more is to the left"
+    )
+    axis: Maybe[AxisName] = maybe('the circle\'s axis, through `about` (default "y", upright)')
+
+    @model_validator(mode="after")
+    def _round(self) -> Self:
+        if self.axis and not self.about:
+            raise refusal("only what goes round a point has an axis", at="axis", hint="give about")
+        ends = self.values or (self.from_, self.to)
+        if self.about and any(_length(value) is not None for value in ends):
+            at = "values" if self.values else "from"
+            raise refusal("is not in degrees, as what goes round a point is", at=at)
+        return self
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
@@ -102,6 +128,10 @@ class SweepTable(SteppedTable):
     resolutions: Maybe[Grids] = maybe(
         "of the scene's, those whose rays each stop has (default: 15 and 33, those of them that "
         "the scene has)"
+    )
+    picture: Maybe[Annotated[int, Field(strict=True, ge=1)]] = maybe(
+        "pixels across of each stop's picture, an odd part of `render.size` "
+        f"(default: {PICTURE} or a little less); smaller where a picture would weigh too much"
     )
 
     @model_validator(mode="after")

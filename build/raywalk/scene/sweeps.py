@@ -8,21 +8,27 @@ from dataclasses import dataclass, replace
 from math import isclose
 from typing import Any
 
+import numpy as np
+
 from raywalk.scene.address import address_of
 from raywalk.scene.checks import check_names
 from raywalk.scene.compile import compile_scene
 from raywalk.scene.draft import Draft, read_tables
+from raywalk.scene.fields import AxisName
 from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Across, Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.schema_sweeps import CLEAN, SteppedTable, SweepTable
+from raywalk.scene.schema_sweeps import CLEAN, PICTURE, SteppedTable, SweepTable
+from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.shapes import Plane
+from raywalk.scene.transforms import step_matrix
 from raywalk.scene.varied_keys import Path, path_of, value_at
 from raywalk.scene.wording import joined, quoted, show
 
 WORDS = ("lesson", "goals", "sweeps")  # of the file: no stop has any
 GRIDS = (15, 33)  # whose rays a stop has, where its sweep does not say
+SPACE = 3  # numbers of a place
 DEGREES = ("degrees", "fov")  # keys whose numbers are
 NEAR = 10.0**-CLEAN  # a stop so close to the scene's own value is that
 
@@ -35,11 +41,8 @@ class _Axis:
     path: Path
     values: list[Any]
     own: int  # which of them is the scene's
-
-    @property
-    def is_turned(self) -> bool:
-        """Whether its values are degrees."""
-        return self.path[-1] in DEGREES
+    puts: list[Any]  # what the file has at each: the value, or the place that it turns to
+    is_turned: bool  # whether its values are degrees
 
 
 @dataclass(frozen=True)
@@ -57,10 +60,10 @@ class _Plan:
 
     def stops(self) -> list[list[tuple[Path, Any]]]:
         """What is put where at each stop, row by row."""
-        columns = [[(self.columns.path, each)] for each in self.columns.values]
+        columns = [[(self.columns.path, each)] for each in self.columns.puts]
         if self.rows is None:
             return columns
-        return [[*each, (self.rows.path, row)] for row in self.rows.values for each in columns]
+        return [[*each, (self.rows.path, row)] for row in self.rows.puts for each in columns]
 
 
 def read_sweeps(
@@ -110,7 +113,14 @@ def _axis(
     path = path_of(table.varies, raw, draft, (*at, "varies"), problems)
     if path is None:
         return None
-    own, values = value_at(raw, path), table.all_values()
+    here, values = value_at(raw, path), table.all_values()
+    if table.about and not (isinstance(here, list) and len(here) == SPACE):
+        problems.add((*at, "about"), f"{quoted(table.varies)} is no place: {show(here)}")
+        return None
+    if table.about and list(table.about) == here:
+        problems.add((*at, "about"), f"{show(here)} is the place itself: it would not move")
+        return None
+    own = 0 if table.about else here
     near = next((k for k, value in enumerate(values) if _is_same(value, own)), None)
     if near is None:
         problems.add(
@@ -119,7 +129,24 @@ def _axis(
             hint="choose them so that one is the scene as it is",
         )  # fmt: skip
         return None
-    return _Axis(table.varies, path, [*values[:near], own, *values[near + 1 :]], near)
+    values[near] = own
+    puts = [*values]
+    if table.about:
+        puts = [_turned(here, table.about, table.axis or "y", each) for each in values]
+        puts[near] = here
+    return _Axis(
+        table.varies, path, values, near, puts, bool(table.about) or path[-1] in DEGREES
+    )  # fmt: skip
+
+
+def _turned(
+    place: Sequence[float], about: Sequence[float], axis: AxisName, degrees: float
+) -> list[float]:
+    """A place on its circle round an axis through `about`, right-handed; without a last digit that
+    nobody would write."""
+    turn = step_matrix(TransformTable(rotate=RotateTable(axis=axis, degrees=degrees)))[:3, :3]
+    away = np.subtract(place, about)
+    return [round(float(each), CLEAN) for each in np.add(about, turn @ away)]
 
 
 def _is_same(value: Any, own: Any) -> bool:
@@ -146,6 +173,9 @@ def _swept(
             allowed=f"one of the scene's: {joined(map(str, scene.render.resolutions))}",
         )  # fmt: skip
         return None
+    side = _picture_side(table, scene.render.size, at, problems)
+    if side is None:
+        return None
     stops: list[Scene] = []
     for k, settings in enumerate(plan.stops()):
         own = Problems(problems.file)
@@ -159,8 +189,28 @@ def _swept(
         stops.append(stop)
     return Sweep(
         address_of(table.name), table.name, table.varies, _frozen(plan.columns), plan.own, grids,
-        tuple(stops), _across(plan), plan.columns.is_turned,
+        side, tuple(stops), _across(plan), plan.columns.is_turned,
     )  # fmt: skip
+
+
+def _picture_side(table: SweepTable, size: int, at: Location, problems: Problems) -> int | None:
+    sides = [size // k for k in range(1, size + 1, 2) if size % k == 0]
+    if table.picture is None:
+        return picture_side(size)
+    if table.picture in sides:
+        return table.picture
+    problems.add(
+        (*at, "picture"), f"{table.picture} x {table.picture} pixels are none of the picture's",
+        allowed=f"allowed: {joined(map(str, sides))}",
+    )  # fmt: skip
+    return None
+
+
+def picture_side(size: int) -> int:
+    """The most pixels across, up to PICTURE, that are pixels of a picture of this size: all of it
+    where there are no such."""
+    divided = [size // k for k in range(1, size + 1, 2) if size % k == 0]
+    return max([side for side in divided if side <= PICTURE and side * 3 >= PICTURE], default=size)
 
 
 def _across(plan: _Plan) -> Across | None:

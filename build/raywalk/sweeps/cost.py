@@ -6,7 +6,6 @@ import json
 from dataclasses import dataclass
 
 from raywalk.scene.model import Scene, Sweep
-from raywalk.sweeps.trace_stop import picture_side
 from raywalk.trace.wavefront import Tracer, trace_coarse
 from raywalk.trace_file.container import pack_texts
 from raywalk.trace_file.encode import encode
@@ -30,7 +29,7 @@ def cost_of(scene: Scene, sweep: Sweep, tracer: Tracer) -> Cost:
         n: len(pack_texts(encode(level_of(traced.tree, n), scene, traced.picture)))
         for n in sweep.resolutions
     }
-    pixels = picture_side(size) ** 2 + sum(n * n for n in sweep.resolutions)
+    pixels = sweep.picture**2 + sum(n * n for n in sweep.resolutions)
     rays_each = len(level_of(traced.tree, finest).kind) / finest**2
     stops = len(sweep.stops)
     return Cost(
@@ -41,7 +40,7 @@ def cost_of(scene: Scene, sweep: Sweep, tracer: Tracer) -> Cost:
 def cost_line(scene: Scene, sweep: Sweep, tracer: Tracer) -> str:
     """A sentence for `raywalk check`."""
     cost = cost_of(scene, sweep, tracer)
-    side = picture_side(scene.render.size)
+    side = sweep.picture
     grids = " and ".join(f"{n} x {n}" for n in sweep.resolutions)
     return (
         f"sweep {json.dumps(sweep.name, ensure_ascii=False)}: {len(sweep.stops)} stops at {grids}, "

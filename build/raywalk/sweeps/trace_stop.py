@@ -14,13 +14,12 @@ from raywalk.trace_file.level import level_of
 from raywalk.trace_file.png import write_png
 from raywalk.trace_file.webp import write_webp
 
-PICTURE = 385  # pixels across: a third of 1155, sharp beside the stage
 
-
-def write_stop(scene: Scene, resolutions: tuple[int, ...], folder: Path, threads: Threads) -> None:
+def write_stop(
+    scene: Scene, resolutions: tuple[int, ...], side: int, folder: Path, threads: Threads
+) -> None:
     """<n>.json.gz of each resolution, byte for byte those of the scene's own trace; picture.webp,
-    or picture.png where that is smaller: pixels of its picture."""
-    side = picture_side(scene.render.size)
+    or picture.png where that is smaller: pixels of its picture, side x side."""
     traced = trace_coarse(Tracer(scene, least_share=LEAST_SHARE), resolutions, side, threads)
     for n in resolutions:
         level = level_of(traced.tree, n)
@@ -32,10 +31,3 @@ def write_stop(scene: Scene, resolutions: tuple[int, ...], folder: Path, threads
     write_webp(folder / "picture.webp", picture, unless=png.stat().st_size)
     if (folder / "picture.webp").exists():
         png.unlink()
-
-
-def picture_side(size: int) -> int:
-    """The most pixels across, up to PICTURE, that are pixels of a picture of this size: all of it
-    where there are no such."""
-    divided = [size // k for k in range(1, size + 1, 2) if size % k == 0]
-    return max([side for side in divided if side <= PICTURE and side * 3 >= PICTURE], default=size)
