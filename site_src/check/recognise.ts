@@ -25,8 +25,9 @@ const SURE = 0.8;
 const KNOWN = 0.5;
 /** But where so few pixels are wrong, noise is much of what is seen: one that agrees this far will do, so many times better than any other. */
 const [FEW, FAINT, AHEAD] = [0.02, 0.12, 3];
-/** Speckles of another size fall elsewhere: three quarters of an agreement may be lost, but no other agrees nearly as far. */
-const [SPECKLED, FURTHER] = [0.2, 1.75];
+/** Speckles of another size fall elsewhere: three quarters of an agreement may be lost, but no other agrees nearly as far. The more
+ *  is left of it, the less far ahead it need be. */
+const SPECKLED = [[0.2, 1.75], [0.35, 1.5]];
 /** A second mistake is named if it leaves less than this share of what the first leaves unexplained. */
 const LEFT_BY_SECOND = 0.7;
 /** One that leaves less than this is worth a look: it stands behind the first, though not as one of two. */
@@ -239,7 +240,7 @@ function ranked(singles: Scored[], added: Scored[], undone: Scored | null, isFai
   const names = namesOf(single.references[0]);
   const next = singles.find(({ references: [one] }) => !names.includes(one.name))?.agreement ?? 0;
   const standsOut = (least: number, ahead: number) => single.agreement >= least && single.agreement > ahead * next;
-  if (!isPair && single.agreement < KNOWN && (standsOut(SPECKLED, FURTHER) || (isFaint && standsOut(FAINT, AHEAD)))) answers.push({ names, agreement: single.agreement });
+  if (!isPair && single.agreement < KNOWN && (SPECKLED.some(([least, ahead]) => standsOut(least, ahead)) || (isFaint && standsOut(FAINT, AHEAD)))) answers.push({ names, agreement: single.agreement });
   for (const { references: [one], agreement } of [...(isPair ? [] : [single]), ...ofPairs, ...singles]) {
     if (answers.length === ANSWERS) break;
     if (agreement < KNOWN) continue;

@@ -76,8 +76,12 @@ def test_surfaces_that_light_shines_through(node: Stops, tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(
-    ("of", "mistake"), [("02-shadows", "shadow-acne"), ("08-glass", "inside-not-told")]
-)
+    ("of", "mistake"),
+    [
+        ("02-shadows", "shadow-acne"), ("04-one-bounce", "shadow-acne"),
+        ("05-many-bounces", "shadow-acne"), ("08-glass", "inside-not-told"),
+    ],
+)  # fmt: skip
 def test_speckles_of_shadow_and_glass_that_bends_the_wrong_way_at_the_exit(
     node: Stops, tmp_path: Path, of: str, mistake: str
 ) -> None:
