@@ -35,7 +35,7 @@ export interface PartsPlace {
 const ON_STAGE = ".stage > .picture, .busy-note"; // what must not hide a label
 const NARROW = "(max-width: 760px)";
 
-function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed }: PartsPlace) {
+function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: OnDemand, { home, page, pictureFailed, kept }: PartsPlace) {
   const whatIf = onDemand.one("what-if", ({ createWhatIf }) => createWhatIf(acts, home));
   const drawer = createToolsDrawer({ ...acts, ...stage, start: () => acts.observer("start"), whatIf: () => whatIf.use(({ turn }) => (turn(), session.changed())) }, session.changed, onDemand);
   return {
@@ -51,7 +51,7 @@ function createPanels(session: Session, stage: Stage, acts: Actions, onDemand: O
     guide: onDemand.one("guide", ({ createGuide }) => createGuide(drawer.open)),
     tileColours: onDemand.one("tile-legend", ({ createTileLegend }) => createTileLegend(home.querySelector(".below-row")!)),
     page: createPage(page, onDemand),
-    sweeps: onDemand.one("sweeps", ({ createSweeps }) => createSweeps(session, home)),
+    sweeps: onDemand.one("sweeps", ({ createSweeps }) => createSweeps(session, home, kept)),
     savings: onDemand.one("told", ({ createSavings }) => createSavings(home.querySelector(".side")!)),
     // Nothing is spoken before the page is whole.
     spoken: onDemand.one("spoken", ({ createSpoken }) => createSpoken(home)),
@@ -172,7 +172,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now();
-    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, recombined, trace, state, surroundings: session.surroundings?.scene === scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: panels.sweeps.now()?.glided(scene) ?? scene, recombined, trace, state, surroundings: session.surroundings?.scene === scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
   let shownSlice: SavedView | null = null;

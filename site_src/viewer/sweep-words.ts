@@ -24,8 +24,9 @@ export function written(value: Sweep["values"][number], unit?: Sweep["unit"]): s
 }
 
 /** What a stop's value is; of a grid both. */
-export function valueAt({ across, ...sweep }: Sweep, stop: number): string {
+export function valuesAt({ across, ...sweep }: Sweep, stop: number): string[] {
   const [column, row] = placeOf(sweep, stop);
-  const both = [written(sweep.values[column], sweep.unit), ...(across ? [written(across.values[row], across.unit)] : [])];
-  return both.join(BETWEEN);
+  return [written(sweep.values[column], sweep.unit), ...(across ? [written(across.values[row], across.unit)] : [])];
 }
+
+export const valueAt = (sweep: Sweep, stop: number): string => valuesAt(sweep, stop).join(BETWEEN);

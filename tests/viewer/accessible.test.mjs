@@ -7,8 +7,9 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { PNG } from "pngjs";
-import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, reload, richScene, settled, state, stats, until } from "./browser.mjs";
+import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, reload, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { cases, oneMore } from "./cases.mjs";
+import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const rich = richScene();
@@ -113,6 +114,26 @@ for (const home of ["", "de/"]) {
     assert.deepEqual(wrong, []);
   });
 }
+
+const movers = scenesOfSite().filter(({ id }) => readScene(id).sweeps);
+const crossed = movers.find(({ id }) => readScene(id).sweeps.some(({ across }) => across));
+for (const home of ["", "de/"])
+  test(`axe finds nothing wrong (${home || "en/"}) where something moves: its slider, its pad, in a lecture and on a phone too`, async () => {
+    const wrong = [];
+    for (const { id, path } of [...new Set([movers[0], crossed ?? movers[0]])]) {
+      const [{ id: sweep }] = readScene(id).sweeps;
+      await open(page, server.url, `${home}${path}`, "still=1&gl=none");
+      for (const more of ["", "&projector=1"]) {
+        await follow(page, `still=1&gl=none&sweep=${sweep}:2${more}`);
+        assert.ok(await page.locator("#sweeps .sweep").first().isVisible());
+        wrong.push(...(await violations(page)).map((each) => `${id}${more}: ${each}`));
+      }
+      await page.setViewportSize({ width: 390, height: 844 });
+      wrong.push(...(await violations(page)).map((each) => `${id} on a phone: ${each}`));
+      await page.setViewportSize({ width: 1280, height: 800 });
+    }
+    assert.deepEqual(wrong, []);
+  });
 
 test("axe finds nothing wrong where a picture was checked, right or wrong", async () => {
   const wrong = [];

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
-import { DIST, launch, newPage, ON_DISK, open, openDrawer, pass, press, settled, state, stats, until } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -138,16 +138,71 @@ test("a stop that there is not is named, and the scene shown as it is", async ()
   assert.deepEqual(await tiles(), [...readTrace(ID, 15).trace.tiles]);
 });
 
-test("the drawer opens the slider in a scene that has one, and offers none where there is none", async () => {
+test("where something moves, what opens its slider is in sight on arrival, with its name, and in a lecture too; elsewhere there is none", async () => {
   await show("tiles=filled");
+  const opener = page.locator(".open-sweeps");
+  assert.ok(await opener.isVisible());
+  assert.match(await opener.innerText(), /lamp height/i);
   assert.ok(!(await page.locator("#sweeps").isVisible()));
-  await openDrawer(page);
-  await page.locator(".open-sweeps").click();
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.ok((await opener.boundingBox()).y + 44 <= 844, "on a phone within the first screen");
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await press(page, "j");
+  await pass(page, 3000);
+  assert.ok(await page.locator("body.resting .lecture-row .open-sweeps").isVisible());
+  await press(page, "Escape");
+  await opener.click();
   assert.ok(await page.locator("#sweeps").isVisible());
   assert.equal(await slider().inputValue(), String(sweep.own));
   await open(page, ON_DISK, "scenes/01-shading/index.html", "gl=none");
-  await openDrawer(page);
   assert.equal(await page.locator(".open-sweeps:visible").count(), 0);
+});
+
+/** How far down the stage the lamp is drawn, in pixels of the canvas: the mean of those that have its colour. */
+const lampAt = (of = page) =>
+  of.evaluate(() => {
+    const canvas = document.querySelector(".stage-view canvas");
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    let [count, sum] = [0, 0];
+    for (let k = 0; k < data.length; k += 4) if (data[k] > 235 && data[k + 1] > 205 && data[k + 2] > 120 && data[k + 2] < 215) [count, sum] = [count + 1, sum + Math.floor(k / 4 / canvas.width)];
+    return sum / count;
+  });
+const NEAR = 1; // pixel: a disc's edges are of many colours
+const lampAtStop = async (stop) => (await show(`sweep=${sweep.id}:${stop}&tiles=filled&rays=`), lampAt());
+const isNear = (there, expected) => assert.ok(Math.abs(there - expected) < NEAR, `${there}, not ${expected}`);
+
+test("between stops the lamp follows the finger, while tiles are those of the nearest stop; let go, it glides there", async () => {
+  const [third, fourth] = [await lampAtStop(3), await lampAtStop(4)];
+  const { x, y, width, height } = await slider().boundingBox();
+  const finger = (stop) => page.mouse.move(x + 8 + ((width - 16) * (stop - 1)) / (sweep.values.length - 1), y + height / 2);
+  const between = fourth + 0.4 * (third - fourth);
+  await finger(4);
+  await page.mouse.down();
+  await finger(3.6);
+  await settled(page);
+  isNear(await lampAt(), between);
+  assert.equal((await state(page)).sweep, `${sweep.id}:4`);
+  assert.deepEqual(await tiles(), [...grid(15)[3].tiles]);
+  await page.mouse.up();
+  await pass(page, 50);
+  const leaving = await lampAt();
+  assert.ok(leaving > fourth + NEAR && leaving < between - NEAR, "on its way");
+  await pass(page, 1000);
+  isNear(await lampAt(), fourth);
+});
+
+test("whoever wants no motion sees stops alone", async () => {
+  const still = await newPage(browser, { held: true, reducedMotion: "reduce" });
+  await open(still, ON_DISK, `scenes/${ID}/index.html`, `gl=none&sweep=${sweep.id}:3&tiles=filled&rays=`);
+  await press(still, ">");
+  await until(still, (s, t) => s.sweep.endsWith(":4") && t.tiles.length > 0);
+  const fourth = await lampAt(still);
+  await pass(still, 1000);
+  assert.equal(await lampAt(still), fourth);
+  assert.deepEqual(still.faults, []);
+  await still.close();
 });
 
 test("a kiosk goes through all stops of a step's answer, and ends where the step stands", async () => {
@@ -167,4 +222,61 @@ test("a kiosk goes through all stops of a step's answer, and ends where the step
   assert.equal(now.step, step + 1);
   assert.deepEqual(kiosk.faults, []);
   await kiosk.close();
+});
+
+const crossed = scenesOfSite().map(({ id }) => readScene(id)).find(({ id, of, sweeps }) => id === of && sweeps?.some(({ across }) => across));
+const field = crossed?.sweeps.find(({ across }) => across);
+const [columns, rows] = field ? [field.values.length, field.across.values.length] : [];
+const stopOf = (column, row) => `${field.id}:${row * columns + column + 1}`;
+
+test("of two values that are crossed a pad shows all stops: arrows go both ways, a finger drags, and both values are heard", { skip: !field && "nothing is crossed here" }, async () => {
+  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&sweep=${stopOf(1, 1)}`);
+  const pad = page.locator(".pad").first();
+  const is = (column, row) => until(page, (s, t, [wanted]) => s.sweep === wanted && t.tiles.length > 0, [stopOf(column, row)]);
+  const { pixel } = await state(page);
+  await pad.focus();
+  await press(page, "ArrowRight");
+  await is(2, 1);
+  await press(page, "ArrowUp");
+  await is(2, 2);
+  await press(page, "ArrowLeft", "ArrowDown", "ArrowDown", "ArrowDown");
+  await is(1, 0);
+  assert.deepEqual((await state(page)).pixel, pixel, "the arrows are the pad's");
+  assert.equal(await pad.getAttribute("aria-valuenow"), "2");
+  const heard = await pad.getAttribute("aria-valuetext");
+  const { number } = await page.evaluate(() => ({ number: document.querySelector(".sweep.crossed output").textContent }));
+  assert.equal(heard, number);
+  assert.match(heard, new RegExp(`stop 2 of ${columns * rows}`));
+  const { x, y, width, height } = await pad.boundingBox();
+  const corner = (right, up) => page.mouse.move(x + (right ? width - 12 : 12), y + (up ? 12 : height - 12));
+  await corner(false, false);
+  await page.mouse.down();
+  await is(0, 0);
+  await corner(true, true);
+  await is(columns - 1, rows - 1);
+  await page.mouse.up();
+  for (const each of await page.locator(".sweep.crossed :is(button, .pad)").all()) {
+    const box = await each.boundingBox();
+    assert.ok(box.width >= 44 && box.height >= 44);
+  }
+});
+
+test("by itself it goes through a grid in rows, to and fro, each stop beside the one before", { skip: !field && "nothing is crossed here" }, async () => {
+  const { countOf, onTheWay, placeOf, wayTo } = await load("state/swept.ts");
+  const all = Array.from({ length: countOf(field) }, (_, k) => onTheWay(field, k));
+  assert.deepEqual([...all].sort((a, b) => a - b), Array.from(all, (_, k) => k + 1));
+  all.forEach((stop, k) => assert.equal(wayTo(field, stop), k));
+  for (let k = 1; k < all.length; k++) {
+    const [[a, b], [c, d]] = [placeOf(field, all[k - 1]), placeOf(field, all[k])];
+    assert.equal(Math.abs(a - c) + Math.abs(b - d), 1);
+  }
+  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&sweep=${stopOf(columns - 2, 0)}`);
+  await page.locator(".crossed .to-and-fro").click();
+  const seen = [];
+  for (let k = 0; k < 3; k++) {
+    await pass(page, 451);
+    await settled(page);
+    seen.push((await state(page)).sweep);
+  }
+  assert.deepEqual(seen, [stopOf(columns - 1, 0), stopOf(columns - 1, 1), stopOf(columns - 2, 1)]);
 });

@@ -1,5 +1,5 @@
 /** What an unattended screen shows: every scene's lesson in turn, its tiles filling and its rays being walked. */
-import { stopIn } from "../state/swept";
+import { countOf, onTheWay, stopIn, wayTo } from "../state/swept";
 import { isAsking } from "../state/view-state";
 import type { KioskViewer } from "./hook";
 
@@ -18,13 +18,14 @@ function inTime(what: Promise<boolean>): Promise<boolean> {
 
 const range = (from: number, to: number) => Array.from({ length: Math.abs(to - from) }, (_, k) => from + Math.sign(to - from) * (k + 1));
 
-/** Where a step shows a stop of a sweep: from there to the last, back to the first and there again. Not while it asks. */
+/** Where a step shows a stop of a sweep: from there to the last, back to the first and there again; of a grid in rows, each
+ *  from the end at which the one before was left. Not while it asks. */
 function stopsFrom({ scene, state }: KioskViewer["session"]): string[] {
   const found = scene && state && !isAsking(state, scene) && stopIn(scene, state.sweep);
   if (!found) return [];
   const { sweep, stop } = found;
-  const last = sweep.values.length;
-  return [...range(stop, last), ...range(last, 1), ...range(1, stop)].map((to) => `${sweep.id}:${to}`);
+  const [here, last] = [wayTo(sweep, stop), countOf(sweep) - 1];
+  return [...range(here, last), ...range(last, 0), ...range(0, here)].map((to) => `${sweep.id}:${onTheWay(sweep, to)}`);
 }
 
 /** pace: seconds that a stop of a lesson is shown. */

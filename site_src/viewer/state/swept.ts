@@ -4,12 +4,15 @@ import type { SceneData, StopsData } from "../trace/types";
 /** What varies; of two values, `across` are the other one's. */
 export type Sweep = NonNullable<SceneData["sweeps"]>[number];
 
+/** Column and row of its grid, from 0; between stops they are no whole numbers. */
+export type Place = readonly [number, number];
+
 export const rowsOf = ({ across }: Sweep): number => across?.values.length ?? 1;
 export const countOf = (sweep: Sweep): number => sweep.values.length * rowsOf(sweep);
 /** Column and row of a stop, from 0: stops are numbered row by row. */
-export const placeOf = ({ values }: Sweep, stop: number): readonly [number, number] => [(stop - 1) % values.length, Math.floor((stop - 1) / values.length)];
+export const placeOf = ({ values }: Sweep, stop: number): Place => [(stop - 1) % values.length, Math.floor((stop - 1) / values.length)];
 /** The stop in that column and row, or the nearest to it. */
-export function stopOf(sweep: Sweep, [column, row]: readonly [number, number]): number {
+export function stopOf(sweep: Sweep, [column, row]: Place): number {
   const within = (at: number, count: number) => Math.max(0, Math.min(count - 1, Math.round(at)));
   return within(row, rowsOf(sweep)) * sweep.values.length + within(column, sweep.values.length) + 1;
 }
@@ -19,6 +22,14 @@ export function besides(sweep: Sweep, stop: number): number[] {
   const near = [[column + 1, row], [column - 1, row], [column, row + 1], [column, row - 1]] as const;
   return [...new Set(near.map((at) => stopOf(sweep, at)))].filter((each) => each !== stop);
 }
+
+/** The k-th stop, from 0, of the way through all of them: to and fro in rows, so that each is beside the one before. */
+export function onTheWay({ values: { length } }: Sweep, k: number): number {
+  const [column, row] = [k % length, Math.floor(k / length)];
+  return row * length + (row % 2 ? length - 1 - column : column) + 1;
+}
+/** Where on that way a stop is: what turns a row round turns it back. */
+export const wayTo = (sweep: Sweep, stop: number): number => onTheWay(sweep, stop - 1) - 1;
 
 /** Sweep and stop of "lamp-height:7"; null where the scene has no such stop. */
 export function stopIn(scene: SceneData, text: string) {

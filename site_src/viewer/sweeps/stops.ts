@@ -17,9 +17,10 @@ const KEPT_TRACES = 64; // decoded stops, a few hundred kilobytes each: all of a
 type Rays = (stop: number) => Promise<Trace>;
 
 /** What is published of a scene's sweeps. A file is read with the stop that is asked for: what is damaged is not kept. */
-function readersOf(loader: Loader, scene: SceneData) {
+function readersOf(kept: Loader["kept"], scene: SceneData) {
   let wanted = 1; // the stop
   const traces = new Map<string, Promise<Trace>>();
+  const come = new Map<string, readonly SceneData[]>();
 
   function stopsFrom<T>(json: unknown, id: string): readonly T[] {
     const { format, stops } = json as { format: number; stops: readonly T[] };
@@ -29,7 +30,9 @@ function readersOf(loader: Loader, scene: SceneData) {
 
   async function scenesFrom(json: unknown, name: string): Promise<readonly SceneData[]> {
     const id = name.split("/")[1];
-    return stopsFrom<StopsData["stops"][number]>(json, id).map((stop, k) => sceneAt(scene, stop, id, k + 1));
+    const made = stopsFrom<StopsData["stops"][number]>(json, id).map((stop, k) => sceneAt(scene, stop, id, k + 1));
+    come.set(id, made);
+    return made;
   }
 
   async function raysFrom(json: unknown, name: string): Promise<Rays> {
@@ -47,10 +50,12 @@ function readersOf(loader: Loader, scene: SceneData) {
     return rays;
   }
 
-  const scenes = loader.kept(KEPT_FILES, scenesFrom);
-  const rays = loader.kept(KEPT_FILES, raysFrom);
+  const scenes = kept(KEPT_FILES, scenesFrom);
+  const rays = kept(KEPT_FILES, raysFrom);
   return {
     of: scene,
+    /** Those of a sweep whose stops have come. */
+    scenes: (id: string) => come.get(id) ?? null,
     async at(id: string, n: number, stop: number) {
       wanted = stop;
       const [there, decoded] = await Promise.all([scenes(`${scene.of}/${id}/stops`), rays(`${scene.of}/${id}/${n}`)]);
@@ -61,25 +66,36 @@ function readersOf(loader: Loader, scene: SceneData) {
 
 let readers: ReturnType<typeof readersOf> | null = null; // of the scene that is shown: read anew, it is another
 
+/** The scene at each stop of a sweep; null until they have come. */
+export const scenesOf = (scene: SceneData, id: string) => (readers?.of === scene ? readers.scenes(id) : null);
+
 /** Scene and rays at a stop; what turns out damaged is asked for once more, and with it the file. */
-async function readAt(loader: Loader, scene: SceneData, id: string, n: number, stop: number) {
-  const known = readers?.of === scene ? readers : null;
-  readers = known ?? readersOf(loader, scene);
+async function readAt(kept: Loader["kept"], scene: SceneData, id: string, n: number, stop: number) {
+  const known = readers?.of === scene ? readers : null; // else of another scene, or of this one before it was read anew
+  readers = known ?? readersOf(kept, scene);
   try {
     return await readers.at(id, n, stop);
   } catch (error) {
     if (!known) throw error;
-    readers = readersOf(loader, scene);
+    readers = readersOf(kept, scene);
     return readers.at(id, n, stop);
   }
 }
 
+const nearest = (levels: readonly number[], n: number) => levels.reduce((a, b) => (Math.abs(b - n) < Math.abs(a - n) ? b : a));
+
+/** A sweep's files, before any of its stops is asked for; what cannot be had is said when it is. */
+export function bringStops({ scene, state }: Session, kept: Loader["kept"], id: string) {
+  const sweep = scene!.sweeps!.find((each) => each.id === id)!;
+  readAt(kept, scene!, id, nearest(levelsOf(scene!, id), state!.n), sweep.own).then((read) => bringNear(read, sweep, sweep.own), () => {});
+}
+
 /** What stops beside it will show, before they are asked for; what cannot be had is said when it is. */
-async function bringNear(root: string, { there, decoded }: Awaited<ReturnType<typeof readAt>>, sweep: Sweep, stop: number) {
+async function bringNear({ there, decoded }: Awaited<ReturnType<typeof readAt>>, sweep: Sweep, stop: number) {
   for (const near of besides(sweep, stop)) {
     await new Promise((done) => (window.requestIdleCallback ?? setTimeout)(done));
     await decoded(near).catch(() => {});
-    if (near !== sweep.own) new Image().src = `${root}scenes/${there[near - 1].of}/${there[near - 1].picture}`;
+    if (near !== sweep.own) new Image().src = `${document.body.dataset.root ?? ""}scenes/${there[near - 1].of}/${there[near - 1].picture}`;
   }
 }
 
@@ -104,10 +120,10 @@ export async function stopAt(session: Session, loader: Loader, notice: Notice): 
   if (stop === sweep.own) return own();
   const levels = levelsOf(scene, sweep.id);
   if (!levels.includes(n)) {
-    session.set(setLevel(asked, levels.reduce((a, b) => (Math.abs(b - n) < Math.abs(a - n) ? b : a))));
+    session.set(setLevel(asked, nearest(levels, n)));
     return own(); // dropped: the other grid was asked for
   }
-  const read = await readAt(loader, scene, sweep.id, n, stop);
-  void bringNear(document.body.dataset.root ?? "", read, sweep, stop);
+  const read = await readAt(loader.kept, scene, sweep.id, n, stop);
+  void bringNear(read, sweep, stop);
   return come(read.there[stop - 1], read.trace);
 }

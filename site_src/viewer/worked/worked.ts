@@ -2,7 +2,6 @@
  *  numbers are the pipeline's; here they are only shown, and a point moves along its ray. */
 import { element, named } from "../element";
 import { svg } from "../panels/svg";
-import type { Loader } from "../load";
 import type { Drawn } from "../stage/renderer";
 import { isAsking, stopOf } from "../state/view-state";
 import { damaged } from "../trace/errors";
@@ -25,7 +24,8 @@ function workedFrom(json: unknown): WorkedData {
 export interface WorkedPlace {
   stage: HTMLElement;
   side: Element;
-  kept: Loader["kept"];
+  /** The loader's: reads files, and keeps as many. */
+  kept: <T>(size: number, read: (json: unknown) => T) => (name: string) => Promise<T>;
   /** Something was moved, or has come. */
   changed: () => void;
 }
