@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from raywalk.__main__ import main
 from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.read import read_scene
@@ -40,37 +41,45 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made
 
 
-def compared(*words: str | Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "raywalk", "compare", *map(str, words)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
+@pytest.fixture
+def compared(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    """A function: the command here, as if it were a process of its own."""
+    monkeypatch.chdir(ROOT)
+
+    def run(*words: str | Path) -> subprocess.CompletedProcess[str]:
+        code = main(["compare", *map(str, words)])
+        return subprocess.CompletedProcess(words, code, *capfd.readouterr())
+
+    return run
 
 
 def test_a_right_picture_ends_with_0(folder) -> None:
-    done = compared(folder / "anna.png", "--scene", "03")
+    command = [sys.executable, "-m", "raywalk", "compare", folder / "anna.png", "--scene", "03"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
     assert done.returncode == 0, done.stderr
     assert "This picture is right." in done.stdout
 
 
-def test_a_wrong_one_ends_with_1_and_is_named(folder) -> None:
+def test_a_wrong_one_ends_with_1_and_is_named(compared, folder) -> None:
     done = compared(folder / "bela.ppm", "--scene", "03-two-lights")
     assert done.returncode == 1
     assert "light-reversed" in done.stdout and "Not right yet" in done.stdout
     assert done.stderr.strip() == "1 of 1 pictures not right"
 
 
-def test_in_german_objects_and_mistakes_have_their_german_names(folder) -> None:
+def test_in_german_objects_and_mistakes_have_their_german_names(compared, folder) -> None:
     done = compared(folder / "bela.ppm", "--scene", "03", "--language", "de")
     assert "Das Licht kommt von der Gegenseite" in done.stdout and "(light-reversed)" in done.stdout
     assert not any(obj.name in done.stdout for obj in SCENE.objects), done.stdout
 
 
-def test_a_wider_picture_is_cut_to_its_middle_and_may_be_right(folder) -> None:
+def test_a_wider_picture_is_cut_to_its_middle_and_may_be_right(compared, folder) -> None:
     done = compared(folder / "wide.bmp", "--scene", "03")
     assert done.returncode == 0
     assert "the middle square, 100 × 100 pixels" in done.stdout
 
 
-def test_a_class_is_a_table_a_line_a_picture(folder) -> None:
+def test_a_class_is_a_table_a_line_a_picture(compared, folder) -> None:
     done = compared(folder, "--scene", "03")
     assert done.returncode == 1
     lines = done.stdout.splitlines()
@@ -80,7 +89,7 @@ def test_a_class_is_a_table_a_line_a_picture(folder) -> None:
     assert "light-reversed" in lines[1] and "PNG file" in lines[2]
 
 
-def test_json_says_all_and_nothing_else(folder) -> None:
+def test_json_says_all_and_nothing_else(compared, folder) -> None:
     done = compared(folder, "--scene", "03", "--json")
     found = json.loads(done.stdout)
     assert found["scene"] == "03-two-lights"
@@ -93,7 +102,7 @@ def test_json_says_all_and_nothing_else(folder) -> None:
     assert parts == ["verdict", "how", "where", "looks", "walk"]
 
 
-def test_junit_has_a_case_a_picture(folder) -> None:
+def test_junit_has_a_case_a_picture(compared, folder) -> None:
     done = compared(folder, "--scene", "03", "--junit", "--language", "de")
     suite = ElementTree.fromstring(done.stdout.encode())
     assert (suite.get("tests"), suite.get("failures"), suite.get("errors")) == ("4", "1", "1")
@@ -101,7 +110,7 @@ def test_junit_has_a_case_a_picture(folder) -> None:
     assert failure.get("message", "").startswith("Noch nicht richtig")
 
 
-def test_what_is_not_there_is_told_all_at_once(folder, tmp_path) -> None:
+def test_what_is_not_there_is_told_all_at_once(compared, folder, tmp_path) -> None:
     done = compared("nobody.png", tmp_path, "--scene", "03")
     assert done.returncode == 1 and not done.stdout
     assert "nobody.png: no such file" in done.stderr
@@ -109,7 +118,9 @@ def test_what_is_not_there_is_told_all_at_once(folder, tmp_path) -> None:
 
 
 @pytest.mark.parametrize(("named", "said"), [("0", "several scenes"), ("77", "no such scene")])
-def test_a_scene_that_is_not_one_is_told_with_those_there_are(folder, named, said) -> None:
+def test_a_scene_that_is_not_one_is_told_with_those_there_are(
+    compared, folder, named, said
+) -> None:
     done = compared(folder / "anna.png", "--scene", named)
     assert done.returncode == 1
     assert said in done.stderr and "03-two-lights" in done.stderr

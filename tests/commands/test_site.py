@@ -151,13 +151,14 @@ def test_words_of_a_scene_file_cannot_become_markup(built):
     assert "<b>bold" not in page
 
 
-def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp_path):
+def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp_path, with_viewer):
     """Once from the store, and once more from nothing."""
     first = contents(tmp_path / "dist")
     _, said, out = build()
     assert "0 traced, 2 unchanged" in said
     assert contents(out) == first
     shutil.rmtree(tmp_path / "work")
+    with_viewer(tmp_path / "work")
     _, said, _ = build()
     assert "2 traced, 0 unchanged" in said
     assert contents(out) == first

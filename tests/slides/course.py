@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
+import pytest
+from PIL import Image
 from tests.cases import EVERY
 
 from raywalk.commands.slides import traced
@@ -17,6 +21,7 @@ from raywalk.pipeline.slides import Plan, Source, plans_of, sources_of
 from raywalk.pipeline.worked import FILE as WORKED
 from raywalk.scene.read import read_scenes
 from raywalk.site.scene_data import scene_words
+from raywalk.slides import pictures
 from raywalk.slides.deck import Sources, lesson_slides, scene_deck
 from raywalk.slides.figure import Deck, Slide
 from raywalk.slides.formats import SIGHTS
@@ -54,9 +59,24 @@ class CourseDeck:
         return f"{self.language}/{self.deck.id} {self.layout.name}"
 
 
+def _quickly(image: Image.Image, kind: str, **options: Any) -> bytes:
+    """A picture's file as large as its encoder makes it in the least time: no law here is about its
+    bytes, and to make them few is a quarter of all work."""
+    out = io.BytesIO()
+    image.save(out, kind, **options | {"optimize": False, "method": 0, "compress_level": 1})
+    return out.getvalue()
+
+
 @cache
 def course_decks() -> list[CourseDeck]:
     """Of every scene in two languages and aspects, or in all that there are."""
+    with pytest.MonkeyPatch.context() as patch:
+        if not EVERY:
+            patch.setattr(pictures, "_file", _quickly)
+        return _course_decks()
+
+
+def _course_decks() -> list[CourseDeck]:
     store = Store(ROOT / ".work")
     with Workers() as workers:
         spoken = last(

@@ -35,7 +35,7 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, with_viewer):
-    """Three scenes of the course with small pictures, built here."""
+    """Three scenes of the course with small pictures."""
     folder = tmp_path_factory.mktemp("cluster")
     for name in COURSE:
         place = folder / "scenes" / name
@@ -51,7 +51,6 @@ def folder(tmp_path_factory, with_viewer):
     (folder / "models").symlink_to(SCENES.parent / "models")
     for out in ("here", "there", "nowhere"):
         with_viewer(folder / f"{out}.work")
-    assert site(folder, "here") == 0
     return folder
 
 
@@ -130,6 +129,7 @@ def test_a_cluster_makes_the_same_bytes_though_a_worker_is_killed_while_it_trace
     from distributed import Client
 
     address, workers = cluster
+    assert site(folder, "here") == 0
     with Client(address, timeout=PATIENCE, set_as_default=False) as client:
         client.wait_for_workers(2, timeout=PATIENCE)
         process_of = client.run(__import__("os").getpid)
