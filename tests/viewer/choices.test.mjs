@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { follow, launch, newPage, ON_DISK, open, press, reload, scenesOfSite, settled, state } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -146,12 +147,13 @@ test("in a lecture they stand below the question, as large as it, and the clicke
   await hall.close();
 });
 
-for (const [where, size, more] of [["on a desk", { width: 1280, height: 800 }, ""], ["on a phone", { width: 390, height: 844 }, ""], ["in a lecture", { width: 1280, height: 800 }, "&projector=1"], ["in a frame", { width: 700, height: 460 }, "&embed=1"]])
+const WHERE = [["on a desk", { width: 1280, height: 800 }, ""], ["on a phone", { width: 390, height: 844 }, ""], ["in a lecture", { width: 1280, height: 800 }, "&projector=1"], ["in a frame", { width: 700, height: 460 }, "&embed=1"]];
+for (const [where, size, more] of WHERE)
   test(`${where} nothing of any question's choices is cut, nor of their reasons, and axe finds no fault`, async () => {
     const sized = await newPage(browser, { viewport: size });
-    for (const question of [withTexts, withPixels])
+    for (const question of cases([withTexts, withPixels], [more === "&projector=1" ? withPixels : withTexts]))
       for (const answer of ["", "&answer=1"]) {
-        await ask(sized, question, more + answer);
+        await (answer ? follow(sized, `${QUICK}&step=${question.step + 1}${more}${answer}`) : ask(sized, question, more));
         const cut = await sized.locator(".prediction :is(.option, .reason, .because)").evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth + 1 || each.getBoundingClientRect().width < 60).length);
         assert.equal(cut, 0);
         const targets = await sized.locator(".option").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().height));

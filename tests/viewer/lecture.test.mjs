@@ -1,7 +1,7 @@
 /** A lecture: what can be read from the last row, what goes while the pointer rests, and what a clicker does. */
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state, until } from "./browser.mjs";
 import { readScene, readWords } from "./scene-files.mjs";
 
 const rich = richScene();
@@ -38,12 +38,12 @@ test("at 1920 x 1080 the sentence has at least 36 px, numbers 26, labels 20", as
   await atLeast(36, ".event-says");
   await atLeast(26, ".event-numbers");
   await atLeast(20, ".labels span", ".event-count");
-  await open(page, ON_DISK, rich.path, `${QUICK}&step=2`);
+  await follow(page, `${QUICK}&step=2`);
   await atLeast(36, ".lesson-text p");
   await atLeast(20, ".lesson-place");
   const numbers = { rays: [".says", ".where", ".brings"], tree: [".tree .node-name"], sum: [".sum-title", ".formula"], code: [".code-lines li"] };
   for (const [tab, parts] of Object.entries(numbers)) {
-    await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8&tab=${tab}`);
+    await follow(page, `${QUICK}&n=15&p=5,8&tab=${tab}`);
     await page.locator(parts[0]).first().waitFor();
     await atLeast(tab === "tree" ? 20 : 26, ".pixel", ...parts); // a node's name is a label
   }

@@ -1,7 +1,7 @@
 /** What a lesson's step points at: rings round objects and lamps, their names, on which side names stand, and boxes. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
@@ -34,6 +34,13 @@ const rings = () =>
   });
 const words = () => page.locator(".labels > span:not([hidden])").allInnerTexts();
 
+/** One stop after the other: a scene's page is opened once. */
+let shown;
+async function show(path, at) {
+  await (shown === path ? follow(page, `still=1&gl=none&${at}`) : open(page, ON_DISK, path, `still=1&gl=none&${at}`));
+  shown = path;
+}
+
 /** Points on an object's surface, or its box's corners, in the world. */
 function pointsOf(object, scene) {
   if (object.type !== "sphere") return corners(object, scene);
@@ -47,7 +54,7 @@ for (const [width, height] of cases(SIZES, SIZES.slice(0, 1)))
     const stops = stopsWith("highlight");
     assert.ok(stops.length >= 5, "the course points at things");
     for (const { id, path, view, at } of stops) {
-      await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
+      await show(path, at);
       await page.locator(".rings > div").first().waitFor({ state: "attached" });
       await settled(page);
       const scene = readScene(id);
@@ -69,11 +76,11 @@ for (const [width, height] of cases(SIZES, SIZES.slice(0, 1)))
 test("its name stands at the ring, in the page's language; both go with the lesson", async () => {
   await page.setViewportSize({ width: 1280, height: 800 });
   const [{ path, at, view }] = stopsWith("highlight");
-  await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
+  await show(path, at);
   await page.locator(".rings > div").first().waitFor();
   await settled(page);
   assert.ok((await words()).includes(view.highlight[0]));
-  await open(page, ON_DISK, `de/${path}`, `still=1&gl=none&${at}`);
+  await show(`de/${path}`, at);
   await page.locator(".rings > div").first().waitFor();
   await settled(page);
   assert.ok(!(await words()).includes(view.highlight[0]), "in German");
@@ -88,8 +95,7 @@ test("a name stands on the side that the step gives it", async () => {
   const stops = stopsWith("labels");
   assert.ok(stops.length, "a step of the course gives one");
   for (const { id, path, view, at } of stops) {
-    await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
-    await settled(page);
+    await show(path, at);
     await until(page, () => document.querySelector(".rings"));
     await settled(page);
     const { eye, target, width, height } = await stats(page);
@@ -107,9 +113,9 @@ test("a name stands on the side that the step gives it", async () => {
 test("a step that asks for boxes has them while the tiles show the picture; they go with the lesson", async () => {
   const stop = stopsWith("boxes").find(({ view }) => !view.colours);
   assert.ok(stop, "a step of the course asks for them");
-  await open(page, ON_DISK, stop.path, `still=1&gl=none&${stop.at}`);
+  await show(stop.path, stop.at);
   const inside = readScene(stop.id).lesson.find(({ view }) => view.colours === "tests").view.pixel;
-  await open(page, ON_DISK, stop.path, `still=1&gl=none&${stop.at}&p=${inside.join()}`);
+  await show(stop.path, `${stop.at}&p=${inside.join()}`);
   await until(page, (_, { boxes }) => boxes > 0);
   assert.equal((await state(page)).colours, "picture");
   await page.locator(".lesson-steps button").last().click();
@@ -134,7 +140,7 @@ test("what is round the observer, behind it or without an end has no ring", () =
 test("while the observer is turned the ring goes with its object", async () => {
   await page.setViewportSize({ width: 1280, height: 800 });
   const { path, at } = stopsWith("highlight")[0];
-  await open(page, ON_DISK, path, `still=1&gl=none&${at}`);
+  await show(path, at);
   await page.locator(".rings > div").first().waitFor();
   const before = await rings();
   await page.locator(".stage-view").focus();

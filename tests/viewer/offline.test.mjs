@@ -6,6 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { DIST, inTime, launch, newPage, open, PATIENCE, press, keyedScenes, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
+import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
 const [first, second, third] = keyedScenes();
@@ -90,7 +92,10 @@ test("one button keeps all scenes, tells how far it is, and then every scene ope
   await panel.getByText("All scenes are kept for offline use").waitFor();
   assert.ok(heard.filter((text) => /^[\d.]+ MB of [\d.]+ MB are kept$/.test(text)).length > 3, heard.join("; "));
   await context.setOffline(true);
-  for (const { id, path } of scenesOfSite()) {
+  const all = scenesOfSite();
+  const names = await kept();
+  for (const { id } of all) for (const file of ["index.html", "scene.js", `${readScene(id).start.resolution}.js`]) assert.ok(names.some((url) => url.endsWith(`/${file === "index.html" || file === "scene.js" ? id : readScene(id).of}/${file}`)), `${id}/${file}`);
+  for (const { id, path } of cases(all, [all[0], all.find(({ key }) => key === "9"), all.at(-1)])) {
     await open(page, server.url, path, "still=1&gl=none&tiles=filled");
     assert.equal((await state(page)).scene, id);
     assert.ok((await stats(page)).tiles.length > 0, id);

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { launch, newPage, ON_DISK, open, openScene, richScene, keyedScenes, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const PYTHON = [process.env.RAYWALK_PYTHON, ".venv/bin/python"].find((path) => path && existsSync(path));
@@ -39,7 +40,7 @@ const WAYS = {
   "another scene's page, from which one has turned to it": { path: other.path, id: rich.id, come: () => openScene(page, rich.id) },
 };
 for (const [where, { path, id, come }] of Object.entries(WAYS))
-  for (const format of ["A4", "Letter"])
+  for (const format of cases(["A4", "Letter"], [path === rich.path ? "Letter" : "A4"]))
     test(`${id} printed from ${where} on ${format}: every step with its figure, no heading last on a page`, { skip: PYTHON ? false : "no Python here" }, async () => {
       await open(page, ON_DISK, path, "still=1&gl=none");
       await come();

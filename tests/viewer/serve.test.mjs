@@ -9,6 +9,7 @@ import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch, newPage, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 
 const PATIENCE = 600_000; // ms: the machine may be busy, and kernels may have to be compiled
 const SCENE = `
@@ -93,7 +94,7 @@ test("the mistake goes when it is mended", async () => {
 });
 
 /** As people name folders; a slash is all that a name cannot have. */
-const NAMES = ["02 #1, 50 %? „Größe“", "03 a&b'\"<i>\\c> 😀"];
+const NAMES = cases(["02 #1, 50 %? „Größe“", "03 a&b'\"<i>\\c> 😀"], ["02 #1, 50 %? „Größe“ a&b'\"<i>\\c> 😀"]);
 const SECOND = (key) => SCENE.replace('key = "1"', `key = "${key}"`).replace('"Ball"', `"Ball ${key}"`);
 
 test("a scene that is copied in shows by itself, whatever its folder is called, and its slides follow", async () => {
@@ -104,7 +105,7 @@ test("a scene that is copied in shows by itself, whatever its folder is called, 
     await writeFile(join(folder, "scenes", name, "scene.toml"), SECOND(k + 2));
   }
   await page.waitForFunction((count) => document.querySelectorAll(".scene-card").length === count, 1 + NAMES.length);
-  for (const key of ["2", "3"]) {
+  for (const key of ["2", "3"].slice(0, NAMES.length)) {
     await goTo("index.html");
     await page.locator(".scene-card", { hasText: `Ball ${key}` }).click();
     await until(page, (s, t, title) => t.tiles.length > 0 && document.title.startsWith(title), `Ball ${key}`);

@@ -1,7 +1,8 @@
 /** Lessons on a scene that is there: they load its rays, and work out beside the stage what the pipeline found. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, press, settled, state, until } from "./browser.mjs";
+import { follow, launch, newPage, ON_DISK, open, press, settled, state, until } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 import { readScene } from "./scene-files.mjs";
 
 let browser, page;
@@ -89,12 +90,14 @@ test("a question keeps what would answer it", async () => {
   await page.locator(".worked-curves").waitFor();
 });
 
-for (const [width, height] of [[1280, 800], [1000, 700], [390, 844]])
+const SIZES = [[1280, 800], [1000, 700], [390, 844]];
+for (const [width, height] of cases(SIZES, SIZES.slice(1)))
   test(`choices stand above what is worked out and not over it, at ${width} x ${height}`, async () => {
     const sized = await newPage(browser, { viewport: { width, height } });
     for (const [id, step] of [["11-what-is-a-ray", 9], ["17-boxes-in-boxes", 8], ["18-jagged-edges", 7]])
       for (const answer of ["", "&answer=1"]) {
-        await open(sized, ON_DISK, `scenes/${id}/index.html`, `step=${step}&gl=none${answer}`);
+        const hash = `step=${step}&gl=none${answer}`;
+        await (answer ? follow(sized, hash) : open(sized, ON_DISK, `scenes/${id}/index.html`, hash));
         await sized.locator(".worked").waitFor();
         await settled(sized);
         const [choices, worked] = await Promise.all([".prediction", ".worked"].map((part) => sized.locator(part).boundingBox()));
