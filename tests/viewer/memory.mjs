@@ -18,16 +18,16 @@ export function countGpu() {
   }
 }
 
-/** measure: { heap (bytes), nodes, listeners, documents }; snapshot: all that is on the heap, as text for objectsIn. */
+/** measure: { heap (bytes), buffers (bytes of typed arrays, which are beside it), nodes, listeners, documents }; snapshot: all that is on the heap, as text for objectsIn. */
 export async function memoryOf(page) {
   const inside = await page.context().newCDPSession(page);
   await inside.send("HeapProfiler.enable");
   return {
     async measure() {
       for (let k = 0; k < 2; k++) await inside.send("HeapProfiler.collectGarbage"); // the first frees what waits for its finalizer
-      const { usedSize: heap } = await inside.send("Runtime.getHeapUsage");
+      const { usedSize: heap, backingStorageSize: buffers } = await inside.send("Runtime.getHeapUsage");
       const { nodes, jsEventListeners: listeners, documents } = await inside.send("Memory.getDOMCounters");
-      return { heap, nodes, listeners, documents };
+      return { heap, buffers, nodes, listeners, documents };
     },
     async snapshot() {
       const chunks = [];

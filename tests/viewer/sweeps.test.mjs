@@ -280,3 +280,28 @@ test("by itself it goes through a grid in rows, to and fro, each stop beside the
   }
   assert.deepEqual(seen, [stopOf(columns - 1, 0), stopOf(columns - 1, 1), stopOf(columns - 2, 1)]);
 });
+
+test("a stop that was shown before is whole within two frames, at 33 x 33 and of a grid: tiles, rays and card", async () => {
+  const [of, most] = field ? [crossed, field] : [scene, sweep];
+  const count = most.values.length * (most.across?.values.length ?? 1);
+  await open(page, ON_DISK, `scenes/${of.id}/index.html`, `gl=none&n=33&tiles=filled&sweep=${most.id}:1`);
+  /** Of the frame that was drawn last. */
+  const shown = async () => {
+    const { tiles, lines, renders } = await stats(page);
+    return { renders, whole: JSON.stringify([await page.locator(".card-head").innerText(), tiles, lines]) };
+  };
+  const known = new Map();
+  for (let k = 1; k < count; k++) {
+    await press(page, ">"); // now each is decoded
+    known.set((await state(page)).sweep, (await shown()).whole);
+  }
+  assert.ok(new Set(known.values()).size > count / 2, "stops differ");
+  for (let k = 2; k < count; k++) {
+    const before = await shown();
+    await page.keyboard.press("<");
+    await pass(page, 2 * 16);
+    const now = await shown();
+    assert.equal(now.whole, known.get((await state(page)).sweep));
+    assert.ok(now.renders > before.renders);
+  }
+});
