@@ -102,7 +102,7 @@ function showPanels(panels: Panels, session: Session, words: () => typeof import
   panels.lesson.show(state, scene, event, last, words);
   panels.player.show(state, asking && !event ? null : view.timeline, (event && words()?.sentence(event)) ?? ""); // its colours would give the answer away
   panels.guide.when(state.step !== null, session.changed)?.show(state);
-  panels.whatIf.when(isSwitched(state.switches), session.changed)?.show(state, traced.scene);
+  panels.whatIf.when(isSwitched(state.switches), session.changed)?.show(state, session.here()!);
   panels.tileColours.when(state.colours !== "picture", session.changed)?.show(state, view, trace, session.pointed);
   panels.page.show(traced.scene, traced.trace);
   panels.sweeps.when(!!scene.sweeps, session.changed)?.show(state, scene);
@@ -160,10 +160,9 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
   /** What is shown instead of the stage: a slice, once its outlines have come, and with them what draws it. */
   function sliceOf({ state, scene, trace, view }: Present): SliceView | null {
     const { sections } = session;
-    const isAsked = state.slice !== "none" && trace && sections?.scene === scene.of;
-    const section = isAsked ? slice.now()?.sectionOf(sections, state, scene, trace, view.plane) : null;
+    const section = sections && trace && slice.now()?.sectionOf(sections, state, scene, trace, view.plane);
     if (!section) return null;
-    return { section, scene, trace: trace!, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen };
+    return { section, scene, trace, large: state.projector, tile: state.pixel[section.direction === "row" ? 0 : 1], tiles: view.tiles, costs: view.costs, chosen: view.chosen };
   }
 
   function showStage(present: Present, dark: boolean) {

@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import copy
 import json
+import os
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
@@ -26,10 +27,12 @@ from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tree import Kind, level_pixels
 from raywalk.trace.wavefront import Tracer, eight_bit
 
-ROOT = Path(__file__).parent.parent.parent
+SCENES = Path(os.environ.get("RAYWALK_SCENES", Path(__file__).parent.parent.parent / "scenes"))
+EVERY = bool(os.environ.get("RAYWALK_EVERY_CASE"))
 # Pixels of a grid that divides another by an odd number are among its pixels: 5 and 15 come with
 # 15, 7 and 21 with 21, 11 and 33 with 33; and all but 11 and 33 with 105.
 LEVELS = (15, 21, 33)
+AT_STOPS = (15,)
 FINE = (33, 105)
 FINE_SCENES = ("05-many-bounces", "08-glass")  # the finest grid too, where rays are many
 BLACK = (0.0, 0.0, 0.0)
@@ -106,18 +109,32 @@ def tiles(tracer: Tracer, scene: Scene, switches: Switches, pixels: np.ndarray) 
     return eight_bit(fresh.waves(pixels, size, size)[0].colour)
 
 
+def places(scene: Scene) -> Iterator[tuple[str, Scene]]:
+    """The scene as it is, and at stops of its sweeps: the first and the last, where most is other,
+    or at all of them."""
+    yield "", scene
+    for sweep in scene.sweeps:
+        for k, stop in enumerate(sweep.stops):
+            if k != sweep.own and (EVERY or k in (0, len(sweep.stops) - 1)):
+                yield f"{sweep.id}:{k + 1}", stop
+
+
 def main() -> None:
-    for scene in read_scenes(ROOT / "scenes"):
+    for scene in read_scenes(SCENES):
         if scene.id not in sys.argv[1:]:
             continue
-        tracer = Tracer(scene, least_share=LEAST_SHARE)
-        levels = FINE if scene.id in FINE_SCENES else LEVELS
-        for n in set(levels) & set(scene.render.resolutions):
-            pixels = level_pixels(scene.render.size, n)
-            for switches in all_switches(scene):
-                fresh = tiles(tracer, scene, switches, pixels)
-                text = base64.b64encode(fresh.tobytes()).decode()
-                print(json.dumps({"scene": scene.id, "n": n, "switches": switches, "tiles": text}))
+        for at, here in places(scene):
+            tracer = Tracer(here, least_share=LEAST_SHARE)
+            levels = FINE if scene.id in FINE_SCENES else LEVELS
+            if at:
+                levels = AT_STOPS
+            for n in set(levels) & set(here.render.resolutions):
+                pixels = level_pixels(here.render.size, n)
+                for switches in all_switches(here):
+                    fresh = tiles(tracer, here, switches, pixels)
+                    text = base64.b64encode(fresh.tobytes()).decode()
+                    found = {"scene": scene.id, "at": at, "n": n, "switches": switches}
+                    print(json.dumps(found | {"tiles": text}))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@ import { DIST } from "./browser.mjs";
 import { load } from "./typescript.mjs";
 
 const { decode } = await load("trace/decode.ts");
-const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/scenes/${path}.js`, "utf8").match(/raywalkReceive\([^,]+,\s*["'`]([^"'`]+)/)[1], "base64")));
+/** What a script of a scene holds, by its name below scenes/. */
+export const read = (path) => JSON.parse(gunzipSync(Buffer.from(readFileSync(`${DIST}/scenes/${path}.js`, "utf8").match(/raywalkReceive\([^,]+,\s*["'`]([^"'`]+)/)[1], "base64")));
 
 /** A lesson on another scene is laid over that scene, as the viewer does. */
 export function readScene(id) {

@@ -106,6 +106,17 @@ test("switches work at a stop as they do in the scene", async () => {
   await until(page, (s, t, [before]) => JSON.stringify(t.tiles) === before, [JSON.stringify(before)]);
 });
 
+test("a slice is drawn at a stop where only light is other; where things have moved it is left, and that is said", async () => {
+  await show(`sweep=${sweep.id}:8&tiles=filled&n=15&p=9,8`);
+  await press(page, "x");
+  await page.locator(".slice canvas").waitFor();
+  assert.equal((await state(page)).slice, "row");
+  if (!field) return;
+  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&sweep=${stopOf(1, 1)}`);
+  await press(page, "x");
+  await until(page, (s, t) => s.slice === "none" && /moved/.test(t.notice));
+});
+
 test("it goes to and fro by itself until it is stopped", async () => {
   await show(`sweep=${sweep.id}:10&tiles=filled`);
   const seen = [];

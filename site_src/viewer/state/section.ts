@@ -47,7 +47,7 @@ function curveOf([object, kind, ...steps]: readonly number[], step: number, side
 const middleOf = (tile: number, { size }: SceneData, n: number) => tile * (size / n) + (size / n - 1) / 2;
 
 export function sectionOf(data: SectionsData, state: ViewState, scene: SceneData, trace: Trace, plane: PicturePlane): Section | null {
-  if (state.slice === "none") return null;
+  if (state.slice === "none" || data.scene !== (scene.bodies ?? scene.of)) return null;
   const isRow = state.slice === "row";
   const { n } = state;
   const record = (isRow ? data.rows : data.columns)[middleOf(state.pixel[isRow ? 1 : 0], scene, n)];

@@ -101,7 +101,7 @@ export function createShown(costing: () => CostsOf | null) {
       const thick = chosenLines(chosen, state, scene, trace, timeline);
       const costsOf = state.colours === "picture" ? null : costing();
       const colours = costs([trace, scene, costsOf && state.colours], () => trace && (costsOf ? costsOf(trace, scene, state.colours) : plainly("picture", trace.tiles)));
-      const boxes = trace && wantsBoxes(state, scene) && boxesOfScene?.scene === scene.of ? boxesOfScene : null;
+      const boxes = trace && wantsBoxes(state, scene) && boxesOfScene?.scene === (scene.bodies ?? scene.of) ? boxesOfScene : null;
       const rayBoxes = tested([boxes, state.n, index], () => boxes && boxes.of(state.n, index));
       const { lines, left } = thinLines(thin, state, scene, trace);
       return {

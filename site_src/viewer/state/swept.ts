@@ -52,6 +52,7 @@ export function sceneAt(scene: SceneData, given: StopsData["stops"][number], id:
     ...scene,
     ...other,
     of: `${scene.of}/${id}/${stop}`,
+    ...(!objects && !other.camera && { bodies: scene.of }),
     levels: levelsOf(scene, id),
     objects: laidOver(scene.objects, objects),
     lights: laidOver(scene.lights, lights),

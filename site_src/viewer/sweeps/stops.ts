@@ -99,11 +99,22 @@ async function bringNear({ there, decoded }: Awaited<ReturnType<typeof readAt>>,
   }
 }
 
+let tell: Notice | null = null;
+
+/** A slice is of the scene as it stands: where something has moved it is left, and that is said. */
+export function leaveSlice(session: Session) {
+  const here = session.here()!;
+  if (session.state!.slice === "none" || here === session.scene || here.bodies) return;
+  queueMicrotask(() => session.set({ ...session.state!, slice: "none" })); // not while the page is drawn
+  tell?.say(say("sweep.noSlice"), {});
+}
+
 /** The rays at the stop that the state asks for; the session has the scene as it is there from then on. */
 export async function stopAt(session: Session, loader: Loader, notice: Notice): Promise<Trace> {
   const scene = session.scene!;
   const asked = session.state!;
   const { sweep: text, n } = asked;
+  tell = notice;
   /** Unless another stop was asked for meanwhile. */
   const come = (stop: SceneData | null, trace: Trace) => {
     if (session.scene === scene && session.state!.sweep === text && session.state!.n === n) session.stop = stop;

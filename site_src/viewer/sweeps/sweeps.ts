@@ -10,7 +10,7 @@ import type { SceneData } from "../trace/types";
 import { say } from "../words";
 import { createGliding } from "./gliding";
 import { createMover } from "./mover";
-import { bringStops } from "./stops";
+import { bringStops, leaveSlice } from "./stops";
 
 export { stopAt } from "./stops";
 
@@ -79,6 +79,7 @@ export function createSweeps(session: Session, home: HTMLElement, kept: Loader["
       if (!shown) return turn(false);
       if (state.sweep && root.hidden) turn(true);
       for (const each of movers) each.show();
+      leaveSlice(session);
     },
   };
 }

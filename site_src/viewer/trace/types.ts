@@ -6,8 +6,11 @@
 
 // What a scene's scripts hold and how a lesson step or an address gives a view (what is absent keeps its start
 // value): made from the pipeline's own types.
-export type { BoxesData, Brightest, ChoiceData, FlatMirror, LessonStop, LightData, MaterialData, MeshData, ObjectData, SceneData, SceneWords, SectionsData, StopsData, Surroundings, SurroundingsData, SwitchesView, Vec3, View, WorkedAverage, WorkedData, WorkedRay, WorkedTree } from "./pipeline-types";
-import type { Visibility } from "./pipeline-types";
+export type { BoxesData, Brightest, ChoiceData, FlatMirror, LessonStop, LightData, MaterialData, MeshData, ObjectData, SceneWords, SectionsData, StopsData, Surroundings, SurroundingsData, SwitchesView, Vec3, View, WorkedAverage, WorkedData, WorkedRay, WorkedTree } from "./pipeline-types";
+import type { SceneData as Published, Visibility } from "./pipeline-types";
+
+/** bodies: of a stop at which neither bodies nor camera have moved, the scene: its sections and boxes are the stop's too. */
+export type SceneData = Published & { readonly bodies?: string };
 
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const satisfies Visibility & { off: number }; // off: only by a switch, in no file
 
