@@ -23,7 +23,7 @@ after(async () => {
 
 /** Name and bytes of everything that this address makes a new visitor's browser load. */
 async function loadedBy(path, hash = "") {
-  const page = await newPage(browser);
+  const page = await newPage(browser, { viewport: { width: 640, height: 480 } }); // quickly drawn; a phone loads the same
   page.home = server.url;
   const answers = [];
   page.on("response", (response) => answers.push(response));

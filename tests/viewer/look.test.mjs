@@ -7,7 +7,7 @@ const rich = richScene();
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { sharp: true });
+  page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 640 } }); // what is drawn costs by its pixels
   await open(page, ON_DISK, rich.path, "still=1&n=5&p=2,2");
   await openDrawer(page); // looks and views are in it; it stays open
 });

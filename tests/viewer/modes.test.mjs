@@ -65,7 +65,7 @@ test("Embed copies a frame's code that shows this very view in another page, and
 
 for (const how of cases(["", "&gl=none", "&slice=row"], ["", "&slice=row"]))
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
-    await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
+    await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8&look=plain${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();
     await openMenu(page);
     const before = await places();
@@ -83,7 +83,7 @@ for (const how of cases(["", "&gl=none", "&slice=row"], ["", "&slice=row"]))
 
 for (const how of ["", "&gl=none"])
   test(`Slide gives the view as an SVG whose rays end where the stage shows them (${how || "WebGL"})`, async () => {
-    await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8${how}`);
+    await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8&look=plain${how}`);
     await openMenu(page);
     const before = await places();
     const [download] = await Promise.all([page.waitForEvent("download"), button("A figure of this view").click()]);

@@ -63,7 +63,7 @@ test("above 20 000 lines shadow rays are left out, and counted", () => {
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { held: true });
+  page = await newPage(browser, { held: true, viewport: { width: 800, height: 600 } }); // quickly drawn
   await open(page, ON_DISK, rich.path, QUICK);
 });
 after(() => browser.close());

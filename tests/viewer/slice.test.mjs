@@ -10,11 +10,12 @@ const { sectionOf, frameOf, startState, select, picturePlane } = await load("sta
 const offPlane = ({ eye }, section, point) => Math.sqrt(Math.max(0, point.reduce((sum, v, k) => sum + (v - eye[k]) ** 2, 0) - Math.hypot(...section.flat(point)) ** 2));
 const { silhouetteOf } = await load("state/silhouette.ts");
 const rich = richScene();
+const FLAT = "still=1&gl=none"; // what is asked about is drawn flat either way
 let browser, page;
 before(async () => {
   browser = await launch();
   page = await newPage(browser, { sharp: true });
-  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8");
+  await open(page, ON_DISK, rich.path, `${FLAT}&n=15&p=5,8`);
 });
 after(() => browser.close());
 const canvas = () => page.locator(".slice canvas");
@@ -52,7 +53,7 @@ test("X goes round: space, row, column, space; the buttons do the same; the addr
   await page.getByRole("button", { name: /Slice down this column/ }).click();
   await canvas().waitFor({ state: "visible" });
   assert.match(await canvas().getAttribute("aria-label"), /column's camera rays.*row 8/);
-  await follow(page, "still=1&n=15&p=5,8&slice=row");
+  await follow(page, `${FLAT}&n=15&p=5,8&slice=row`);
   assert.equal((await state(page)).slice, "row");
   await page.getByRole("button", { name: /Slice along this row/ }).click();
   await settled(page);
@@ -61,7 +62,7 @@ test("X goes round: space, row, column, space; the buttons do the same; the addr
 });
 
 test("pointing into the flat drawing selects the ray there, arrows still move the pixel", async () => {
-  await follow(page, "still=1&n=15&p=5,8&slice=row");
+  await follow(page, `${FLAT}&n=15&p=5,8&slice=row`);
   await canvas().waitFor({ state: "visible" });
   const box = await canvas().boundingBox();
   // A row is seen from above: its first pixels, on the left of the picture, are at the top.
@@ -118,7 +119,7 @@ test("a blocker that does not reach into the plane is drawn beside it, dashed, a
     const [one, two] = [0, 1].map((light) => trace.blocker[pixel * trace.lights + light]);
     return [one, two].some((by) => by >= 0 && scene.objects[by].type === "sphere" && !section.curves.some(({ object }) => object === by));
   });
-  await follow(page, `still=1&n=15&p=${off % 15},${Math.floor(off / 15)}&slice=row`);
+  await follow(page, `${FLAT}&n=15&p=${off % 15},${Math.floor(off / 15)}&slice=row`);
   await canvas().waitFor({ state: "visible" });
   await settled(page);
   assert.match((await page.locator(".slice .labels .stop:visible").allInnerTexts()).join(), /, off this plane/);
@@ -127,7 +128,7 @@ test("a blocker that does not reach into the plane is drawn beside it, dashed, a
 test("outlines that are missing: one sentence, and the scene in space again", async () => {
   const other = await newPage(browser);
   await other.route("**/sections.js", (route) => route.abort());
-  await open(other, ON_DISK, rich.path, "still=1&slice=row");
+  await open(other, ON_DISK, rich.path, `${FLAT}&slice=row`);
   await until(other, (state, stats) => state.slice === "none" && stats.notice.includes("outlines"));
   await other.close();
 });

@@ -8,7 +8,7 @@ const FLAT = "gl=none"; // when it is drawn does not depend on what draws it
 let browser, page, held;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser);
+  page = await newPage(browser, { viewport: { width: 800, height: 600 } }); // quickly drawn
   held = await newPage(browser, { held: true });
 });
 after(() => browser.close());

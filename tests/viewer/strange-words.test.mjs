@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { DIST, follow, launch, newPage, open, press, richScene, stats } from "./browser.mjs";
+import { cases } from "./cases.mjs";
 
 const rich = richScene();
 const QUICK = "still=1&gl=none"; // words are on no stage that WebGL draws otherwise
@@ -40,8 +41,9 @@ const broken = () =>
   });
 const SOUND = { wide: 0, outside: [], cut: [], pairs: [] };
 
+const SIZES = [[1280, 800], [390, 844]];
 for (const code of ["en-x-doubled", "en-x-long", "ar-x-rtl"])
-  for (const [width, height] of [[1280, 800], [390, 844]])
+  for (const [width, height] of cases(SIZES, { "en-x-doubled": SIZES, "ar-x-rtl": SIZES.slice(1) }[code] ?? []))
     test(`${code} at ${width} x ${height}: nothing sticks out, is cut off or lies on something else`, async () => {
       await page.setViewportSize({ width, height });
       await open(page, site, `${code}/${rich.path}`, QUICK);

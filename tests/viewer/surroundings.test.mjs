@@ -17,7 +17,7 @@ const MOST_OF_SCENE = { "08-glass": 15, "09-dragon": 16 };
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { sharp: true });
+  page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 640 } }); // what is drawn costs by its pixels
 });
 after(() => browser.close());
 

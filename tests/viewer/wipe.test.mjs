@@ -9,7 +9,7 @@ const BAR = 44; // CSS pixels
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { sharp: true });
+  page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 640 } }); // what is drawn costs by its pixels
 });
 after(() => browser.close());
 
