@@ -111,9 +111,9 @@ def _base(named: str, problems: Problems, known: dict[Path, _Reading]) -> _Readi
         file for file in _scene_files(folder)[0] if file.parent.name != problems.file.parent.name
     ]
     file = next((each for each in files if each.parent.name == named), None)
-    own = [each.parent.name for each in files if not _is_lesson(each)]
-    if file is not None and named in own:
+    if file is not None and not _is_lesson(file):
         return _read(file, known)
+    own = [each.parent.name for each in files if not _is_lesson(each)]
     said = "is no scene of its own, but a lesson too" if file else "there is no such scene"
     problems.add(
         (ON,), f"{quoted(named)}: {said}", allowed=f"known: {joined(map(quoted, own))}",
