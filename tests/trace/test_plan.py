@@ -70,11 +70,11 @@ print(*set(sys.modules) - before)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     imported = done.stdout.split()
     assert not {"trimesh", "embreex"} & {*imported}
+    behind = {id: trace_parts(SCENES[id])["code"] for id in plain}
     for module in (name for name in imported if name.startswith("raywalk.")):
         place = module.removeprefix("raywalk.").replace(".", "/")
-        for id in plain:
-            behind = trace_parts(SCENES[id])["code"]
-            assert f"{place}.py" in behind or f"{place}/__init__.py" in behind, (id, module)
+        for id, code in behind.items():
+            assert f"{place}.py" in code or f"{place}/__init__.py" in code, (id, module)
 
 
 @pytest.mark.parametrize("id", [id for id, scene in SCENES.items() if not plan_of(scene).glass])

@@ -108,10 +108,13 @@ def test_a_scene_without_mirrors_and_glass_has_none() -> None:
     assert surroundings_of(tracer_of("01-shading")) is None
 
 
-def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_there() -> None:
+def test_the_picture_is_what_a_ray_from_the_place_sees_as_if_the_body_were_not_there(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """Every 97th direction of a ball. WebP may be off by a few of 255, where two things meet in a
     pixel's neighbourhood by more: nine of ten are close."""
     tracer = tracer_of(MIRROR)
+    monkeypatch.setattr("raywalk.trace.surroundings.MOST", 1)
     data = surroundings_of(tracer)
     assert data is not None
     body = data["objects"][0]

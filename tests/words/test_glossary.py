@@ -155,18 +155,17 @@ def test_where_a_term_is_first_seen_its_step_has_it(code):
     glossary, scenes = read_glossary(code), scenes_in(code)
     places = first_seen(glossary, scenes)
     assert len(places) >= 40
+    steps = {
+        (scene.id, k): {
+            found.term.id for text in (step.text, step.answer) for found in glossary.found_in(text)
+        }
+        for scene in scenes
+        for k, step in enumerate(scene.lesson, start=1)
+    }
     for id, place in places.items():
-        before = []
-        for scene in scenes:
-            for k, step in enumerate(scene.lesson, start=1):
-                has = any(
-                    found.term.id == id
-                    for text in (step.text, step.answer)
-                    for found in glossary.found_in(text)
-                )
-                if (scene.id, k) == (place.scene, place.step):
-                    assert has and not any(before)
-                before.append(has)
+        with_it = [at for at, terms in steps.items() if id in terms]
+        if (place.scene, place.step) in steps:
+            assert with_it[0] == (place.scene, place.step)
 
 
 def test_letters_lead_to_the_first_term_that_begins_so():
