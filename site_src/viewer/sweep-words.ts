@@ -30,3 +30,14 @@ export function valuesAt({ across, ...sweep }: Sweep, stop: number): string[] {
 }
 
 export const valueAt = (sweep: Sweep, stop: number): string => valuesAt(sweep, stop).join(BETWEEN);
+
+/** The same where there is little room: of a place only what is other at other stops. */
+export function shortValueAt({ values, across, unit }: Sweep, stop: number): string {
+  const few = (all: Sweep["values"], value: Sweep["values"][number]) => (typeof value === "number" ? value : value.filter((part, k) => all.some((each) => (each as number[])[k] !== part)));
+  const shown = (all: Sweep["values"], at: number, of?: Sweep["unit"]) => {
+    const parts = few(all, all[at]);
+    return typeof parts === "number" ? written(parts, of) : parts.map((each) => number(each)).join(BETWEEN);
+  };
+  const [column, row] = placeOf({ values } as Sweep, stop);
+  return [shown(values, column, unit), ...(across ? [shown(across.values, row, across.unit)] : [])].join(BETWEEN);
+}

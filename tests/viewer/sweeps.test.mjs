@@ -44,6 +44,17 @@ test("of two values that are crossed every stop has its number: row by row", () 
   assert.deepEqual([1, 3, 4, 6].map((stop) => placeOf(grid, stop)), [[0, 0], [2, 0], [0, 1], [2, 1]]);
 });
 
+test("of a sweep some stops stand for all, from end to end, the one that is shown among them, in few words", async () => {
+  const { someOfRow, shortValueAt } = await load("state/swept.ts", "sweep-words.ts");
+  const long = { values: Array.from({ length: 11 }, (_, k) => [-2, k - 2, 1]), own: 1 };
+  assert.deepEqual(someOfRow(long, 3, 5), [1, 3, 6, 9, 11]);
+  assert.deepEqual(someOfRow(long, 7, 5), [1, 4, 7, 9, 11]);
+  assert.deepEqual(someOfRow({ values: [1, 2, 3], across: { values: [5, 6] }, own: 1 }, 5, 5), [4, 5, 6]);
+  globalThis.raywalkWords = { language: { code: "en" } };
+  assert.equal(shortValueAt({ values: [1, 2, 3], across: { values: [5, 6] }, own: 1 }, 5).split(" \u00b7 ").length, 2);
+  assert.ok(!shortValueAt(long, 3).includes("\u00b7"), "only what is other");
+});
+
 let browser, page;
 before(async () => {
   browser = await launch();

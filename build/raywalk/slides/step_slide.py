@@ -17,6 +17,7 @@ from raywalk.slides.notes import step_notes
 from raywalk.slides.picture_inset import inset_of
 from raywalk.slides.step_figure import step_figure
 from raywalk.slides.stops import Stop
+from raywalk.slides.sweep_strip import strip_slides
 from raywalk.slides.word_parts import word_parts
 from raywalk.slides.words import altered, place, say
 from raywalk.slides.worked_figures import Worked, view_of
@@ -67,6 +68,7 @@ def step_slides(lesson: Lesson, index: int) -> list[Slide]:
         *figure_slides(lesson, index),
         *choice_slides(choices, head, layout.below_title, layout, under, revealed=True),
         *shown_slides(lesson, stop),
+        *strip_slides(lesson.picture, lesson.scene.title, stop, layout, under),
     ]
 
 

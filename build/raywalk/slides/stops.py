@@ -165,6 +165,22 @@ class Picture(FromNode):
     tiles: Bytes
 
 
+@dataclass(frozen=True)
+class StripPicture(Picture):
+    """The finest grid at another stop of the sweep."""
+
+    value: str  # what is moved, in few words
+    is_here: bool  # the one at which the step is
+
+
+@dataclass(frozen=True)
+class Strip(FromNode):
+    """Three to five stops of a sweep; two where it has no more."""
+
+    name: str
+    pictures: tuple[StripPicture, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Stop(FromNode):
     """A step of the lesson, or the answer to its question: what a slide of it shows."""
@@ -191,6 +207,7 @@ class Stop(FromNode):
     bytes: tuple[int, int, int]  # the selected tile's colour
     rows: tuple[Row, ...]  # of the selected pixel's rays; none where they are not walked
     events: tuple[Event, ...]
+    strip: Strip | None = None  # of that sweep; None where a question is asked
     moved: str = ""  # at which stop of a sweep the scene is shown, in words
 
     @property

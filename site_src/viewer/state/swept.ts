@@ -16,6 +16,14 @@ export function stopOf(sweep: Sweep, [column, row]: Place): number {
   const within = (at: number, count: number) => Math.max(0, Math.min(count - 1, Math.round(at)));
   return within(row, rowsOf(sweep)) * sweep.values.length + within(column, sweep.values.length) + 1;
 }
+/** A few stops of a stop's row, itself among them, from end to end. */
+export function someOfRow(sweep: Sweep, stop: number, most: number): number[] {
+  const [column, row] = placeOf(sweep, stop);
+  const count = Math.min(most, sweep.values.length);
+  const columns = Array.from({ length: count }, (_, k) => Math.round((k * (sweep.values.length - 1)) / (count - 1)));
+  const nearest = columns.reduce((a, b) => (Math.abs(b - column) < Math.abs(a - column) ? b : a));
+  return columns.map((each) => stopOf(sweep, [each === nearest ? column : each, row]));
+}
 /** Stops beside one, those ahead first. */
 export function besides(sweep: Sweep, stop: number): number[] {
   const [column, row] = placeOf(sweep, stop);

@@ -6,9 +6,9 @@ import { rayRows, type RayRow } from "../state/ray-rows";
 import { brightness, isSwitched, lampsOf, type Switches } from "../state/switches";
 import type { Observer, ViewState } from "../state/types";
 import { scale, triple, type Vec3 } from "../state/vectors";
-import { stopIn } from "../state/swept";
+import { levelsOf, someOfRow, stopIn } from "../state/swept";
 import { pixelIndex, stopOf } from "../state/view-state";
-import { valueAt, sweepName } from "../sweep-words";
+import { shortValueAt, sweepName, valueAt } from "../sweep-words";
 import type { SceneData } from "../trace/types";
 import { hexOf, say } from "../words";
 import { placeOf, type Asked } from "./asked";
@@ -32,6 +32,14 @@ type Row = Pick<RayRow, "number" | "kind" | "object" | "point" | "t" | "share" |
   showsGiven: string;
 };
 
+const MOST_IN_STRIP = 5; // pictures side by side
+
+/** Some stops of the sweep at which a step is: each as the finest grid shows it, with the step's switches. */
+export interface Strip {
+  name: string;
+  pictures: readonly { value: string; isHere: boolean; n: number; tiles: string }[];
+}
+
 export interface LessonStop {
   step: number;
   kind: Stop["kind"];
@@ -46,6 +54,7 @@ export interface LessonStop {
   switches: Omit<Switches, "lamps"> & { lamps: readonly (readonly [string, number])[] }; // those that are not as traced
   isSwitched: boolean;
   moved?: string; // at which stop of a sweep the scene is shown, in words
+  strip?: Strip; // of that sweep, where nothing is asked
   oneIn: number;
   figure: Figure;
   chosen: readonly ChosenLine[];
@@ -91,6 +100,19 @@ function movedIn(scene: SceneData, text: string): string {
   return say("sweep.at", { name: sweepName(scene, sweep.id), value: valueAt(sweep, stop) });
 }
 
+function stripOf({ kind, state }: Stop, places: Places): Strip | null {
+  const scene = places("").scene;
+  const found = kind === "question" ? null : stopIn(scene, state.sweep);
+  if (!found) return null;
+  const { sweep, stop } = found;
+  const pictures = someOfRow(sweep, stop, MOST_IN_STRIP).map((k) => {
+    const there = places(`${sweep.id}:${k}`);
+    const n = Math.max(...levelsOf(scene, sweep.id));
+    return { value: shortValueAt(sweep, k), isHere: k === stop, n, tiles: base64(whatIf.of(there.traces(n), there.scene, state.switches).trace.tiles) };
+  });
+  return { name: sweepName(scene, sweep.id), pictures };
+}
+
 function lessonStop(stop: Stop, setting: Setting, [filed, exact]: readonly [Traces, Traces], { viewpoint, isRasterised }: Behind, sights: Sights["stops"][number], drawable: Drawable): LessonStop {
   const { step, kind, state } = stop;
   const { n, pixel, switches, colours } = state;
@@ -133,7 +155,8 @@ export function lessonOf(places: Places, size: Size, asked: Asked, sights: Sight
       const { sweep } = stop.state;
       const { scene, traces } = places(sweep);
       const exact = (n: number) => laid.get(placeOf({ n, sweep })) ?? traces(n);
-      return lessonStop(stop, settingOf(scene, size), [traces, exact], behind[k], sights.stops[k], drawable);
+      const strip = stripOf(stop, places);
+      return { ...lessonStop(stop, settingOf(scene, size), [traces, exact], behind[k], sights.stops[k], drawable), ...(strip && { strip }) };
     }),
   };
 }
