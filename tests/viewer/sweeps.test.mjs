@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
 import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
-import { readScene, readTrace } from "./scene-files.mjs";
+import { read as readPublished, readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
 const { decode, wholeAgain, sceneAt, placeOf, stopIn } = await load("trace/decode.ts", "trace/whole.ts", "state/swept.ts");
@@ -122,8 +122,10 @@ test("a slice is drawn at a stop where only light is other; where things have mo
   await press(page, "x");
   await page.locator(".slice canvas").waitFor();
   assert.equal((await state(page)).slice, "row");
-  if (!field) return;
-  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&sweep=${stopOf(1, 1)}`);
+  const other = field?.own === 1 ? 2 : 1;
+  const moved = field && readPublished(`${crossed.id}/${field.id}/stops`).stops[other - 1];
+  if (!moved?.objects && !moved?.camera) return;
+  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&sweep=${field.id}:${other}`);
   await press(page, "x");
   await until(page, (s, t) => s.slice === "none" && /moved/.test(t.notice));
 });

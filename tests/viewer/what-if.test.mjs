@@ -15,7 +15,11 @@ const PYTHON = [process.env.RAYWALK_PYTHON, ".venv/bin/python"].find((path) => p
 const APART = 1;
 
 const keyed = keyedScenes().map(({ id }) => id);
-const moving = scenesOfSite().map(({ id }) => id).filter((id) => readScene(id).of === id && readScene(id).sweeps);
+const moving = scenesOfSite().map(({ id }) => id).filter((id) => {
+  const scene = readScene(id);
+  // A lamp of many points is switched as one: fresh_traces.py knows points alone.
+  return scene.of === id && scene.sweeps && lampsOf(scene).length === scene.lights.length;
+});
 const fresh = await promisify(execFile)(PYTHON, ["tests/viewer/fresh_traces.py", ...new Set([...keyed, ...moving])], { maxBuffer: 1 << 28 }).then(({ stdout }) => stdout.trim().split("\n").map((line) => JSON.parse(line)));
 
 const LEVELS = [5, 7, 11, 15, 21, 33, 105];
