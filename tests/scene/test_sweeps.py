@@ -122,6 +122,26 @@ across = { name = "depth", varies = "objects.ball.center.2", from = 0, to = 1, s
 """
 
 
+def test_a_step_at_a_stop_shows_a_grid_that_the_stop_has(scene_from):
+    """The scene has rays of 15, the sweep has none: the figure would have been of nothing."""
+    lamp = LAMP + "resolutions = [33]\n"
+    step = '[[lesson]]\ntext = "Look."\nview = {{ resolution = {n}, sweep = {{ "lamp" = 1 }} }}\n'
+    [error] = errors_of(scene_from, lamp + step.format(n=15))
+    assert 'lesson[0].view.resolution: stops of "lamp" have no rays of 15' in error
+    assert "known: 33" in error
+    assert scene_from(SCENE + lamp + step.format(n=33)).lesson[0].view["resolution"] == 33
+
+
+def test_no_figure_of_the_scene_is_told_where_another_stop_is_shown(scene_from):
+    """{t} was of the scene as it is, beside a ray of the stop."""
+    step = '[[lesson]]\ntext = "{said}"\nview = {{ resolution = 15, pixel = [7, 7], {sweep} }}\n'
+    at = {"said": "So far: {t}.", "sweep": 'sweep = { "lamp" = 1 }'}
+    [error] = errors_of(scene_from, LAMP + step.format(**at))
+    assert "lesson[0].text: {t}: figures are of the scene as it is" in error
+    for own in ({"said": "{0.5} of it."}, {"sweep": 'tiles = "filled"'}):
+        assert scene_from(SCENE + LAMP + step.format(**at | own)).lesson
+
+
 def test_a_grids_stops_are_numbered_in_rows(scene_from):
     """Stop (row - 1) * columns + column, from 1, has both values; `own` counts all of them."""
     [sweep] = scene_from(SCENE + GRID).sweeps

@@ -25,11 +25,21 @@ def check_slots(
         try:
             if isinstance(slot, SlotFault):
                 raise slot
+            _check_stop(slot, view)
             _check_pixels(slot, view, render)
         except SlotFault as fault:
             shown = " ".join(typed.split())
             message = f"{shown}: {fault.message}"
             problems.add(at, message, allowed=fault.allowed, hint=fault.hint)
+
+
+def _check_stop(slot: Slot, view: Mapping[str, Any]) -> None:
+    """Figures are of scenes as they are."""
+    if "sweep" in view and any(each.quantity and not each.scene for each in slot.operands):
+        raise SlotFault(
+            "figures are of the scene as it is, and the step shows it at a stop of a sweep",
+            hint="ask in a step without sweep, or write a plain number: {4.2}",
+        )
 
 
 def _check_pixels(slot: Slot, view: Mapping[str, Any], render: Render | None) -> None:

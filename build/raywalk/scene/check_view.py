@@ -13,8 +13,21 @@ from raywalk.scene.wording import did_you_mean, joined, plain, quoted
 
 Stop = int | tuple[int, int]  # its number, or column and row, from 1
 
-#: How many columns and rows of stops each sweep has, by its name.
-Shapes = Mapping[str, tuple[int, int]]
+
+@dataclass(frozen=True)
+class Stops:
+    """Those of a sweep."""
+
+    columns: int
+    rows: int
+    resolutions: Sequence[int]  # whose rays each has
+
+    def number(self, stop: Stop) -> int:
+        """Of all stops, row by row; as it is given, or by column and row."""
+        return stop if isinstance(stop, int) else (stop[1] - 1) * self.columns + stop[0]
+
+
+Sweeps = Mapping[str, Stops]  # by their names
 
 #: The ray-tracing camera's name in `labels`, in every language.
 CAMERA = "camera"
@@ -26,7 +39,7 @@ class Named:
 
     lights: Sequence[str]  # of an area light as its file gives it
     objects: Sequence[SceneObject] | None  # None: some are flawed, and left out
-    sweeps: Shapes = field(default_factory=dict)
+    sweeps: Sweeps = field(default_factory=dict)
 
 
 def check_view(
@@ -39,6 +52,7 @@ def check_view(
         _check_switches(view.switches, render, lights, (*at, "switches"), problems)
     if named is not None:
         _check_stop(view.sweep or {}, named.sweeps, (*at, "sweep"), problems)
+        _check_grid_of_stop(view, named.sweeps, (*at, "resolution"), problems)
     if named is not None and named.objects is not None:
         _check_marks(view, named.lights, named.objects, at, problems)
         _check_works(view, render, named.objects, at, problems)
@@ -69,14 +83,14 @@ def check_view(
 
 
 def _check_stop(
-    asked: Mapping[str, Stop], sweeps: Shapes, at: Location, problems: Problems
+    asked: Mapping[str, Stop], sweeps: Sweeps, at: Location, problems: Problems
 ) -> None:
     """The sweep is the scene's, and has that stop."""
     for name, stop in asked.items():
         _check_known(name, list(sweeps), (*at, name), problems)
         if name not in sweeps:
             continue
-        columns, rows = sweeps[name]
+        columns, rows = sweeps[name].columns, sweeps[name].rows
         if isinstance(stop, int):
             if stop > columns * rows:
                 message = f"{stop} is beyond its last stop"
@@ -90,9 +104,16 @@ def _check_stop(
             problems.add((*at, name), message, allowed=allowed)
 
 
-def stop_number(stop: Stop, shape: tuple[int, int]) -> int:
-    """Of all stops, row by row; as it is given, or by column and row."""
-    return stop if isinstance(stop, int) else (stop[1] - 1) * shape[0] + stop[0]
+def _check_grid_of_stop(view: ViewTable, sweeps: Sweeps, at: Location, problems: Problems) -> None:
+    """A step at a stop shows rays that the stop has."""
+    for name in view.sweep or {}:
+        has = sweeps[name].resolutions if name in sweeps else ()
+        if has and view.resolution is not None and view.resolution not in has:
+            problems.add(
+                at, f"stops of {quoted(name)} have no rays of {view.resolution}",
+                allowed=f"known: {joined(map(str, has))}",
+                hint="or write it among the sweep's resolutions",
+            )  # fmt: skip
 
 
 def _check_works(

@@ -10,7 +10,7 @@ import numpy as np
 from raywalk.scene.address import address_of
 from raywalk.scene.check_choices import check_choices, choice_of
 from raywalk.scene.check_slots import check_slots
-from raywalk.scene.check_view import Named, Shapes, check_view, stop_number
+from raywalk.scene.check_view import Named, Stops, Sweeps, check_view
 from raywalk.scene.checks import (
     check_camera,
     check_closed,
@@ -40,6 +40,7 @@ from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import resolutions_of
 from raywalk.scene.schema import LessonFile, SceneFile, StepTable, ViewTable
 from raywalk.scene.schema_objects import MaterialTable, MeshTable, ObjectTable, PlaneTable
+from raywalk.scene.schema_sweeps import SweepTable
 from raywalk.scene.shapes import SHAPES, Mesh, Shape
 from raywalk.scene.transforms import is_singular, product
 
@@ -57,7 +58,7 @@ def compile_scene(
     lights = _lights(draft, problems)
     # With a light or an object left out for its errors, its name would seem to be wrong.
     objects = parts.known()
-    sweeps = {each.name: each.shape() for each in draft.sweeps.values()}
+    sweeps = {each.name: _stops(each, render) for each in draft.sweeps.values()}
     named = None
     if whole is not None:
         named = Named(list(light_names(draft).values()), objects, sweeps)
@@ -92,7 +93,8 @@ def compile_lesson(
 ) -> Scene | None:  # fmt: skip
     """A lesson on a scene that is there, or None with all problems noted. base: that scene, None if
     it has problems of its own; lights: the names of its lights, as its file gives them."""
-    sweeps = {each.name: each.shape for each in base.sweeps} if base else {}
+    swept = base.sweeps if base else ()
+    sweeps = {each.name: Stops(*each.shape, each.resolutions) for each in swept}
     named = Named(lights, base.objects, sweeps) if base and lights is not None else None
     names = [obj.name for obj in base.objects] if base else None
     lesson = _lesson(steps, base.render if base else None, named, names, problems)
@@ -176,7 +178,11 @@ def _lesson(
     return list(lesson.values())
 
 
-def _step(step: StepTable, objects: list[str], sweeps: Shapes) -> LessonStep:
+def _stops(table: SweepTable, render: Render | None) -> Stops:
+    return Stops(*table.shape(), table.grids(render.resolutions if render else ()))
+
+
+def _step(step: StepTable, objects: list[str], sweeps: Sweeps) -> LessonStep:
     revealed = _plain(step.answer_view, sweeps) if step.answer_view else {}
     words = (each.strip() if each else "" for each in (step.text, step.answer, step.headline))
     text, answer, headline = words
@@ -184,12 +190,12 @@ def _step(step: StepTable, objects: list[str], sweeps: Shapes) -> LessonStep:
     return LessonStep(text, _plain(step.view, sweeps), answer, revealed, headline, choices)
 
 
-def _plain(view: ViewTable, sweeps: Shapes) -> dict[str, object]:
+def _plain(view: ViewTable, sweeps: Sweeps) -> dict[str, object]:
     """The view's given keys, as JSON has them; a sweep's stop as addresses name it."""
     given = view.model_dump(mode="json", exclude_none=True)
     if view.sweep:
         [(name, stop)] = view.sweep.items()
-        number = stop_number(stop, sweeps.get(name, (1, 1)))
+        number = sweeps[name].number(stop) if name in sweeps else 1
         given["sweep"] = f"{address_of(name)}:{number}"
     return given
 

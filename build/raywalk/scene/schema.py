@@ -187,7 +187,10 @@ Ordinal = Annotated[int, Field(strict=True, ge=1)]
 # Of a grid's stops its number, or column and row.
 StopNumber = Annotated[
     Ordinal | tuple[Ordinal, Ordinal],
-    Allowed("a whole number of at least 1, or [column, row] of such"),
+    Allowed(
+        "a whole number of at least 1, or [column, row] of such",
+        hint='write sweep = { "lamp height" = 7 }',
+    ),
 ]  # fmt: skip
 Stop = Annotated[
     dict[str, StopNumber], Field(min_length=1, max_length=1),

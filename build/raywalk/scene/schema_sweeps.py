@@ -23,6 +23,7 @@ from raywalk.scene.wording import counted, show
 
 MOST_STOPS = 64  # of a sweep: each is a trace of its own
 PICTURE = 385  # pixels across of a stop's picture: a third of 1155, sharp beside the stage
+GRIDS = (15, 33)  # whose rays a stop has, where its sweep does not say
 CLEAN = 9  # decimals of a stop between `from` and `to`: 0.1 + 0.2 is 0.3 to whoever reads it
 
 # Of numbers as TOML has them: whole ones stay whole.
@@ -147,6 +148,10 @@ class SweepTable(SteppedTable):
     def shape(self) -> tuple[int, int]:
         """How many columns and rows of stops."""
         return len(self.all_values()), len(self.across.all_values()) if self.across else 1
+
+    def grids(self, of: Sequence[int]) -> tuple[int, ...]:
+        """Those whose rays each stop has, of a scene with these."""
+        return tuple(sorted(self.resolutions or {*GRIDS} & {*of}))
 
 
 def _length(value: Any) -> int | None:

@@ -27,7 +27,6 @@ from raywalk.scene.varied_keys import Path, path_of, value_at
 from raywalk.scene.wording import joined, quoted, show
 
 WORDS = ("lesson", "goals", "sweeps")  # of the file: no stop has any
-GRIDS = (15, 33)  # whose rays a stop has, where its sweep does not say
 SPACE = 3  # numbers of a place
 DEGREES = ("degrees", "fov")  # keys whose numbers are
 NEAR = 10.0**-CLEAN  # a stop so close to the scene's own value is that
@@ -165,7 +164,7 @@ def _swept(
 ) -> Sweep | None:
     """The sweep with all its stops; None, with the first stop's problems noted that has some."""
     table, at = plan.table, ("sweeps", plan.place)
-    grids = tuple(sorted(table.resolutions or {*GRIDS} & {*scene.render.resolutions}))
+    grids = table.grids(scene.render.resolutions)
     if not grids or not {*grids} <= {*scene.render.resolutions}:
         problems.add(
             (*at, "resolutions"),

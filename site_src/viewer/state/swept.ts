@@ -49,6 +49,8 @@ export function stopIn(scene: SceneData, text: string) {
 
 /** Grids whose rays a sweep's stops have. */
 export const levelsOf = (scene: SceneData, id: string): number[] => scene.levels.filter((n) => `${id}/${n}` in scene.files);
+/** Of these the one most like n. */
+export const nearestLevel = (levels: readonly number[], n: number) => levels.reduce((a, b) => (Math.abs(b - n) < Math.abs(a - n) ? b : a));
 
 type Things = readonly { readonly name: string }[];
 const laidOver = <T extends Things>(things: T, others: readonly object[] | undefined): T => (others ? (things.map((thing, k) => ({ ...thing, ...others[k] })) as unknown as T) : things);

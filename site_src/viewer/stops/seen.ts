@@ -3,8 +3,9 @@ import { picturePlane, type PicturePlane } from "../state/frustum";
 import { linesOf, thinPixels, type Line } from "../state/lines";
 import { observerOf } from "../state/observer";
 import { createProjection, type Projection } from "../state/projection";
+import { levelsOf, nearestLevel, stopIn } from "../state/swept";
 import type { Observer, ViewState } from "../state/types";
-import { goToStep, pixelIndex, startState } from "../state/view-state";
+import { goToStep, pixelIndex, setLevel, startState } from "../state/view-state";
 import { createWhatIf } from "../state/what-if";
 import type { SceneData, Trace } from "../trace/types";
 import { closeUp } from "./close-up";
@@ -41,9 +42,16 @@ export interface Stop {
 export function stopsOf(scene: SceneData): Stop[] {
   const start = startState(scene, KEPT);
   return scene.lesson.flatMap(({ answer }, step) => {
-    const stop = (kind: Stop["kind"]): Stop => ({ step, kind, state: goToStep(scene, start, step, kind === "answer") });
+    const stop = (kind: Stop["kind"]): Stop => ({ step, kind, state: onGridOfStop(scene, goToStep(scene, start, step, kind === "answer")) });
     return answer ? [stop("question"), stop("answer")] : [stop("step")];
   });
+}
+
+/** Stops of a sweep have some of the scene's grids: the nearest is shown, as on the page. */
+function onGridOfStop(scene: SceneData, state: ViewState): ViewState {
+  const found = stopIn(scene, state.sweep);
+  const levels = found && found.stop !== found.sweep.own ? levelsOf(scene, found.sweep.id) : [];
+  return levels.length && !levels.includes(state.n) ? setLevel(state, nearestLevel(levels, state.n)) : state;
 }
 
 export interface Seen {

@@ -2,7 +2,7 @@
 import type { Loader } from "../load";
 import type { Notice } from "../panels/notice";
 import type { Session } from "../session";
-import { besides, countOf, levelsOf, sceneAt, stopIn, type Sweep } from "../state/swept";
+import { besides, countOf, levelsOf, nearestLevel, sceneAt, stopIn, type Sweep } from "../state/swept";
 import { setLevel } from "../state/view-state";
 import { decodeWithRests } from "../trace/decode";
 import { damaged } from "../trace/errors";
@@ -82,12 +82,11 @@ async function readAt(kept: Loader["kept"], scene: SceneData, id: string, n: num
   }
 }
 
-const nearest = (levels: readonly number[], n: number) => levels.reduce((a, b) => (Math.abs(b - n) < Math.abs(a - n) ? b : a));
 
 /** A sweep's files, before any of its stops is asked for; what cannot be had is said when it is. */
 export function bringStops({ scene, state }: Session, kept: Loader["kept"], id: string) {
   const sweep = scene!.sweeps!.find((each) => each.id === id)!;
-  readAt(kept, scene!, id, nearest(levelsOf(scene!, id), state!.n), sweep.own).then((read) => bringNear(read, sweep, sweep.own), () => {});
+  readAt(kept, scene!, id, nearestLevel(levelsOf(scene!, id), state!.n), sweep.own).then((read) => bringNear(read, sweep, sweep.own), () => {});
 }
 
 /** What stops beside it will show, before they are asked for; what cannot be had is said when it is. */
@@ -131,7 +130,7 @@ export async function stopAt(session: Session, loader: Loader, notice: Notice): 
   if (stop === sweep.own) return own();
   const levels = levelsOf(scene, sweep.id);
   if (!levels.includes(n)) {
-    session.set(setLevel(asked, nearest(levels, n)));
+    session.set(setLevel(asked, nearestLevel(levels, n)));
     return own(); // dropped: the other grid was asked for
   }
   const read = await readAt(loader.kept, scene, sweep.id, n, stop);
