@@ -55,6 +55,14 @@ test("of a sweep some stops stand for all, from end to end, the one that is show
   assert.ok(!shortValueAt(long, 3).includes("\u00b7"), "only what is other");
 });
 
+test("on paper a step at a stop is on the nearest grid that the stop has, as on the page", async () => {
+  const { stopsOf } = await load("stops/seen.ts");
+  const files = Object.fromEntries(Object.entries(scene.files).filter(([name]) => name !== `${sweep.id}/15`));
+  const at = (stop) => stopsOf({ ...scene, files, lesson: [{ text: "", view: { resolution: 15, sweep: `${sweep.id}:${stop}` } }] })[0].state.n;
+  assert.equal(at(1), 33);
+  assert.equal(at(sweep.own), 15, "the scene itself has all of its own");
+});
+
 let browser, page;
 before(async () => {
   browser = await launch();
