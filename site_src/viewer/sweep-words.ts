@@ -19,7 +19,7 @@ export const acrossName = ({ sweeps = [], acrossNames = [] }: SceneData, id: str
 
 /** What a value is, as a person writes it. */
 export function written(value: Sweep["values"][number], unit?: Sweep["unit"]): string {
-  if (typeof value === "number") return number(value) + (unit ? "\u00b0" : "");
+  if (typeof value === "number") return unit ? `${number(value).replace(/\D?0+$/, "")}\u00b0` : number(value);
   return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map((each) => number(each)).join(BETWEEN);
 }
 

@@ -117,7 +117,32 @@ def test_no_step_is_left_unchecked(key, tracers):
     views = [view for step in steps for _, view in step.stops()]
     chosen = {(key, view["resolution"], tuple(view["pixel"])) for view in views}
     assert chosen <= set(SAID)
-    assert 7 <= len(views) <= 12
+    assert 7 <= len(views) <= 15  # twelve steps, three of them answered
+
+
+# (key, stop): the same at the stops of sweeps, through the pixel of the step that shows them.
+AT_STOPS = {
+    ("8", "glass-sphere-height:2"): ("glass sphere > glass sphere > ceiling", None),
+    ("8", "index-of-refraction:6"): ("glass sphere > glass sphere > orange sphere", None),
+    ("8", "index-of-refraction:1"): ("glass sphere > glass sphere > floor", None),
+    ("9", "camera-round-the-dragon:19"): ("dragon", None),
+    ("0", "yellow-ball-left-and-right:3"): ("mirror sphere > yellow sphere", [REACHED, BEHIND]),
+}
+
+
+@pytest.mark.parametrize("key", list("890"))
+def test_a_lessons_ray_meets_what_the_text_says_at_stops_too(key, tracers):
+    """Each stop that a step shows is in the table above."""
+    scene = tracers[key].scene
+    views = [view for step in scene.lesson for _, view in step.stops() if "sweep" in view]
+    assert {(key, view["sweep"]) for view in views} == {at for at in AT_STOPS if at[0] == key}
+    for view in views:
+        names, visibility = AT_STOPS[key, view["sweep"]]
+        there = Tracer(scene.at_stop(view["sweep"]), least_share=LEAST_SHARE)
+        path = tree({key: there}, key, view["resolution"], tuple(view["pixel"])).heaviest()
+        assert " > ".join(ray.name for ray in path) == names
+        if visibility is not None:
+            assert path[-1].visibility == visibility
 
 
 def test_the_numbers_of_the_ray_through_the_glass_sphere(tracers, said):

@@ -23,6 +23,7 @@ def test_every_budget_has_a_limit_above_nothing_and_a_reason() -> None:
         "trace", "picture", "mesh", "textured trace", "textured picture", "textured mesh",
         "surroundings", "viewer", "first", "mistake", "mistakes",
         "sweep 15", "sweep 33", "sweep picture",
+        "glass sweep 15", "glass sweep 33", "glass sweep picture",
     }  # fmt: skip
     assert parts and all(part.limit <= 15_000 for part in parts)
     for budget in budgets:

@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+from tests.cases import cases
 
 from raywalk.pipeline.parts import trace_parts
 from raywalk.pipeline.sweeps import stop_parts, sweeps_here
 from raywalk.pipeline.trace_task import trace_into
-from raywalk.scene.model import Scene
+from raywalk.scene.model import Scene, Sweep
 from raywalk.scene.read import read_scene
 from raywalk.scene.sweeps import picture_side
 from raywalk.site.scene_data import Display
@@ -102,6 +103,20 @@ stops = 3
 name = "zoom"
 varies = "camera.fov"
 values = [30, 45]
+
+[[sweeps]]
+name = "round"
+varies = "camera.eye"
+about = [0, 0, 0]
+from = 0
+to = 90
+stops = 2
+
+[[sweeps]]
+name = "place"
+varies = "objects.ball.center.0"
+values = [0, 0.25]
+across = { varies = "objects.ball.center.2", values = [-0.5, 0] }
 """
 # The scene without its own field of view has 45 degrees all the same; a sweep wants it written.
 WITH_SWEEPS = SCENE.replace("target = [0, 0, 0]", "target = [0, 0, 0]\nfov = 45", 1) + SWEEPS
@@ -118,23 +133,22 @@ def swept_scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     return scene_of(WITH_SWEEPS, tmp_path_factory.mktemp("swept"))
 
 
-EACH_STOP = [
-    (sweep, stop)
-    for sweep, stops in {
-        "lamp height": 3, "refraction": 3, "turn": 2, "bounces": 3, "zoom": 2
-    }.items()
-    for stop in range(stops)
-]  # fmt: skip
+STOPS = {
+    "lamp height": 3, "refraction": 3, "turn": 2, "bounces": 3, "zoom": 2, "round": 2, "place": 4,
+}  # fmt: skip
+EACH_STOP = [(sweep, stop) for sweep, stops in STOPS.items() for stop in range(stops)]
+FEW = [("lamp height", 0), ("refraction", 2), ("turn", 1), ("round", 1), ("place", 1)]
 
 
-@pytest.mark.parametrize(("name", "stop"), EACH_STOP)
+@pytest.mark.parametrize("which", cases(EACH_STOP, FEW))
 def test_every_stop_equals_a_fresh_trace_of_the_scene_with_that_value(
-    swept: Scene, tmp_path: Path, name: str, stop: int
+    swept: Scene, tmp_path: Path, which: tuple[str, int]
 ) -> None:
     """Byte for byte: both grids' files, and the picture's pixels."""
+    name, stop = which
     [sweep] = [each for each in swept.sweeps if each.name == name]
     write_stop(sweep.stops[stop], sweep.resolutions, sweep.picture, tmp_path, 2)
-    fresh = scene_with(sweep.varies, sweep.values[stop], tmp_path / swept.id)
+    fresh = scene_at(sweep, stop, tmp_path / swept.id)
     traced = trace_picture(Tracer(fresh, least_share=LEAST_SHARE))
     for n in (15, 33):
         written = gzip.decompress((tmp_path / f"{n}.json.gz").read_bytes())
@@ -143,24 +157,29 @@ def test_every_stop_equals_a_fresh_trace_of_the_scene_with_that_value(
     assert np.array_equal(np.asarray(Image.open(picture).convert("RGB")), traced.picture)
 
 
-def scene_with(varies: str, value: object, folder: Path) -> Scene:
+def scene_at(sweep: Sweep, stop: int, folder: Path) -> Scene:
     """The scene whose author had written this value: by what its text says, not by what we do."""
-    old, new = {
-        'lights."light 1".position': ("[-2, 3, 2]", None),
-        "materials.glass.ior": ("ior = 1.5", "ior = {}"),
-        "objects.block.transform.1.rotate.degrees": ("degrees = 20", "degrees = {}"),
-        "render.depth": ("depth = 2", "depth = {}"),
-        "camera.fov": ("fov = 45", "fov = {}"),
-    }[varies]
+    column = stop % len(sweep.values)
+    value = sweep.values[column]
+    places, rows = {0: [0, 0, 5], 90: [5, 0, 0]}, {0: -0.5, 1: 0}
     said = str(list(value)) if isinstance(value, tuple) else str(value)
+    old, new = {
+        "lamp height": ("position = [-2, 3, 2]", f"position = {said}"),
+        "refraction": ("ior = 1.5", f"ior = {said}"),
+        "turn": ("degrees = 20", f"degrees = {said}"),
+        "bounces": ("depth = 2", f"depth = {said}"),
+        "zoom": ("fov = 45", f"fov = {said}"),
+        "round": ("eye = [0, 0, 5]", f"eye = {places.get(value)}"),
+        "place": ("center = [0, 0.5, 0]", f"center = [{said}, 0.5, {rows.get(stop // 2)}]"),
+    }[sweep.name]
     text = WITH_SWEEPS.split("[[sweeps]]")[0]
     assert text.count(old) == 1
-    return scene_of(text.replace(old, (new or "{}").format(said)), folder)
+    return scene_of(text.replace(old, new), folder)
 
 
 def test_the_scenes_own_value_is_one_of_the_stops(swept: Scene) -> None:
     """That stop's trace is the scene's own, which is not made from other parts."""
-    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1]
+    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1, 0, 2]
     for sweep in swept.sweeps:
         own = sweep.stops[sweep.own]
         assert trace_parts(own)["scene"] == trace_parts(swept)["scene"]
@@ -215,7 +234,7 @@ def test_what_is_published_holds_every_stops_bytes(tmp_path: Path) -> None:
     parts = trace_parts(scene)
     trace_into(store, {scene.id: parts}, scene, 2, say_nothing)
     found = sweeps_here(store, scene, store.get(key_of(parts)))
-    assert set(found) == {"lamp-height", "refraction", "turn", "bounces", "zoom"}
+    assert set(found) == {name.replace(" ", "-") for name in STOPS}
     for sweep in scene.sweeps:
         entry = found[sweep.id]
         for n in sweep.resolutions:
@@ -227,7 +246,8 @@ def test_what_is_published_holds_every_stops_bytes(tmp_path: Path) -> None:
         moved = json.loads(unpack((entry.folder / "stops.js").read_bytes()))["stops"]
         assert set(moved[sweep.own]) == {"picture"}
         changed = {"lamp-height": "lights", "refraction": "materials", "turn": "objects",
-                   "bounces": "depth", "zoom": "camera"}[sweep.id]  # fmt: skip
+                   "bounces": "depth", "zoom": "camera", "round": "camera",
+                   "place": "objects"}[sweep.id]  # fmt: skip
         others = [set(each) for k, each in enumerate(moved) if k != sweep.own]
         assert all(each == {"picture", changed} for each in others)
 

@@ -91,13 +91,14 @@ test("a part takes from the viewer's script what both need, and gives what it ex
   assert.throws(() => asOfferedPart("all", 'import*as a from"shared:words";export{a};', []), /imports or exports in a way/);
 });
 
+const MOVES = readScene(rich.id).sweeps ? ["sweeps"] : []; // what opens the slider is in sight on arrival
 /** Where it comes from, its page's hash, and the parts that its first view asks for. */
 const SOURCES = [["a host", () => server.url, HASH, []], ["a disk", () => ON_DISK, ...cases([HASH, []], [FLAT, ["flat"]])]];
 const OF_WEBGL = ["surroundings", "traced-picture", "flat"]; // drawn flat the first is not asked for, nor, by its key, the second
 for (const [where, base, hash, first] of SOURCES)
   test(`from ${where}: a first view asks for no part${first.length ? " but the one that draws it flat" : ""}, each comes when it is first used, and what asked for it is done`, async () => {
     const page = await pageAt(base(), { hash });
-    assert.deepEqual(page.asked.splice(0), first);
+    assert.deepEqual(page.asked.splice(0), [...first, ...MOVES]);
     for (const [name, [act, shows]] of Object.entries(PARTS)) {
       if (hash === FLAT && OF_WEBGL.includes(name)) continue;
       await Promise.all([page.waitForRequest((request) => partOf(request) === name), act(page)]);

@@ -60,6 +60,13 @@ transform = [{ translate = [0.3, 0, 0] }, { rotate = { axis = "x", degrees = 20 
 [[lights]]
 position = [-2, 1, 1]
 
+[[sweeps]]
+name = "lamp height"
+varies = 'lights."light 1".position'
+from = [-2, -1, 1]
+to = [-2, 3, 1]
+stops = 9
+
 [[lesson]]
 text = "**Red**, because the ray hits the sphere."
 view = { resolution = 15, pixel = [7, 7], rays = ["pixel"], observer = "camera" }

@@ -38,6 +38,7 @@ Values = Annotated[
 Stops = Annotated[
     int, Field(strict=True, ge=2, le=MOST_STOPS), Allowed(f"a whole number from 2 to {MOST_STOPS}")
 ]
+Side = Annotated[int, Field(strict=True, ge=1), Allowed("a whole number of at least 1")]
 Grids = Annotated[
     tuple[Annotated[int, Field(strict=True, ge=1)], ...], Field(min_length=1),
     Allowed("a list of at least one whole number"),
@@ -59,7 +60,7 @@ class SteppedTable(Table):
     values: Maybe[Values] = maybe("each stop's value, in place of `from`, `to` and `stops`")
     about: Maybe[Point] = maybe(
         "a point: the value, a place, goes round it on a circle, and `from` and `to`, or `values`, "
-        "are degrees from where the scene has it, which is 0; seen from above, more is to the left"
+        "are degrees from where the scene has it, which is 0, counter-clockwise as seen from above"
     )
     axis: Maybe[AxisName] = maybe('the circle\'s axis, through `about` (default "y", upright)')
 
@@ -130,7 +131,7 @@ class SweepTable(SteppedTable):
         "of the scene's, those whose rays each stop has (default: 15 and 33, those of them that "
         "the scene has)"
     )
-    picture: Maybe[Annotated[int, Field(strict=True, ge=1)]] = maybe(
+    picture: Maybe[Side] = maybe(
         "pixels across of each stop's picture, an odd part of `render.size` "
         f"(default: {PICTURE} or a little less); smaller where a picture would weigh too much"
     )

@@ -119,14 +119,15 @@ def measured(out: Path, scenes: Sequence[Scene], facts: dict[str, dict[str, Any]
 
 def of_sweeps(out: Path, scene: Scene) -> Iterator[Size]:
     """What each sweep's rays weigh, a stop at a time, and each of its pictures."""
+    kind = "glass " if scene.has_glass else ""
     for sweep in scene.sweeps:
         name = f"scenes/{scene.id}/{sweep.id}"
         for n in sweep.resolutions:
             file, stops = f"{name}/{n}.js", len(sweep.stops)
-            yield Size(f"sweep {n}", file, sent(out / file), stops)
+            yield Size(f"{kind}sweep {n}", file, sent(out / file), stops)
         for path in sorted((out / name).iterdir()):
             if path.suffix != ".js":
-                yield Size("sweep picture", f"{name}/{path.name}", sent(path))
+                yield Size(f"{kind}sweep picture", f"{name}/{path.name}", sent(path))
 
 
 def of_mistakes(out: Path) -> list[Size]:

@@ -23,9 +23,9 @@ def write_webp(path: Path, rgb8: np.ndarray, unless: int) -> None:
         write_beside(path, content)
 
 
-def webp(rgb8: np.ndarray) -> bytes:
+def webp(rgb8: np.ndarray, method: int = METHOD) -> bytes:
     """Lossless: the same pixels."""
     out = BytesIO()
     image = Image.fromarray(rgb8)
-    image.save(out, "WEBP", lossless=True, method=METHOD, quality=EFFORT, exact=True)
+    image.save(out, "WEBP", lossless=True, method=method, quality=EFFORT, exact=True)
     return out.getvalue()
