@@ -41,7 +41,7 @@ def text(archive: Path, name: str) -> str:
     return zipfile.ZipFile(archive).read(f"{TOP}/{name}").decode("utf-8-sig")
 
 
-def test_it_takes_less_than_40_mb_with_all_scenes_and_slides(archive):
+def test_it_takes_less_than_55_mb_with_all_scenes_and_slides(archive):
     """A mail server and an old stick take that."""
     names = set(zipfile.ZipFile(archive).namelist())
     print(f"{archive.stat().st_size / 1e6:.1f} MB, {len(names)} files")
