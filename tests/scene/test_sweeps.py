@@ -85,9 +85,9 @@ def test_a_slider_brings_nothing_that_is_not_there(scene_from):
 @pytest.mark.parametrize(
     ("varies", "values", "said"),
     [
-        ("materials.matt.diffuse", "[[1, 0, 0], [0, 1, 0]]", 'the material "matt" is other'),
-        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]", '"floor" is other'),
-        ('lights."light 1".colour', "[[1, 1, 1], [1, 0, 0]]", 'the colour of "light 1" is other'),
+        ("materials.matt.diffuse", "[[1, 0, 0], [0, 1, 0]]", 'the material "matt"'),
+        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]", '"floor"'),
+        ('lights."light 1".colour', "[[1, 1, 1], [1, 0, 0]]", 'the colour of "light 1"'),
     ],
 )
 def test_what_the_page_cannot_move_is_no_sweep(scene_from, varies, values, said):
@@ -97,7 +97,7 @@ def test_what_the_page_cannot_move_is_no_sweep(scene_from, varies, values, said)
     more += 'material = "matt"\n'
     sweep = f"\n[[sweeps]]\nname = \"it\"\nvaries = '{varies}'\nvalues = {values}\n"
     [found] = errors_of(scene_from, more + sweep)
-    assert found.startswith("sweeps[0].varies: ") and f"at stop 2 {said}" in found
+    assert found.startswith("sweeps[0].varies: ") and f"changes {said}, at stop 2" in found
     assert "what moves: the camera" in found
 
 

@@ -33,7 +33,7 @@ Figure = Annotated[int, Field(strict=True)] | Annotated[
 Value = Annotated[Figure | tuple[Figure, ...], Allowed("a number or a list of numbers")]
 Values = Annotated[
     tuple[Value, ...], Field(min_length=2, max_length=MOST_STOPS),
-    Allowed(f"a list of 2 to {MOST_STOPS} values"),
+    Allowed(f"a list of 2 to {MOST_STOPS} values, each a number or a list of numbers"),
 ]  # fmt: skip
 Stops = Annotated[
     int, Field(strict=True, ge=2, le=MOST_STOPS), Allowed(f"a whole number from 2 to {MOST_STOPS}")
@@ -71,7 +71,10 @@ class SteppedTable(Table):
         ends = self.values or (self.from_, self.to)
         if self.about and any(_length(value) is not None for value in ends):
             at = "values" if self.values else "from"
-            raise refusal("is not in degrees, as what goes round a point is", at=at)
+            raise refusal(
+                "is not in degrees, as what goes round a point is", at=at,
+                hint="from = -45, to = 45 go as far to either side",
+            )  # fmt: skip
         return self
 
     @model_validator(mode="after")

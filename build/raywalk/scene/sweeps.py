@@ -235,7 +235,7 @@ def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems
     for what, there in _drawn_once(stop).items():
         if there != own[what]:
             problems.add(
-                (*at, "varies"), f"at stop {k + 1} {what} is other, which the page draws once",
+                (*at, "varies"), f"changes {what}, at stop {k + 1}: the page draws it once for all",
                 allowed="what moves: the camera, lamps' positions and intensities, all objects "
                 "but planes; and a material's ior, render.depth",
             )  # fmt: skip
