@@ -17,10 +17,13 @@ export const acrossName = ({ sweeps = [], acrossNames = [] }: SceneData, id: str
   return acrossNames[k] || sweeps[k].across?.name || "";
 };
 
+/** 0.25 and 3, not 0.250 and 3.000: it was typed so. */
+const typed = (value: number) => number(value).replace(/\D?0+$/, "");
+
 /** What a value is, as a person writes it. */
 export function written(value: Sweep["values"][number], unit?: Sweep["unit"]): string {
-  if (typeof value === "number") return unit ? `${number(value).replace(/\D?0+$/, "")}\u00b0` : number(value);
-  return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map((each) => number(each)).join(BETWEEN);
+  if (typeof value === "number") return `${typed(value)}${unit ? "\u00b0" : ""}`;
+  return value.length === 3 ? vector([value[0], value[1], value[2]]) : value.map(typed).join(BETWEEN);
 }
 
 /** What a stop's value is; of a grid both. */
@@ -36,7 +39,7 @@ export function shortValueAt({ values, across, unit }: Sweep, stop: number): str
   const few = (all: Sweep["values"], value: Sweep["values"][number]) => (typeof value === "number" ? value : value.filter((part, k) => all.some((each) => (each as number[])[k] !== part)));
   const shown = (all: Sweep["values"], at: number, of?: Sweep["unit"]) => {
     const parts = few(all, all[at]);
-    return typeof parts === "number" ? written(parts, of) : parts.map((each) => number(each)).join(BETWEEN);
+    return typeof parts === "number" ? written(parts, of) : parts.map(typed).join(BETWEEN);
   };
   const [column, row] = placeOf({ values } as Sweep, stop);
   return [shown(values, column, unit), ...(across ? [shown(across.values, row, across.unit)] : [])].join(BETWEEN);

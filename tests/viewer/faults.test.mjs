@@ -11,7 +11,7 @@ import { serve } from "./server.mjs";
 const rich = richScene();
 const other = keyedScenes().find((scene) => scene.id !== rich.id);
 const meshes = scenesOfSite().find((scene) => Object.keys(readScene(scene.id).meshes).length);
-const swept = scenesOfSite().find((scene) => readScene(scene.id).sweeps);
+const swept = scenesOfSite().find(({ id }) => readScene(id).sweeps && readScene(id).of === id); // a lesson on a scene has none of its own
 const N = readScene(rich.id).start.resolution;
 const TRACE = `**/scenes/${rich.id}/${N}.js*`;
 let browser, server, page;

@@ -44,7 +44,9 @@ def folder(tmp_path_factory, with_viewer):
         head, render, rest = text.partition("[render]\n")
         render = render or "[render]\n"
         body = "\n".join(
-            line for line in rest.splitlines() if not line.startswith(("size", "resolutions"))
+            line
+            for line in rest.splitlines()
+            if not line.startswith(("size", "resolutions", "picture"))
         )
         small = f"{head}{render}size = 315\nresolutions = [5, 7, 15]\n{body}\n"
         (place / "scene.toml").write_text(lesson_free(small), encoding="utf-8")
