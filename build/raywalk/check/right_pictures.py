@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from raywalk.scene.model import Scene
+from raywalk.scene.resolutions import fits
 from raywalk.trace.plan import LEAST_SHARE
 from raywalk.trace.wavefront import Threads, Tracer, trace_colours
 
@@ -22,7 +23,7 @@ def shared_sizes(scene: Scene) -> list[int]:
     """Sizes whose pixel centres are among those of the scene's picture, an odd number of its pixels
     to each of theirs; its own comes last."""
     size = scene.render.size
-    return [n for n in range(LEAST, size + 1) if size % n == 0 and size // n % 2]
+    return [n for n in range(LEAST, size + 1) if fits(n, size)]
 
 
 def other_sizes(scene: Scene) -> list[int]:

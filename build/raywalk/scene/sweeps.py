@@ -19,6 +19,7 @@ from raywalk.scene.lesson_text import PICTURES
 from raywalk.scene.model import Across, Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
+from raywalk.scene.resolutions import fits
 from raywalk.scene.schema_sweeps import CLEAN, PICTURE, SteppedTable, SweepTable
 from raywalk.scene.schema_transforms import RotateTable, TransformTable
 from raywalk.scene.shapes import Plane
@@ -193,14 +194,13 @@ def _swept(
 
 
 def _picture_side(table: SweepTable, size: int, at: Location, problems: Problems) -> int | None:
-    sides = [size // k for k in range(1, size + 1, 2) if size % k == 0]
     if table.picture is None:
         return picture_side(size)
-    if table.picture in sides:
+    if fits(table.picture, size):
         return table.picture
     problems.add(
         (*at, "picture"), f"{table.picture} x {table.picture} pixels are none of the picture's",
-        allowed=f"allowed: {joined(map(str, sides))}",
+        allowed=f"allowed: {joined(map(str, _sides(size)))}",
     )  # fmt: skip
     return None
 
@@ -208,8 +208,12 @@ def _picture_side(table: SweepTable, size: int, at: Location, problems: Problems
 def picture_side(size: int) -> int:
     """The most pixels across, up to PICTURE, that are pixels of a picture of this size: all of it
     where there are no such."""
-    divided = [size // k for k in range(1, size + 1, 2) if size % k == 0]
-    return max([side for side in divided if side <= PICTURE and side * 3 >= PICTURE], default=size)
+    near = [side for side in _sides(size) if side <= PICTURE <= 3 * side]
+    return max(near, default=size)
+
+
+def _sides(size: int) -> list[int]:
+    return [side for side in range(1, size + 1) if fits(side, size)]
 
 
 def _across(plan: _Plan) -> Across | None:
