@@ -1,7 +1,7 @@
 /** The lesson of scene 2 by keyboard alone: pressed keys, no pointer, and always to be seen where one is. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, newPage, ON_DISK, open, keyedScenes, settled, state } from "./browser.mjs";
+import { launch, newPage, ON_DISK, open, keyedScenes, settled, state, until } from "./browser.mjs";
 import { readScene } from "./scene-files.mjs";
 
 const { id, path } = keyedScenes()[1];
@@ -49,6 +49,7 @@ const words = (html) => html.replace(/<math.*/s, "").replace(/<[^>]+>/g, "").rep
 const shown = async () => words(await page.locator(".lesson-text").innerText());
 const fits = async (step, revealed) => {
   await settled(page);
+  await until(page, (s, t) => t.shown.n === s.n); // another grid comes with its rays, and with them the step's text
   const now = await state(page);
   assert.deepEqual([now.step, now.revealed], [step, revealed]);
   const stop = revealed ? lesson[step].answer : lesson[step];
