@@ -171,7 +171,7 @@ export function createParts(session: Session, acts: Actions, onDemand: OnDemand,
     stage.element.hidden = flat !== null;
     if (flat || shownSlice) slice.now()!.show(flat);
     shownSlice = flat && slice.now();
-    if (!flat) stage.show({ ...view, scene: traced.scene, switched: panels.sweeps.now()?.glided(scene) ?? scene, recombined, trace, state, surroundings: session.surroundings?.scene === scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
+    if (!flat) stage.show({ ...view, scene: traced.scene, switched: scene, ...panels.sweeps.now()?.drawn(scene), recombined, trace, state, surroundings: session.surroundings?.scene === scene.of && !recombined ? session.surroundings : null, lit: lit ?? event, ring: dark ? null : contrastWith(view.ringOn) });
   }
 
   let shownSlice: SavedView | null = null;

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from raywalk.errors import SourceErrors
+from raywalk.site.scene_data import Display, scene_data
 
 SCENE = """
 [render]
@@ -74,12 +76,22 @@ def test_a_stop_that_is_no_scene_is_named_with_what_is_wrong_with_it(scene_from)
     assert any("at stop 2, [0, 0, 0]: camera.target" in each for each in found), found
 
 
-def test_a_slider_brings_nothing_that_is_not_there(scene_from):
+def test_a_lamp_may_have_more_or_fewer_points(scene_from):
+    """Together as bright; how many each lamp has at most is told to who draws them."""
     lamp = '\nname = "lamp"\nedges = [[1, 0, 0], [0, 1, 0]]\nsamples = [2, 2]\n'
-    sweep = '\n[[sweeps]]\nname = "samples"\nvaries = "lights.lamp.samples"\n'
-    sweep += "values = [[2, 2], [4, 4]]\n"
-    [found] = errors_of(scene_from, lamp + sweep)
-    assert "at stop 2 the scene has 16 lights, not 4" in found
+    other = '\n[[lights]]\nname = "spot"\nposition = [0, 2, 0]\n'
+    scene = scene_from(SCENE + lamp + other + sweep_of_points("[[1, 1], [2, 2], [3, 1]]"))
+    [sweep] = scene.sweeps
+    assert [len(stop.lights) for stop in sweep.stops] == [2, 5, 4]
+    assert {sum(each.intensity for each in stop.lights) for stop in sweep.stops} == {2}
+    data = scene_data(scene, Display(np.zeros(3), 1.0, {}), {}, {}, "picture.png")
+    assert data["sweeps"][0]["points"] == [4, 1]
+    [found] = errors_of(scene_from, lamp + sweep_of_points("[[2, 2], [9, 9]]"))
+    assert "at stop 2, [9, 9]: lights[0].samples" in found
+
+
+def sweep_of_points(values):
+    return f'\n[[sweeps]]\nname = "points"\nvaries = "lights.lamp.samples"\nvalues = {values}\n'
 
 
 @pytest.mark.parametrize(

@@ -73,6 +73,13 @@ transform = [{ translate = [1, -0.5, -1] }, { rotate = { axis = "y", degrees = 2
 
 [[lights]]
 position = [-2, 3, 2]
+
+[[lights]]
+name = "panel"
+position = [1, 3, 1]
+edges = [[1, 0, 0], [0, 0, 1]]
+samples = [2, 1]
+intensity = 0.4
 """
 SWEEPS = """
 [[sweeps]]
@@ -117,6 +124,11 @@ name = "place"
 varies = "objects.ball.center.0"
 values = [0, 0.25]
 across = { varies = "objects.ball.center.2", values = [-0.5, 0] }
+
+[[sweeps]]
+name = "points"
+varies = "lights.panel.samples"
+values = [[1, 1], [2, 1], [2, 2]]
 """
 # The scene without its own field of view has 45 degrees all the same; a sweep wants it written.
 WITH_SWEEPS = SCENE.replace("target = [0, 0, 0]", "target = [0, 0, 0]\nfov = 45", 1) + SWEEPS
@@ -135,9 +147,17 @@ def swept_scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
 
 STOPS = {
     "lamp height": 3, "refraction": 3, "turn": 2, "bounces": 3, "zoom": 2, "round": 2, "place": 4,
+    "points": 3,
 }  # fmt: skip
 EACH_STOP = [(sweep, stop) for sweep, stops in STOPS.items() for stop in range(stops)]
-FEW = [("lamp height", 0), ("refraction", 2), ("turn", 1), ("round", 1), ("place", 1)]
+FEW = [
+    ("lamp height", 0),
+    ("refraction", 2),
+    ("turn", 1),
+    ("round", 1),
+    ("place", 1),
+    ("points", 2),
+]
 
 
 @pytest.mark.parametrize("which", cases(EACH_STOP, FEW))
@@ -170,6 +190,7 @@ def scene_at(sweep: Sweep, stop: int, folder: Path) -> Scene:
         "bounces": ("depth = 2", f"depth = {said}"),
         "zoom": ("fov = 45", f"fov = {said}"),
         "round": ("eye = [0, 0, 5]", f"eye = {places.get(value)}"),
+        "points": ("samples = [2, 1]", f"samples = {said}"),
         "place": ("center = [0, 0.5, 0]", f"center = [{said}, 0.5, {rows.get(stop // 2)}]"),
     }[sweep.name]
     text = WITH_SWEEPS.split("[[sweeps]]")[0]
@@ -179,7 +200,7 @@ def scene_at(sweep: Sweep, stop: int, folder: Path) -> Scene:
 
 def test_the_scenes_own_value_is_one_of_the_stops(swept: Scene) -> None:
     """That stop's trace is the scene's own, which is not made from other parts."""
-    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1, 0, 2]
+    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1, 0, 2, 1]
     for sweep in swept.sweeps:
         own = sweep.stops[sweep.own]
         assert trace_parts(own)["scene"] == trace_parts(swept)["scene"]
@@ -247,7 +268,7 @@ def test_what_is_published_holds_every_stops_bytes(tmp_path: Path) -> None:
         assert set(moved[sweep.own]) == {"picture"}
         changed = {"lamp-height": "lights", "refraction": "materials", "turn": "objects",
                    "bounces": "depth", "zoom": "camera", "round": "camera",
-                   "place": "objects"}[sweep.id]  # fmt: skip
+                   "place": "objects", "points": "lights"}[sweep.id]  # fmt: skip
         others = [set(each) for k, each in enumerate(moved) if k != sweep.own]
         assert all(each == {"picture", changed} for each in others)
 
@@ -257,4 +278,16 @@ def test_names_are_not_among_what_is_other_at_a_stop(swept: Scene) -> None:
     [sweep] = [each for each in swept.sweeps if each.name == "lamp height"]
     display = Display(np.zeros(3), 1.0, {})
     data = stop_data(sweep.stops[0], swept, display, "x.webp")
-    assert data["lights"] == [{"position": (-2.0, 1.0, 2.0)}]
+    assert data["lights"] == [{"position": (-2.0, 1.0, 2.0)}, {}, {}]
+
+
+def test_where_a_lamp_has_other_points_all_lights_of_the_stop_are_told(swept: Scene) -> None:
+    """By name, so that they stand in place of the scene's; each has its own place and strength."""
+    [sweep] = [each for each in swept.sweeps if each.name == "points"]
+    display = Display(np.zeros(3), 1.0, {})
+    one, own, four = (stop_data(stop, swept, display, "x.webp") for stop in sweep.stops)
+    assert "lights" not in own
+    assert [each["name"] for each in one["lights"]] == ["light 1", "panel"]
+    assert [each["name"] for each in four["lights"]][1:] == [f"panel {k}/4" for k in (1, 2, 3, 4)]
+    assert all(set(each) == {"name", "position", "colour", "intensity", "attenuation"}
+               for each in four["lights"])  # fmt: skip

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
-import { DIST, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
+import { DIST, follow, launch, newPage, ON_DISK, open, pass, press, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { read as readPublished, readScene, readTrace } from "./scene-files.mjs";
 import { load } from "./typescript.mjs";
 
@@ -30,6 +30,33 @@ test("a stop's scene has the light where its trace has it, and is otherwise the 
     assert.equal(there.objects, scene.objects);
     assert.deepEqual(there.levels, [15, 33]);
   }
+});
+
+const light = (name, intensity, x = 0) => ({ name, intensity, position: [x, 0, 0] });
+const area = (name, count, intensity) => Array.from({ length: count }, (_, k) => light(count > 1 ? `${name} ${k + 1}/${count}` : name, intensity / count, k));
+
+test("where a lamp has more or fewer points a stop has its own lights, named in the language of the scene", () => {
+  const lamps = { id: "x", of: "x", levels: [], files: {}, objects: [], materials: [], lights: [...area("Lampe", 4, 1), light("Licht", 2)] };
+  const stop = (count) => sceneAt(lamps, { picture: "", lights: [...area("lamp", count, 1), light("light 1", 2)] }, "points", 1).lights;
+  assert.deepEqual(stop(1).map(({ name }) => name), ["Lampe", "Licht"]);
+  assert.deepEqual(stop(2).map(({ name, intensity }) => [name, intensity]), [["Lampe 1/2", 0.5], ["Lampe 2/2", 0.5], ["Licht", 2]]);
+  const moved = sceneAt(lamps, { picture: "", lights: [{}, { position: [9, 9, 9] }, {}, {}, {}] }, "points", 1).lights;
+  assert.deepEqual([moved[1].name, moved[1].position, moved[0]], ["Lampe 2/4", [9, 9, 9], lamps.lights[0]]);
+});
+
+test("each lamp is drawn with as many points at every stop, as bright as it is there: shaders want the same number", async () => {
+  const { withMostPoints } = await load("state/between.ts");
+  const sweeps = [{ points: [9, 1] }, {}];
+  const drawn = [1, 4, 9].map((count) => withMostPoints({ sweeps, lights: [...area("lamp", count, 3), light("light 1", 2)] }));
+  for (const { lights } of drawn) {
+    assert.equal(lights.length, 10);
+    const strength = (of) => lights.filter(({ name }) => name.startsWith(of)).reduce((sum, { intensity }) => sum + intensity, 0);
+    assert.ok(Math.abs(strength("lamp") - 3) < 1e-12, "its sum is rounded ten times");
+    assert.equal(strength("light"), 2);
+  }
+  assert.deepEqual(drawn[1].asked.map(({ name }) => name), ["lamp 1/4", "lamp 2/4", "lamp 3/4", "lamp 4/4", "light 1"]);
+  const as = { sweeps: [{}], lights: [] };
+  assert.equal(withMostPoints(as), as);
 });
 
 test("what names no stop is none", () => {
@@ -308,6 +335,21 @@ test("of two values that are crossed a pad shows all stops: arrows go both ways,
     const box = await each.boundingBox();
     assert.ok(box.width >= 44 && box.height >= 44);
   }
+});
+
+test("at a stop with other points shadow rays go to as many, and one switch dims them all", { skip: !field?.points && "all stops have the same lights here" }, async () => {
+  const counts = [stopOf(1, 0), stopOf(1, 1), stopOf(1, rows - 1)].map((stop) => grid(15, crossed.id, field.id)[Number(stop.split(":")[1]) - 1].lights);
+  assert.equal(new Set(counts).size, 3);
+  await open(page, ON_DISK, `scenes/${crossed.id}/index.html`, `gl=none&tiles=filled&n=15&p=10,11&sweep=${stopOf(1, 0)}`);
+  for (const [k, row] of [0, 1, rows - 1].entries()) {
+    if (k) await follow(page, `gl=none&tiles=filled&n=15&p=10,11&sweep=${stopOf(1, row)}`);
+    const { lines } = await stats(page);
+    assert.equal(lines.filter(({ light }) => light >= 0).length, counts[k]);
+  }
+  await follow(page, `gl=none&tiles=filled&n=15&p=10,11&sweep=${stopOf(1, 1)}&if=l1x0`);
+  const dark = (await stats(page)).tiles;
+  const [lit] = [grid(15, crossed.id, field.id)[columns + 1]];
+  assert.ok(dark.every((value, at) => value <= lit.tiles[at]) && dark.some((value, at) => value < lit.tiles[at]));
 });
 
 test("by itself it goes through a grid in rows, to and fro, each stop beside the one before", { skip: !field && "nothing is crossed here" }, async () => {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields
 
 import numpy as np
@@ -11,6 +12,7 @@ from raywalk.scene.schema import LightTable
 from raywalk.scene.shapes import Triple
 
 DEFAULT_SAMPLES = (4, 4)
+POINT = re.compile(r" \d+/\d+$")  # what follows an area light's name in those of its points
 
 
 def point_lights(table: LightTable, name: str) -> list[Light]:
@@ -24,6 +26,11 @@ def point_lights(table: LightTable, name: str) -> list[Light]:
         Light(**alike | {"name": each, "position": position})
         for each, position in zip(names, positions, strict=True)
     ]
+
+
+def lamp_of(name: str) -> str:
+    """A light by the name that its file gives it: an area light's points are one."""
+    return POINT.sub("", name)
 
 
 def sample_points(table: LightTable) -> list[Triple]:

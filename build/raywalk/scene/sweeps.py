@@ -16,6 +16,7 @@ from raywalk.scene.compile import compile_scene
 from raywalk.scene.draft import Draft, read_tables
 from raywalk.scene.fields import AxisName
 from raywalk.scene.lesson_text import PICTURES
+from raywalk.scene.lights import lamp_of
 from raywalk.scene.model import Across, Scene, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
@@ -228,20 +229,15 @@ def _frozen(axis: _Axis) -> tuple[Any, ...]:
 
 
 def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems) -> bool:
-    """Whether it has as much of everything as the scene: what is there moves, nothing comes."""
-    for what in ("objects", "lights", "materials"):
-        there, here = len(getattr(stop, what)), len(getattr(scene, what))
-        if there != here:
-            message = f"at stop {k + 1} the scene has {there} {what}, not {here}"
-            problems.add(at, message, hint="a slider moves and changes what is there")
-            return False
+    """Whether only what moves is other there. As many of everything there are: no number that a
+    file gives makes an object, and a lamp's points are one lamp."""
     own = _drawn_once(scene)
     for what, there in _drawn_once(stop).items():
         if there != own[what]:
             problems.add(
                 (*at, "varies"), f"changes {what}, at stop {k + 1}: the page draws it once for all",
-                allowed="what moves: the camera, lamps' positions and intensities, all objects "
-                "but planes; and a material's ior, render.depth",
+                allowed="what moves: the camera, lamps' positions, intensities, sizes and samples, "
+                "all objects but planes; and a material's ior, render.depth",
             )  # fmt: skip
             return False
     return True
@@ -253,7 +249,7 @@ def _drawn_once(scene: Scene) -> dict[str, Any]:
     for material in scene.materials:
         drawn[f"the material {quoted(material.name)}"] = replace(material, ior=1.0)
     for light in scene.lights:
-        drawn[f"the colour of {quoted(light.name)}"] = light.colour, light.attenuation
+        drawn[f"the colour of {quoted(lamp_of(light.name))}"] = light.colour, light.attenuation
     for obj in scene.objects:
         fixed = obj.shape.drawn(), obj.material, obj.checker, obj.base
         is_plane = isinstance(obj.shape, Plane)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import Any, cast
 import numpy as np
 
 from raywalk.scene.lesson_text import inline_html, lesson_html
+from raywalk.scene.lights import lamp_of
 from raywalk.scene.model import Choice, LessonStep, Light, Scene, SceneObject, Sweep
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
@@ -89,6 +91,11 @@ def _sweep(sweep: Sweep) -> SweepData:
     }  # fmt: skip
     if sweep.is_turned:
         data["unit"] = "degrees"
+    points = [
+        [*Counter(lamp_of(light.name) for light in stop.lights).values()] for stop in sweep.stops
+    ]
+    if any(each != points[0] for each in points):
+        data["points"] = [max(of) for of in zip(*points, strict=True)]
     if sweep.across:
         across: AcrossData = {"values": _listed(sweep.across.values)}
         if sweep.across.name:

@@ -162,6 +162,7 @@ class SweepData(TypedDict):
     unit: NotRequired[SweptUnit]
     across: NotRequired[AcrossData]
     own: int  # the stop that is the scene itself, of all
+    points: NotRequired[list[int]]  # of each lamp at most, where stops differ in them
 
 
 class SceneData(TypedDict):
@@ -196,7 +197,7 @@ class SceneData(TypedDict):
 
 class StopData(TypedDict):
     """What of SceneData is other at a stop; of objects, lights and materials what is other of
-    each."""
+    each. Lights with names are all of them, in place of the scene's."""
 
     picture: str
     camera: NotRequired[Camera]

@@ -32,7 +32,7 @@ def stop_data(stop: Scene, scene: Scene, display: Display, picture: str) -> Stop
             [_moved(there, here, display) for there, here in moved],
             [object_data(each, display) for each in scene.objects],
         ),
-        "lights": ([*map(light_data, stop.lights)], [*map(light_data, scene.lights)]),
+        "lights": _lights(stop, scene),
         "materials": ([*map(asdict, stop.materials)], [*map(asdict, scene.materials)]),
     }
     for key, (those, these) in lists.items():
@@ -40,6 +40,13 @@ def stop_data(stop: Scene, scene: Scene, display: Display, picture: str) -> Stop
         if any(others):
             data[key] = others
     return StopData(**data)  # type: ignore[typeddict-item]
+
+
+def _lights(stop: Scene, scene: Scene) -> tuple[list[Any], list[Any]]:
+    """Those of the stop, and what they are told beside: nothing where a lamp has another number of
+    points, which stand in place of the scene's then."""
+    there, here = [*map(light_data, stop.lights)], [*map(light_data, scene.lights)]
+    return there, here if len(here) == len(there) else [{} for _ in there]
 
 
 def _moved(obj: SceneObject, own: SceneObject, display: Display) -> Any:
@@ -57,7 +64,7 @@ def _other(those: Any, these: Any) -> dict[str, Any]:
     return {
         key: value
         for key, value in those.items()
-        if key != "name" and _json(value) != _json(these.get(key))
+        if not (key == "name" and these) and _json(value) != _json(these.get(key))
     }
 
 

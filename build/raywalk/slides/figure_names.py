@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from raywalk.scene.lights import lamp_of
 from raywalk.slides.clip import clipped_area
 from raywalk.slides.drawing import Drawing, hits
 from raywalk.slides.figure import Item, Point, Polygon
 from raywalk.slides.labels import Label
-from raywalk.slides.sheet_facts import PART
 from raywalk.slides.stops import ChosenLine, Ring
 from raywalk.slides.words import numbers, say
 
@@ -66,9 +66,8 @@ def _light_names(drawing: Drawing) -> list[Label]:
     """A light with an area is named once."""
     names: dict[str, Point] = {}
     for lamp in drawing.stop.figure.lamps:
-        part = PART.fullmatch(lamp.name)
         if at := drawing.point(lamp.at):
-            names.setdefault(part[1] if part else lamp.name, at)
+            names.setdefault(lamp_of(lamp.name), at)
     return [Label(name, at) for name, at in names.items()]
 
 

@@ -3,20 +3,19 @@ that the questions need."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
 from raywalk.scene.camera import camera_frame, half_width
+from raywalk.scene.lights import lamp_of
 from raywalk.scene.model import Light, Scene, SceneObject
 from raywalk.scene.on_paper import INSIDE, equation
 from raywalk.slides.words import numbers, say
 
 MOST_DECIMALS = 6  # of what is given: as many as it has, of roots and turned axes these
 
-PART = re.compile(r"(.+) \d+/\d+")  # of a light with an area, as scene/lights.py names it
 NO_STEP = 1e-9  # between two steps along a row of lamps: roundings
 
 Facts = dict[str, Any]  # those of trace/sheet_pixels.py: "n", "boxes", "asked"
@@ -61,8 +60,7 @@ def lamps(scene: Scene) -> dict[str, list[Light]]:
     """By name: a light that has an area is a grid of points, row by row."""
     by_name: dict[str, list[Light]] = {}
     for light in scene.lights:
-        part = PART.fullmatch(light.name)
-        by_name.setdefault(part[1] if part else light.name, []).append(light)
+        by_name.setdefault(lamp_of(light.name), []).append(light)
     return by_name
 
 

@@ -107,7 +107,7 @@ def figure_alt(scene: Scene, stop: Stop) -> str:
     for line in stop.chosen[:MOST_TOLD]:
         kind = kind_word(line.kind)
         if line.light >= 0:
-            light = words().the(scene.lights[line.light].name)
+            light = words().the(stop.figure.lamps[line.light].name)
             parts.append(say(f"slides.shadowAlt.{line.kind}", light=light))
         elif line.leaves:
             parts.append(say("slides.leavesAlt", kind=kind))

@@ -33,9 +33,10 @@ export function createInset(picture: HTMLElement, changed: () => void) {
       const { view, projection } = drawn;
       const { width, height } = projection;
       if (!now.isSmall) full = picture.offsetWidth;
-      // All of the pixel's rays, also while the player has not come to some of them.
-      const { strokes } = clearOf({ ...drawn, view: { ...view, chosen: linesOf(view.trace!, view.scene, pixelIndex(view.state)) } }, []);
-      const lamps = view.scene.lights.map(({ position }) => projection.project(position)).filter(({ depth }) => depth > 0);
+      // All of the pixel's rays, also while the player has not come to some of them; lamps are where a stop has them.
+      const { lights, asked = lights } = view.switched;
+      const { strokes } = clearOf({ ...drawn, view: { ...view, chosen: linesOf(view.trace!, { ...view.scene, lights: asked }, pixelIndex(view.state)) } }, []);
+      const lamps = lights.map(({ position }) => projection.project(position)).filter(({ depth }) => depth > 0);
       const isFree = (place: Place) => {
         const { left, right, top, bottom } = boxOf(place, width, height);
         return !isStruck({ left, right, top, bottom }, strokes) && !lamps.some(({ x, y }) => x > left - LAMP && x < right + LAMP && y > top - LAMP && y < bottom + LAMP);

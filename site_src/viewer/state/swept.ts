@@ -1,5 +1,6 @@
 /** A scene at a stop of one of its sweeps. A stop is to the page what a scene is: `of` tells them apart. */
-import type { SceneData, StopsData } from "../trace/types";
+import { lampsOf } from "./switches";
+import type { LightData, SceneData, StopsData } from "../trace/types";
 
 /** What varies; of two values, `across` are the other one's. */
 export type Sweep = NonNullable<SceneData["sweeps"]>[number];
@@ -55,6 +56,14 @@ export const nearestLevel = (levels: readonly number[], n: number) => levels.red
 type Things = readonly { readonly name: string }[];
 const laidOver = <T extends Things>(things: T, others: readonly object[] | undefined): T => (others ? (things.map((thing, k) => ({ ...thing, ...others[k] })) as unknown as T) : things);
 
+/** A stop's lights; where a lamp has another number of points they are all its own, named as the scene's are in its language. */
+function lightsAt(scene: SceneData, others: readonly object[] | undefined): SceneData["lights"] {
+  const own = others as readonly LightData[] | undefined;
+  if (!own?.[0]?.name) return laidOver(scene.lights, others);
+  const names = lampsOf(scene).map(({ name }) => name);
+  return lampsOf({ lights: own }).flatMap(({ name, lights }, lamp) => lights.map((k) => ({ ...own[k], name: names[lamp] + own[k].name.slice(name.length) })));
+}
+
 /** The scene as it is at a stop, from 1. */
 export function sceneAt(scene: SceneData, given: StopsData["stops"][number], id: string, stop: number): SceneData {
   const { objects, lights, materials, ...other } = given;
@@ -65,7 +74,7 @@ export function sceneAt(scene: SceneData, given: StopsData["stops"][number], id:
     ...(!objects && !other.camera && { bodies: scene.of }),
     levels: levelsOf(scene, id),
     objects: laidOver(scene.objects, objects),
-    lights: laidOver(scene.lights, lights),
+    lights: lightsAt(scene, lights),
     materials: laidOver(scene.materials, materials),
   };
 }

@@ -24,7 +24,7 @@ export interface Lamp {
 }
 
 /** The pipeline names an area light's points "name 1/16", "name 2/16" ... */
-export function lampsOf(scene: SceneData): Lamp[] {
+export function lampsOf(scene: Pick<SceneData, "lights">): Lamp[] {
   const lamps = new Map<string, number[]>();
   for (const [light, { name }] of scene.lights.entries()) {
     const whole = name.replace(/ \d+\/\d+$/, "");

@@ -1,6 +1,6 @@
 /** What is drawn moves on between stops: it follows the finger, and glides to the stop whose rays are shown. */
 import type { Session } from "../session";
-import { isAt, movedTo } from "../state/between";
+import { isAt, movedTo, withMostPoints } from "../state/between";
 import { placeOf, stopIn, type Place } from "../state/swept";
 import type { SceneData } from "../trace/types";
 import { scenesOf } from "./stops";
@@ -24,28 +24,30 @@ export function createGliding(session: Session) {
     return stopIn(scene!, state!.sweep) ?? (own && { sweep: own, stop: own.own });
   }
 
+  function glided(scene: SceneData): SceneData {
+    const now = shown();
+    const stops = now && scenesOf(session.scene!, now.sweep.id);
+    if (!now) return scene;
+    const goal = placeOf(now.sweep, now.stop);
+    const name = `${session.scene!.id} ${now.sweep.id}`;
+    if (of !== name || !stops || reduced.matches || session.state!.still) [of, at, held] = [name, goal, null];
+    const passed = performance.now() - last;
+    last += passed;
+    const share = held ? 1 : 1 - Math.exp(-Math.min(LONGEST, passed) / LAG);
+    const to = held ?? goal;
+    const next: Place = [at[0] + (to[0] - at[0]) * share, at[1] + (to[1] - at[1]) * share];
+    at = Math.max(...next.map((each, k) => Math.abs(each - to[k]))) < THERE ? to : next;
+    if (at !== to) session.changed(); // and so on, frame by frame
+    return !stops || isAt(now.sweep, now.stop, at) ? scene : movedTo(scene, now.sweep, stops.map(withMostPoints), at);
+  }
+
   return {
     /** Follows the finger between stops; null: it was let go. */
     hold(place: Place | null) {
       held = place;
       session.changed();
     },
-    /** The scene of this moment's drawing. */
-    glided(scene: SceneData): SceneData {
-      const now = shown();
-      const stops = now && scenesOf(session.scene!, now.sweep.id);
-      if (!now) return scene;
-      const goal = placeOf(now.sweep, now.stop);
-      const name = `${session.scene!.id} ${now.sweep.id}`;
-      if (of !== name || !stops || reduced.matches || session.state!.still) [of, at, held] = [name, goal, null];
-      const passed = performance.now() - last;
-      last += passed;
-      const share = held ? 1 : 1 - Math.exp(-Math.min(LONGEST, passed) / LAG);
-      const to = held ?? goal;
-      const next: Place = [at[0] + (to[0] - at[0]) * share, at[1] + (to[1] - at[1]) * share];
-      at = Math.max(...next.map((each, k) => Math.abs(each - to[k]))) < THERE ? to : next;
-      if (at !== to) session.changed(); // and so on, frame by frame
-      return !stops || isAt(now.sweep, now.stop, at) ? scene : movedTo(scene, now.sweep, stops, at);
-    },
+    /** The scene of this moment's drawing, and that whose bodies and lamps are moved. scene: at its stop. */
+    drawn: (scene: SceneData) => ({ scene: withMostPoints(session.scene!), switched: glided(withMostPoints(scene)) }),
   };
 }

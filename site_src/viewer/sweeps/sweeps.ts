@@ -37,7 +37,7 @@ export function createSweeps(session: Session, home: HTMLElement, kept: Loader["
   root.id = "sweeps";
   root.hidden = true;
   home.querySelector(".below")!.append(root);
-  const { hold, glided } = createGliding(session);
+  const { hold, drawn } = createGliding(session);
   let shown: SceneData["sweeps"];
   let movers: ReturnType<typeof createMover>[] = [];
 
@@ -70,7 +70,7 @@ export function createSweeps(session: Session, home: HTMLElement, kept: Loader["
   const active = () => movers[session.scene!.sweeps!.findIndex(({ id }) => session.state!.sweep.startsWith(`${id}:`))] ?? movers[0];
 
   return {
-    glided,
+    drawn,
     show(state: ViewState, scene: SceneData) {
       if (shown !== scene.sweeps) build(scene);
       shown = scene.sweeps;

@@ -9,8 +9,9 @@
 export type { BoxesData, Brightest, ChoiceData, FlatMirror, LessonStop, LightData, MaterialData, MeshData, ObjectData, SceneWords, SectionsData, StopsData, Surroundings, SurroundingsData, SwitchesView, Vec3, View, WorkedAverage, WorkedData, WorkedRay, WorkedTree } from "./pipeline-types";
 import type { SceneData as Published, Visibility } from "./pipeline-types";
 
-/** bodies: of a stop at which neither bodies nor camera have moved, the scene: its sections and boxes are the stop's too. */
-export type SceneData = Published & { readonly bodies?: string };
+/** bodies: of a stop at which neither bodies nor camera have moved, the scene: its sections and boxes are the stop's too.
+ *  asked: of a scene that is drawn with more points of its lamps than rays ask, those that they do. */
+export type SceneData = Published & { readonly bodies?: string; readonly asked?: Published["lights"] };
 
 export const VISIBILITY = { blocked: 0, reached: 1, behind: 2, untested: 3, off: 4 } as const satisfies Visibility & { off: number }; // off: only by a switch, in no file
 
