@@ -62,7 +62,7 @@ async function checked({ picture: file, data, names }) {
   const nearest = nearestSize(size, scene.about);
   const { leftOut } = scene.about;
   const whole = () => rightOf(scriptIn(data, scene.about.own.at(-1))); // has each tile's middle
-  const found = check(square, taken(rightOf(scriptIn(data, source.from)), size), source.isExact, scene, wantsTiles(size, scene.about) ? whole() : undefined);
+  const found = check(square, taken(await rightOf(scriptIn(data, source.from)), size), source.isExact, scene, wantsTiles(size, scene.about) ? await whole() : undefined);
   const lines = reportOf({ file: { name: basename(file), width, height }, square, source, checked: found, leftOut, nearest }, names);
   const { heat, ...comparison } = found.comparison;
   return told({ ...found, comparison, width, height, square: { size, isCut: square.isCut, isLossy, hadAlpha }, source, nearest, leftOut }, lines);

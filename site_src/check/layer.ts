@@ -1,6 +1,6 @@
 /**
- * How a picture deviates from the right one, and how far two deviations agree. A layer is a small picture of a scene's: its pixels,
- * or means of blocks. Half of an agreement is told by pixels, half by blocks: speckles fall elsewhere in each program, but as densely.
+ * A layer is a small picture of a scene's: its pixels, or means of blocks. Half of an agreement is told by pixels, half by blocks:
+ * speckles fall elsewhere in each program, but as densely.
  */
 
 /** Steps of 255 that say nothing: rounding, cutting off, float32. */
@@ -16,13 +16,6 @@ export interface Layer {
   right: Float32Array; // red, green, blue, row by row
   weights: Float32Array; // what each pixel counts
   most: number;
-}
-
-/** wrong - right on a layer, what counts of it a pixel, and in all. */
-export interface Deviation {
-  colours: Float32Array;
-  sizes: Float32Array;
-  amount: number;
 }
 
 /** For each of a layer's rows or columns, of which of an n x n picture's it takes its colours: that at the centre of its pixels. */
@@ -67,27 +60,28 @@ export function meansOf(colours: ArrayLike<number>, n: number, by: number): Floa
 }
 
 export function layerOf(right: Float32Array, size: number, most: number): Layer {
-  const isOfPixels = most === MOST_OF_PIXEL;
-  const weights = Float32Array.from({ length: size * size }, (_, pixel) => (isOfPixels && contrastAt(right, size, pixel) > EDGE ? WEIGHT_OF_EDGES : 1));
+  const weights = new Float32Array(size * size).fill(1);
+  if (most === MOST_OF_PIXEL) for (let c = 0; c < 3; c++) lessAtEdges(weights, right, size, c);
   return { size, right, weights, most };
 }
 
-/** The largest difference of a colour among a pixel and its neighbours. */
-function contrastAt(right: Float32Array, size: number, pixel: number): number {
-  const [x, y] = [pixel % size, Math.floor(pixel / size)];
-  let largest = 0;
-  for (let c = 0; c < 3; c++) {
-    let [low, high] = [255, 0];
-    for (let v = Math.max(y - 1, 0); v <= Math.min(y + 1, size - 1); v++) {
-      for (let u = Math.max(x - 1, 0); u <= Math.min(x + 1, size - 1); u++) {
-        const value = right[3 * (v * size + u) + c];
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
+/** Where a colour differs much among a pixel and its eight neighbours: least and most of each column of three, then of three of these. */
+function lessAtEdges(weights: Float32Array, right: Float32Array, size: number, c: number): void {
+  const [low, high] = [new Float32Array(size), new Float32Array(size)];
+  const last = size - 1;
+  for (let y = 0; y < size; y++) {
+    const [above, here, below] = [Math.max(y - 1, 0), y, Math.min(y + 1, last)].map((row) => 3 * size * row + c);
+    for (let x = 0, at = 0; x < size; x++, at += 3) {
+      low[x] = Math.min(right[above + at], right[here + at], right[below + at]);
+      high[x] = Math.max(right[above + at], right[here + at], right[below + at]);
     }
-    largest = Math.max(largest, high - low);
+    for (let x = 0; x < size; x++) {
+      const before = x > 0 ? x - 1 : 0;
+      const after = x < last ? x + 1 : last;
+      const contrast = Math.max(high[before], high[x], high[after]) - Math.min(low[before], low[x], low[after]);
+      if (contrast > EDGE) weights[size * y + x] = WEIGHT_OF_EDGES;
+    }
   }
-  return largest;
 }
 
 /** What counts of a difference of colours. */
@@ -98,33 +92,3 @@ export function counted(r: number, g: number, b: number, most: number): number {
   const size = (r > g ? (r > b ? r : b) : g > b ? g : b) - NOISE;
   return size < 0 ? 0 : size > most ? most : size;
 }
-
-export function deviationOf({ right, most, weights }: Layer, wrong: ArrayLike<number>): Deviation {
-  const colours = new Float32Array(wrong.length);
-  const sizes = new Float32Array(wrong.length / 3);
-  let amount = 0;
-  for (let i = 0, j = 0; i < sizes.length; i++, j += 3) {
-    const [r, g, b] = [wrong[j] - right[j], wrong[j + 1] - right[j + 1], wrong[j + 2] - right[j + 2]];
-    colours[j] = r;
-    colours[j + 1] = g;
-    colours[j + 2] = b;
-    sizes[i] = counted(r, g, b, most);
-    amount += weights[i] * sizes[i];
-  }
-  return { colours, sizes, amount };
-}
-
-/** 1: the same; 0: nothing of it. A Jaccard index (shared over all) of amounts in place of sets. */
-export function agreement({ weights, most }: Layer, a: Deviation, b: Deviation): number {
-  let [apart, all] = [0, 0];
-  const [p, q] = [a.colours, b.colours];
-  for (let i = 0, j = 0; i < weights.length; i++, j += 3) {
-    const [own, other] = [a.sizes[i], b.sizes[i]];
-    if (own === 0 && other === 0) continue;
-    all += weights[i] * (own > other ? own : other);
-    apart += weights[i] * counted(p[j] - q[j], p[j + 1] - q[j + 1], p[j + 2] - q[j + 2], most);
-  }
-  return index(apart, all);
-}
-
-export const index = (apart: number, all: number) => (all > 0 ? Math.max(1 - apart / all, 0) : 0);

@@ -1,11 +1,12 @@
 /** Which mistakes of an atlas does a student's picture look like? One, or two together. */
 import { namesLike } from "./alike";
-import type { Atlas } from "./atlas";
+import type { Atlas, Factors } from "./atlas";
+import { agreement, deviationOf, seenOf, type Deviation, type Seen } from "./deviation";
 import type { Picture } from "./formats/picture";
-import { agreement, deviationOf, layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, sampled, type Deviation, type Layer } from "./layer";
+import { layerOf, meansOf, MOST_OF_BLOCK, MOST_OF_PIXEL, NOISE, sampled, type Layer } from "./layer";
 import { shifted, withoutEdges, withoutTies, wrongPixels } from "./near-edges";
-import { agreementOfPair, aloneOf, type Alone } from "./together";
-import { isRough, undoOf, type Undo } from "./undone";
+import { agreementWith, aloneOf, type Alone } from "./together";
+import { undoOf, type Undo } from "./undone";
 
 /** Pixels further than NOISE from the right picture in a right one: float32 moves two in 10,000, the least mistake 27. */
 const RIGHT = 0.001;
@@ -38,7 +39,7 @@ const [EXPLAINED, WHOLLY] = [0.97, 0.998];
 const LEFT_IS_KNOWN = 0.75;
 const ANSWERS = 3;
 const BLOCK = 7; // pixels along: of the grid's 231, 33 blocks
-const PAIRS_LOOKED_AT = 16; // of all, by all pixels
+const [SINGLES_LOOKED_AT, PAIRS_LOOKED_AT] = [16, 16]; // of all, by all pixels
 
 export interface Answer {
   names: string[]; // one, or those whose pictures are alike in this scene
@@ -62,7 +63,8 @@ interface Reference {
   name: string;
   family: string;
   picture: Uint8Array;
-  on: Layered<Deviation>;
+  drawnIn?: Factors;
+  on: Layered<Deviation>; // by pixels when first asked for: of most mistakes nobody asks
 }
 
 interface Scored {
@@ -76,36 +78,45 @@ export function recogniserOf(atlas: Atlas) {
   const right = layered(new Float32Array(atlas.right), size);
   const along = Math.floor(size / BLOCK);
   const layers = { pixels: layerOf(right.pixels, size, MOST_OF_PIXEL), blocks: layerOf(right.blocks, along, MOST_OF_BLOCK), middles: layerOf(right.middles, along, MOST_OF_PIXEL) };
-  const references = atlas.mistakes.flatMap(({ name, family, pictures }) =>
-    pictures.map((picture) => ({ name, family, picture, on: deviations(layers, layered(picture, size)) }))).filter(({ on }) => on.pixels.sizes.some((of) => of > 0));
+  const references = atlas.mistakes.flatMap(({ pictures, ...each }) => pictures.filter((picture) => differs(picture, atlas.right)).map((picture): Reference => {
+    let pixels: Deviation | null = null;
+    const { blocks, middles } = layered(new Float32Array(picture), size);
+    const on = { blocks: deviationOf(layers.blocks, blocks), middles: deviationOf(layers.middles, middles), get pixels() { return (pixels ??= deviationOf(layers.pixels, new Float32Array(picture))); } };
+    return { ...each, picture, on };
+  }));
 
-  function singlesOf(student: Picture, expected: Picture): { seen: Layered<Deviation>; singles: Scored[] } {
+  function singlesOf(student: Picture, expected: Picture): { seen: Layered<Seen>; singles: Scored[] } {
     const of = sampled(expected.values, expected.width, size);
-    const onLayers = (own: Float32Array) => deviations(layers, layered(asIfOnGrid(own, of, layers.pixels), size));
-    const seen = onLayers(sampled(student.values, student.width, size));
-    const singles = references.map((one) => {
-      if (one.name !== SHIFT) return { references: [one], agreement: mean((key) => agreement(layers[key], seen[key], one.on[key])) };
+    const onGrid = (own: Float32Array) => layered(asIfOnGrid(own, of, layers.pixels), size);
+    const seen = onLayers(seenOf, layers, onGrid(sampled(student.values, student.width, size)));
+    const held = (one: Reference, key: keyof Layered<Layer>, on = one.on) => agreement(layers[key], seen[key], on[key]);
+    const singles = references.map((one): Scored => {
+      if (one.name !== SHIFT) return { references: [one], agreement: (held(one, "middles") + held(one, "blocks")) / 2 };
       const { nearest, halfWay } = shifted(student, expected, size);
-      const [own, usual] = [onLayers(nearest), onLayers(halfWay)];
+      const [own, usual] = [nearest, halfWay].map((picture) => onLayers(deviationOf, layers, onGrid(picture)));
       const share = Math.min(own.pixels.amount / (LEAST_OF_SHIFT * usual.pixels.amount), 1);
-      return { references: [{ ...one, on: usual }], agreement: share * mean((key) => agreement(layers[key], seen[key], own[key])) };
-    });
+      return { references: [{ ...one, on: usual }], agreement: (share * (held(one, "pixels", own) + held(one, "blocks", own))) / 2 };
+    }).sort(byAgreement);
+    for (const single of singles.slice(0, SINGLES_LOOKED_AT)) {
+      const [one] = single.references;
+      if (one.name !== SHIFT) single.agreement = (held(one, "pixels") + held(one, "blocks")) / 2;
+    }
     return { seen, singles: singles.sort(byAgreement) };
   }
 
   const undoes = new Map<string, Undo | null>(); // when first asked for
-  function undo({ name, picture }: Reference): Undo | null {
-    if (!undoes.has(name)) undoes.set(name, undoOf(name, atlas.right, picture, size));
-    return undoes.get(name)!;
+  function undo(one: Reference): Undo | null {
+    if (!undoes.has(one.name)) undoes.set(one.name, undoOf(one, atlas.right, size));
+    return undoes.get(one.name)!;
   }
 
   /** A mistake that acts on a whole picture, and what deviates once that is undone; null if nothing does that we know. */
   function besideUndone(whole: Reference, undoing: Undo, student: Picture, expected: Picture): Scored | null {
     const onGrid = { ...expected, width: size, height: size, values: sampled(expected.values, expected.width, size) };
     const undone = { ...onGrid, values: undoing(sampled(student.values, student.width, size), size) };
-    const left = (isRough(whole.name) ? withoutEdges : withoutTies)(undone, onGrid, wrongPixels(undone, onGrid));
+    const left = (whole.drawnIn ? withoutEdges : withoutTies)(undone, onGrid, wrongPixels(undone, onGrid));
     const wrong = wrongPixels(left, onGrid);
-    if (areFew(wrong, onGrid) || (isRough(whole.name) && wrong.length < NEARLY_RIGHT * size * size)) return null;
+    if (areFew(wrong, onGrid) || (whole.drawnIn && wrong.length < NEARLY_RIGHT * size * size)) return null;
     const { seen, singles } = singlesOf(left, onGrid);
     if (student.isLossy && looksPacked(seen.blocks)) return null;
     const second = singles.find(({ references: [one] }) => one.family !== whole.family);
@@ -121,7 +132,7 @@ export function recogniserOf(atlas: Atlas) {
     const likeness = (whole: Reference, undoing: Undo) => {
       const left = undoing(own, size);
       for (let i = 0; i < left.length; i++) left[i] += layers.pixels.right[i] - of[i];
-      const seen = deviationOf(layers.blocks, meansOf(left, size, BLOCK));
+      const seen = seenOf(layers.blocks, meansOf(left, size, BLOCK));
       return Math.max(...references.map((one) => (one.family === whole.family ? 0 : agreement(layers.blocks, seen, one.on.blocks))));
     };
     const wholes = references.flatMap((whole) => {
@@ -176,8 +187,8 @@ const byAgreement = (a: { agreement: number }, b: { agreement: number }) => b.ag
 
 const layered = <P extends Colours>(pixels: P, size: number): Layered<Float32Array, P> => ({ pixels, blocks: meansOf(pixels, size, BLOCK), middles: sampled(pixels, size, Math.floor(size / BLOCK)) });
 
-const deviations = (layers: Layered<Layer>, of: Layered<Colours>): Layered<Deviation> => ({
-  pixels: deviationOf(layers.pixels, of.pixels), blocks: deviationOf(layers.blocks, of.blocks), middles: deviationOf(layers.middles, of.middles),
+const onLayers = <D>(deviation: (layer: Layer, of: Colours) => D, layers: Layered<Layer>, of: Layered<Colours>): Layered<D> => ({
+  pixels: deviation(layers.pixels, of.pixels), blocks: deviation(layers.blocks, of.blocks), middles: deviation(layers.middles, of.middles),
 });
 
 function areFew({ length }: Int32Array, { width, height }: Picture): boolean {
@@ -185,7 +196,7 @@ function areFew({ length }: Int32Array, { width, height }: Picture): boolean {
 }
 
 /** JPEG moves single pixels, and hardly the mean of a block. */
-const looksPacked = ({ sizes }: Deviation) => sizes.filter((size) => size > 0).length < BLOCKS_OF_JPEG * sizes.length;
+const looksPacked = ({ sizes }: Seen) => sizes.filter((size) => size > 0).length < BLOCKS_OF_JPEG * sizes.length;
 
 /** The right picture of the grid with what the student's deviates from that of its own size: sampling at other places adds nothing.
  *  In place. */
@@ -194,10 +205,14 @@ function asIfOnGrid(own: Float32Array, of: Float32Array, { right }: Layer): Floa
   return own;
 }
 
-const mean = (of: (key: "pixels" | "blocks") => number) => (of("pixels") + of("blocks")) / 2;
+/** In more than noise. */
+function differs(a: Uint8Array, b: Uint8Array): boolean {
+  for (let i = 0; i < a.length; i++) if (Math.abs(a[i] - b[i]) > NOISE) return true;
+  return false;
+}
 
-/** The best pairs of different families: all by blocks and their middles, the best of these by all pixels. */
-function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Deviation>): Scored[] {
+/** The best pairs of different families, one of the two looked at by itself: by blocks and their middles, the best of these by all pixels. */
+function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Seen>): Scored[] {
   const known = singles.map(({ references: [one] }) => one);
   const kept = { pixels: new Map<Reference, Alone>(), blocks: new Map<Reference, Alone>(), middles: new Map<Reference, Alone>() };
   const alone = (key: keyof Layered<Layer>, one: Reference) => {
@@ -205,22 +220,27 @@ function pairsOf(layers: Layered<Layer>, singles: Scored[], seen: Layered<Deviat
     kept[key].set(one, made);
     return made;
   };
-  const on = (key: keyof Layered<Layer>, a: Reference, b: Reference, least = 0) => agreementOfPair(layers[key], seen[key], alone(key, a), alone(key, b), least);
-  const best: Scored[] = []; // so far, PAIRS_LOOKED_AT at most
-  known.forEach((a, i) => {
+  const beside = (key: keyof Layered<Layer>, a: Reference) => {
+    const agreementOf = agreementWith(layers[key], seen[key], alone(key, a));
+    return (b: Reference) => agreementOf(alone(key, b));
+  };
+  const best: (Scored & { ofBlocks: number })[] = []; // so far, PAIRS_LOOKED_AT at most
+  known.slice(0, SINGLES_LOOKED_AT).forEach((a, i) => {
+    const [byMiddles, byBlocks] = [beside("middles", a), beside("blocks", a)];
     for (const b of known.slice(i + 1)) {
       if (a.family === b.family) continue;
       const least = best.length < PAIRS_LOOKED_AT ? 0 : best[PAIRS_LOOKED_AT - 1].agreement;
-      const ofMiddles = on("middles", a, b, 2 * least - 1); // with blocks that agree wholly
-      if ((ofMiddles + 1) / 2 < least) continue;
-      insert(best, { references: [a, b], agreement: (ofMiddles + on("blocks", a, b, 2 * least - ofMiddles)) / 2 });
+      const ofMiddles = byMiddles(b);
+      if ((ofMiddles + 1) / 2 < least) continue; // even with blocks that agree wholly
+      const ofBlocks = byBlocks(b);
+      insert(best, { references: [a, b], agreement: (ofMiddles + ofBlocks) / 2, ofBlocks });
     }
   });
-  return best.map(({ references: [a, b] }) => ({ references: [a, b], agreement: (on("pixels", a, b) + on("blocks", a, b)) / 2 })).sort(byAgreement);
+  return best.map(({ references: [a, b], ofBlocks }) => ({ references: [a, b], agreement: (beside("pixels", a)(b) + ofBlocks) / 2 })).sort(byAgreement);
 }
 
 /** Where it belongs among the best so far, behind equals; the last one goes when they are too many. */
-function insert(best: Scored[], one: Scored): void {
+function insert<S extends Scored>(best: S[], one: S): void {
   const at = best.findIndex(({ agreement }) => agreement < one.agreement);
   best.splice(at < 0 ? best.length : at, 0, one);
   if (best.length > PAIRS_LOOKED_AT) best.pop();

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import gzip
 import json
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +15,12 @@ from PIL import Image
 from raywalk.check.atlas import CHANGED, GRID, changed
 from raywalk.check.places import EDGE, IN_SHADOW, LIT, MIRROR, places
 from raywalk.check.right_pictures import USUAL_SIZES, other_sizes, right_picture, shared_sizes
+from raywalk.check.rows import packed_rows, rows_of
 from raywalk.check.write import STEP
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.read import read_scene, read_scenes
 from raywalk.trace.tree import level_pixels
+from raywalk.trace_file.container import script
 
 ROOT = Path(__file__).parents[2]
 PUBLISHED = ROOT / "dist" / "check"
@@ -48,7 +49,7 @@ def strips_of(scene: str) -> np.ndarray:
 
 
 def image(scene: str, name: str) -> np.ndarray:
-    return np.asarray(Image.open(BytesIO(packed(scene, name))).convert("RGB"))
+    return rows_of((PUBLISHED / scene / f"{name}.js").read_bytes())
 
 
 @pytest.mark.parametrize("scene", OWN, ids=lambda scene: scene.id)
@@ -71,6 +72,12 @@ def test_a_check_loads_at_most_a_megabyte_and_a_half(scene) -> None:
     rest = [path for name, path in files.items() if not name.isdigit()]
     loaded = [*rest, max(pictures, key=lambda path: path.stat().st_size)]
     assert sum(len(gzip.compress(path.read_bytes(), 6)) for path in loaded) <= MOST_BYTES
+
+
+@pytest.mark.parametrize("n", [1, 2, 231])
+def test_a_picture_of_any_bytes_comes_back_from_its_packed_rows(n: int) -> None:
+    picture = np.random.default_rng(n).integers(0, 256, (n, n, 3), np.uint8)
+    assert np.array_equal(rows_of(script("check/any", packed_rows(picture))), picture)
 
 
 def test_sizes_that_are_parts_of_the_picture_share_its_centres() -> None:

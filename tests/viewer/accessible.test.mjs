@@ -6,9 +6,9 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { PNG } from "pngjs";
 import { chooseTab, DIST, follow, launch, newPage, ON_DISK, open, openChooser, openDrawer, openMenu, pass, press, reload, richScene, scenesOfSite, settled, state, stats, until } from "./browser.mjs";
 import { cases, oneMore } from "./cases.mjs";
+import { pngOf, rightPicture } from "./check-data.mjs";
 import { readScene } from "./scene-files.mjs";
 import { serve } from "./server.mjs";
 
@@ -143,9 +143,9 @@ test("axe finds nothing wrong where a picture was checked, right or wrong", asyn
     await page.locator("#found:not([hidden])").waitFor();
     wrong.push(...(await violations(page)).map((each) => `${scene}: ${each}`));
   }
-  const swapped = PNG.sync.read(Buffer.from(readFileSync(join(DIST, "check/03-two-lights/100.js"), "latin1").split('"')[3], "base64"));
-  for (let i = 0; i < swapped.data.length; i += 4) [swapped.data[i], swapped.data[i + 2]] = [swapped.data[i + 2], swapped.data[i]];
-  await page.locator("#file").setInputFiles({ name: "mine.png", mimeType: "", buffer: PNG.sync.write(swapped) });
+  const swapped = await rightPicture("03-two-lights", 100);
+  for (let i = 0; i < swapped.values.length; i += 3) [swapped.values[i], swapped.values[i + 2]] = [swapped.values[i + 2], swapped.values[i]];
+  await page.locator("#file").setInputFiles({ name: "mine.png", mimeType: "", buffer: pngOf(swapped) });
   await page.locator(".check-answers .lines").first().waitFor();
   wrong.push(...(await violations(page)).map((each) => `a named mistake: ${each}`));
   await page.locator(".check-answers h3 a").first().click();

@@ -17,17 +17,17 @@ test("all scenes that can be checked are told of", () => {
   for (const means of ALL.wrong.flatMap((of) => Object.values(of)).flat()) assert.equal(means.length, 3 * ALL.wrongAlong ** 2);
 });
 
-test("the right picture of any scene is that scene's, at its own size and at 100 pixels, whichever was chosen", () => {
+test("the right picture of any scene is that scene's, at its own size and at 100 pixels, whichever was chosen", async () => {
   for (const scene of ALL.scenes.filter((id) => !/^1[2-6]-/.test(id))) // of the soft shadows: see below
     for (const size of [undefined, 100]) {
-      assert.equal(otherScene(right(scene, size), scene, false, ALL), null, `${scene} ${size}`);
+      assert.equal(otherScene(await right(scene, size), scene, false, ALL), null, `${scene} ${size}`);
       const chosen = ALL.scenes.find((id) => id !== scene);
-      assert.equal(otherScene(right(scene, size), chosen, false, ALL), scene, `${scene} ${size} taken for ${chosen}`);
+      assert.equal(otherScene(await right(scene, size), chosen, false, ALL), scene, `${scene} ${size} taken for ${chosen}`);
     }
 });
 
-test("scenes that look the same from afar are not told for one another where the chosen one fits as well", () => {
-  for (const scene of ALL.scenes.filter((id) => /^1[2-6]-/.test(id))) assert.equal(otherScene(right(scene), scene, false, ALL), null, scene);
+test("scenes that look the same from afar are not told for one another where the chosen one fits as well", async () => {
+  for (const scene of ALL.scenes.filter((id) => /^1[2-6]-/.test(id))) assert.equal(otherScene(await right(scene), scene, false, ALL), null, scene);
 });
 
 test("what a mistake makes of a scene is taken for no other scene, unless it is that one's picture", async () => {

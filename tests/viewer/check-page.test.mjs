@@ -9,6 +9,7 @@ import { fileURLToPath } from "node:url";
 import { PNG } from "pngjs";
 import { DIST, isWhole, launch, newPage, ON_DISK, open, PATIENCE, press, reload, showsScene, until } from "./browser.mjs";
 import { cases } from "./cases.mjs";
+import { dataOf, pngOf, rightPicture, wrongPicture } from "./check-data.mjs";
 import { GOOD, HEIGHT, HOSTILE, WIDTH } from "./picture-files.mjs";
 import { load, wordsOf } from "./typescript.mjs";
 
@@ -16,7 +17,6 @@ const { aboutOf, atlasOf, pictureOrSentence, stripsOf } = await load("../check/m
 const { readYours } = await load("panels/yours.ts");
 const [EN, DE] = ["en", "de"].map((language) => wordsOf(language).check);
 const mistakes = JSON.parse(readFileSync(`${DIST}/check/index.html`, "utf8").match(/data-mistakes="([^"]*)"/)[1].replaceAll("&#34;", '"').replaceAll("&#39;", "'").replaceAll("&amp;", "&"));
-const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
 
 let browser, page;
 before(async () => {
@@ -48,15 +48,7 @@ async function drop(bytes, name = "picture") {
   return done.jsonValue();
 }
 
-/** What a mistake makes of a scene, as its atlas has it. */
-async function wrongPicture(scene, name) {
-  const about = aboutOf(dataOf(scene, "about"));
-  const { size, mistakes } = atlasOf(about, await stripsOf(dataOf(scene, "atlas")));
-  const [picture] = mistakes.find((each) => each.name === name).pictures;
-  const png = new PNG({ width: size, height: size });
-  for (let i = 0; i < size * size; i++) png.data.set([...picture.subarray(3 * i, 3 * i + 3), 255], 4 * i);
-  return PNG.sync.write(png);
-}
+const wrongFile = async (scene, name) => pngOf(await wrongPicture(scene, name));
 
 test("a file of each kind is read and compared", async () => {
   await visit();
@@ -92,7 +84,7 @@ test("a picture of another scene than was chosen is told as that, and is compare
 
 test("beside what a picture looks like stands this scene with that mistake, and the wipe begins where most is wrong", async () => {
   await visit("#scene=03-two-lights");
-  const { found } = await drop(await wrongPicture("03-two-lights", "normal-not-unit"));
+  const { found } = await drop(await wrongFile("03-two-lights", "normal-not-unit"));
   assert.match(found, /most like this mistake: /);
   const shown = page.locator(".check-answers canvas").first();
   assert.equal(await shown.getAttribute("aria-label"), EN.looks.shown);
@@ -105,8 +97,8 @@ test("beside what a picture looks like stands this scene with that mistake, and 
 
 test("the right picture is called right, at the scene's own size and at one of its parts", async () => {
   await visit("#scene=03-two-lights");
-  const whole = dataOf("03-two-lights", "1155");
-  for (const bytes of [whole, dataOf("03-two-lights", "512")]) {
+  const whole = pngOf(await rightPicture("03-two-lights", 1155));
+  for (const bytes of [whole, pngOf(await rightPicture("03-two-lights", 512))]) {
     const { found } = await drop(bytes, "mine.png");
     assert.ok(found.startsWith(EN.verdict.right), found.slice(0, 200));
     assert.ok(!found.includes(EN.looks.head) && !found.includes(EN.walk.head));
@@ -118,7 +110,7 @@ for (const [scene, name] of cases(NAMED, NAMED.slice(2, 4))) {
   test(`in ${scene} the picture of ${name} is named`, async () => {
     await visit(`#scene=${scene}`);
     assert.equal(await page.locator("[name=scene]:checked").inputValue(), scene);
-    await drop(await wrongPicture(scene, name));
+    await drop(await wrongFile(scene, name));
     const first = await page.locator(".check-answers > li").first().innerText();
     assert.ok(first.includes(mistakes[name].title), first);
     assert.match(first, /\d\s?% agreement/);
@@ -129,7 +121,7 @@ for (const [scene, name] of cases(NAMED, NAMED.slice(2, 4))) {
 
 test("what is copied is what the command says, line by line", async () => {
   await visit("#scene=02-shadows");
-  const [file, bytes] = [join(mkdtempSync(join(tmpdir(), "raywalk-check-")), "mine.png"), await wrongPicture("02-shadows", "shadows-forgotten")];
+  const [file, bytes] = [join(mkdtempSync(join(tmpdir(), "raywalk-check-")), "mine.png"), await wrongFile("02-shadows", "shadows-forgotten")];
   writeFileSync(file, bytes);
   await drop(bytes, "mine.png");
   await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void (window.copied = text) }, configurable: true }));
@@ -156,7 +148,7 @@ function drawnOut(png, n) {
 
 test("a mistake's page shows the scene that was checked, and both its link and the browser's Back lead to the report as it was left", async () => {
   await visit("#scene=03-two-lights");
-  await drop(await wrongPicture("03-two-lights", "phong-for-blinn"), "mine.png");
+  await drop(await wrongFile("03-two-lights", "phong-for-blinn"), "mine.png");
   const verdict = await page.locator("#found").innerText();
   const link = page.locator(".check-answers h3 a").first();
   await link.scrollIntoViewIfNeeded();
@@ -194,7 +186,7 @@ test("where a mistake does not show in the scene that was checked, its page says
 
 test("a pixel that is far off leads to its rays, and is there what it was in the report", async () => {
   await visit("#scene=02-shadows");
-  await drop(drawnOut(await wrongPicture("02-shadows", "shadows-forgotten"), 512));
+  await drop(drawnOut(await wrongFile("02-shadows", "shadows-forgotten"), 512));
   assert.ok((await page.locator(".check-walk").innerText()).includes("None of your 512 × 512 pixels"));
   const link = page.locator(".check-tiles a").first();
   const [, x, y, n] = (await link.innerText()).match(/Tile (\d+), (\d+) of (\d+)/);
@@ -233,7 +225,7 @@ test("what is not a pixel and three bytes is passed over", () => {
 
 test("the wipe moves by keys and by hand, other views are a press away, and a pixel tells both colours", async () => {
   await visit("#scene=02-shadows");
-  await drop(await wrongPicture("02-shadows", "shadows-forgotten"));
+  await drop(await wrongFile("02-shadows", "shadows-forgotten"));
   const clip = () => page.locator(".check-picture canvas").last().evaluate((canvas) => canvas.style.clipPath);
   const half = await clip();
   await page.locator(".check-wipe").focus();
@@ -276,7 +268,7 @@ test("a scene's data come while a file is being chosen", async () => {
 
 test("another scene checks the same picture again", async () => {
   await visit("#scene=01-shading");
-  const { found } = await drop(dataOf("02-shadows", "256"));
+  const { found } = await drop(pngOf(await rightPicture("02-shadows", 256)));
   assert.ok(!found.startsWith(EN.verdict.right), "another scene's picture");
   await page.locator("[value='02-shadows']").check();
   await page.waitForFunction((right) => document.getElementById("found").innerText.startsWith(right), EN.verdict.right);
@@ -284,7 +276,7 @@ test("another scene checks the same picture again", async () => {
 
 test("in German all of it is German", async () => {
   await visit("#scene=02-shadows", "de/");
-  const { found } = await drop(await wrongPicture("02-shadows", "shadows-forgotten"));
+  const { found } = await drop(await wrongFile("02-shadows", "shadows-forgotten"));
   for (const head of [DE.how.head, DE.where.head, DE.looks.head, DE.walk.head]) assert.ok(found.includes(head));
   assert.ok(!/\b(pixels|yours|within|agreement)\b/.test(found), found);
   const { says } = await drop(new Uint8Array(0));
@@ -293,7 +285,7 @@ test("in German all of it is German", async () => {
 
 test("what a scene has no mistakes for is said, and its pictures are compared all the same", async () => {
   await visit("#scene=07-bunny-near");
-  const right = dataOf("07-bunny-near", "512");
+  const right = pngOf(await rightPicture("07-bunny-near", 512));
   assert.ok((await drop(right)).found.startsWith(EN.verdict.right));
   const wrong = PNG.sync.read(right);
   for (let i = 0; i < wrong.data.length; i += 4) [wrong.data[i], wrong.data[i + 2]] = [wrong.data[i + 2], wrong.data[i]];

@@ -1,15 +1,13 @@
 /** Two mistakes, one of which acts on the whole picture: it is undone, and what is left is named. On the atlases of the built site. */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { DIST } from "./browser.mjs";
+import { dataOf } from "./check-data.mjs";
 import { load } from "./typescript.mjs";
 
 const { aboutOf, atlasOf, recogniserOf, stripsOf } = await load("../check/main.ts");
 const { undoOf, UNDONE } = await load("../check/undone.ts");
 const { ON_WHOLE_PICTURES } = await load("../check/together.ts");
 
-const dataOf = (scene, name) => new Uint8Array(Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64"));
 async function atlasIn(scene) {
   const atlas = atlasOf(aboutOf(dataOf(scene, "about")), await stripsOf(dataOf(scene, "atlas")));
   return { ...atlas, recogniser: recogniserOf(atlas), wrong: (name) => atlas.mistakes.find((each) => each.name === name).pictures[0] };
@@ -61,14 +59,15 @@ test("what is undone is the picture as it was", () => {
   const { right, size } = SCENES["01-shading"];
   for (const [name, act] of Object.entries(ON_WHOLE_PICTURES)) {
     const back = UNDONE[name](act(Float32Array.from(right), size), size);
-    back.forEach((value, i) => assert.ok(Math.abs(value - right[i]) < 0.01, name)); // float32
+    back.forEach((value, i) => assert.ok(Math.abs(value - right[i]) < 0.2, name)); // a curve laid out; a fifteenth of noise
   }
 });
 
 test("a wrong field of view is drawn out to the right one, as far as it shows the same", () => {
   for (const [scene, atlas] of Object.entries(SCENES)) {
-    const { right, size, wrong } = atlas;
-    const back = undoOf("fov-not-halved", right, wrong("fov-not-halved"), size)(Float32Array.from(wrong("fov-not-halved")), size);
+    const { right, size, mistakes } = atlas;
+    const { name, drawnIn, pictures: [picture] } = mistakes.find((each) => each.name === "fov-not-halved");
+    const back = undoOf({ name, drawnIn, picture }, right, size)(Float32Array.from(picture), size);
     const far = back.filter((value, i) => Math.abs(value - right[i]) > 24).length / back.length;
     assert.ok(far < 0.05, `${scene}: ${far}`); // edges, of a picture half as fine
   }

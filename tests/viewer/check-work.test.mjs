@@ -4,10 +4,9 @@
  * and has the bounds.
  */
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { PNG } from "pngjs";
-import { DIST, launch, newPage, ON_DISK, PATIENCE, workOf } from "./browser.mjs";
+import { launch, newPage, ON_DISK, PATIENCE, workOf } from "./browser.mjs";
+import { pngOf, rightPicture, wrongPicture } from "./check-data.mjs";
 import { load } from "./typescript.mjs";
 
 const skip = process.env.RAYWALK_CHECK_WORK ? false : "asked for by raywalk bench --only check";
@@ -15,18 +14,11 @@ const ROUNDS = 5;
 /** A scene, and a mistake there that leaves enough unexplained for all pairs to be tried. */
 const STUDENTS = [["02-shadows", "phong-for-blinn"], ["08-glass", "not-bent-at-exit"]];
 
-const { aboutOf, atlasOf, readPicture, rightOf, stripsOf, taken } = await load("../check/main.ts");
-const dataOf = (scene, name) => Buffer.from(readFileSync(`${DIST}/check/${scene}/${name}.js`, "latin1").split('"')[3], "base64");
+const { readPicture, taken } = await load("../check/main.ts");
 
 /** The atlas' wrong picture, each of its pixels so large that it has the size. */
-async function wrongPicture(scene, name, n) {
-  const { size, mistakes } = atlasOf(aboutOf(dataOf(scene, "about")), await stripsOf(dataOf(scene, "atlas")));
-  const found = mistakes.find((each) => each.name === name);
-  assert.ok(found, `${scene} shows no ${name}`);
-  const { values } = taken({ width: size, height: size, values: found.pictures[0] }, n);
-  const png = new PNG({ width: n, height: n, colorType: 2 });
-  for (let i = 0; i < n * n; i++) png.data.set([...values.subarray(3 * i, 3 * i + 3), 255], 4 * i);
-  return { name: `${name}.png`, mimeType: "image/png", buffer: PNG.sync.write(png, { colorType: 2 }) };
+async function wrongFile(scene, name, n) {
+  return { name: `${name}.png`, mimeType: "image/png", buffer: pngOf(taken(await wrongPicture(scene, name), n)) };
 }
 
 async function checked(page, file, work) {
@@ -56,8 +48,8 @@ async function rests(page, work) {
 /** ms: the first check in a new page, with loading and preparing; the first after a file was looked for; another one there; the floor. The
  *  least of all rounds. */
 async function measured(browser, scene, name, n) {
-  const file = await wrongPicture(scene, name, n);
-  const right = taken(rightOf(dataOf(scene, n)), n);
+  const file = await wrongFile(scene, name, n);
+  const right = taken(await rightPicture(scene, n), n);
   const least = { first: Infinity, chosen: Infinity, again: Infinity, floor: Infinity };
   const keep = (key, ms) => (least[key] = Math.min(least[key], ms));
   for (let round = 0; round < ROUNDS; round++) {
@@ -81,10 +73,10 @@ async function measured(browser, scene, name, n) {
 
 test("what is measured is a wrong picture of the size asked for, and its floor reads it", async () => {
   const [[scene, name]] = STUDENTS;
-  const file = await wrongPicture(scene, name, 512);
+  const file = await wrongFile(scene, name, 512);
   const { width, height } = readPicture(new Uint8Array(file.buffer));
   assert.deepEqual([width, height], [512, 512]);
-  assert.ok(floorOf(file, taken(rightOf(dataOf(scene, 512)), 512)) >= 0);
+  assert.ok(floorOf(file, taken(await rightPicture(scene, 512), 512)) >= 0);
 });
 
 test("the work of a check", { skip }, async (t) => {

@@ -1,23 +1,21 @@
 """What a scene's right and wrong pictures look like in little: made from what write.py wrote.
 
-tiles      PNG, n x n of the scene's finest grid: the right colour at the middle of each tile,
-           and of each tile of the grids that divide it
+tiles      as rows.py packs it, n x n of the scene's finest grid: the right colour at the middle
+           of each tile, and of each tile of the grids that divide it
 afar.json  by mistake the ALONG x ALONG squares' mean red, green, blue of each of its pictures
 """
 
 from __future__ import annotations
 
 import json
-from base64 import b64decode
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from PIL import Image
 
+from raywalk.check.rows import packed_rows, rows_of
 from raywalk.trace_file.container import script, unpack, write_beside
-from raywalk.trace_file.png import png
 
 AFAR = "afar.json"
 ALONG = 10  # squares along a picture
@@ -26,8 +24,8 @@ ALONG = 10  # squares along a picture
 def write_in_little(check: Path, folder: Path) -> None:
     """check: the folder of a scene that write_check wrote."""
     about = json.loads(unpack((check / "about.js").read_bytes()))
-    tiles = tiles_of(_picture(check / f"{about['own'][-1]}.js"), about["grids"][-1])
-    write_beside(folder / "tiles.js", script("check/tiles", png(tiles)))
+    tiles = tiles_of(rows_of((check / f"{about['own'][-1]}.js").read_bytes()), about["grids"][-1])
+    write_beside(folder / "tiles.js", script("check/tiles", packed_rows(tiles)))
     told = means_of(about, (check / "atlas.js").read_bytes()) if about["mistakes"] else {}
     text = json.dumps(told, separators=(",", ":"))
     (folder / AFAR).write_text(text, encoding="utf-8")
@@ -53,10 +51,3 @@ def _means(picture: np.ndarray) -> list[int]:
     """Row by row. (n, n, 3) uint8; what the strips add goes round at 256."""
     small = Image.fromarray(picture).resize((ALONG, ALONG), Image.Resampling.BOX)
     return list(small.tobytes())
-
-
-def _picture(file: Path) -> np.ndarray:
-    """(h, w, 3) uint8 of a script that hands over a PNG."""
-    packed = b64decode(file.read_text("ascii").split('"')[3])
-    with Image.open(BytesIO(packed)) as image:
-        return np.asarray(image.convert("RGB"))

@@ -2,12 +2,13 @@
 
     about      {"scene", "grid", "own": sizes that are parts of the scene's picture, the last is
                its own, "others": sizes, "grids": of the frustum, "mistakes": [{"name", "family",
-               "wrong": [strip, ...]}, ...], "leftOut": why there are none, or ""}
+               "wrong": [strip, ...]}, ...], "leftOut": why there are none, or ""}; a mistake that
+               draws things nearer to the middle has "drawnIn": by which factors
     atlas      red, green, blue of grid x grid pixels, a picture after the other: first the right
                one, then what others are wrong by (modulo 256), strip 1, 2, ... Packed by gzip,
                which browsers unpack themselves: a first check waits for no filters
-    places     PNG, grid x grid: what is seen where (places.py)
-    <n>        PNG, n x n: the right picture at the scene's own size and at others
+    places     as rows.py packs it, grid x grid: what is seen where (places.py)
+    <n>        as rows.py packs it, n x n: the right picture at the scene's own size and at others
 
 Each as a classic script: a page on a disk may read no other file, and no picture's pixels.
 """
@@ -20,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from raywalk.check.atlas import GRID, Atlas, atlas_of
 from raywalk.check.places import places
@@ -29,11 +31,12 @@ from raywalk.check.right_pictures import (
     right_picture,
     shared_sizes,
 )
+from raywalk.check.rows import packed_rows
+from raywalk.mistakes.camera import drawn_in
 from raywalk.mistakes.world import left_out
 from raywalk.scene.model import Scene
 from raywalk.trace.wavefront import Threads
 from raywalk.trace_file.container import pack, script, write_beside
-from raywalk.trace_file.png import png
 
 #: What pictures are wrong by, in multiples of this many steps of 255, and nothing below it: half
 #: of it is less than what recognition takes for noise (check/layer.ts), and it packs in 3/5.
@@ -43,10 +46,11 @@ STEP = 4
 def write_check(scene: Scene, traced: Path, threads: Threads, folder: Path) -> None:
     """about.js, places.js, <n>.js; atlas.js of a scene that has one. traced: the folder with its
     picture."""
-    _write(folder, str(scene.render.size), (traced / "picture.png").read_bytes())
+    own = np.asarray(Image.open(traced / "picture.png").convert("RGB"))
+    _write(folder, str(scene.render.size), packed_rows(own))
     for n in other_sizes(scene):
-        _write(folder, str(n), png(right_picture(scene, n, threads)))
-    _write(folder, "places", png(places(scene)))
+        _write(folder, str(n), packed_rows(right_picture(scene, n, threads)))
+    _write(folder, "places", packed_rows(places(scene)))
     why = why_no_atlas(scene)
     atlas = None if why else atlas_of(scene)
     if atlas:
@@ -73,7 +77,9 @@ def about_of(scene: Scene, atlas: Atlas | None) -> dict[str, Any]:
     rows, first = [], 1
     for each in atlas.wrong if atlas else []:
         places = list(range(first, first + len(each.pictures)))
-        rows.append({"name": each.mistake.name, "family": each.mistake.family, "wrong": places})
+        row = {"name": each.mistake.name, "family": each.mistake.family, "wrong": places}
+        factors = drawn_in(scene.camera, each.mistake.name)
+        rows.append(row | ({"drawnIn": factors} if factors else {}))
         first += len(places)
     return {
         "scene": scene.id, "grid": GRID, "own": shared_sizes(scene), "others": other_sizes(scene),

@@ -70,3 +70,16 @@ def camera_directions(
     y = np.asarray(2 * (row + 0.5) / n - 1, habits.precision)
     direction = forward + x * right + y * down
     return direction if "direction-not-unit" in mistakes else unit(direction)
+
+
+def drawn_in(camera: Camera, mistake: str) -> list[float] | None:
+    """How much nearer to the picture's middle than they belong, across and down, things are seen
+    by a wrong camera: negative, if also on the other side. None where they are as far from it,
+    or turned."""
+    span, wrong = picture_span(camera, 1), picture_span(camera, 1, frozenset([mistake]))
+    factors = [
+        float(own @ other / (other @ other))
+        for own, other in ((span.right, wrong.right), (span.down, wrong.down))
+    ]
+    is_turned = np.allclose(factors, 0)  # what lay across lies down
+    return None if is_turned or np.allclose(np.abs(factors), 1) else factors
