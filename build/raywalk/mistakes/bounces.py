@@ -36,8 +36,8 @@ def bounced(optics: Optics, sent: Sent, hits: Hits, least_share: float, mistakes
     bent, beyond = sent.rays.direction.copy(), sent.media.copy()
     glass = np.flatnonzero(optics.transmit[hits.material] > 0)
     if len(glass):
-        at, media = hits.take(glass), sent.media[:, glass]
-        border = border_at(optics, sent.rays.direction[:, glass], at, media, mistakes)
+        at, media = hits.take(glass), sent.media.take(glass, axis=1)
+        border = border_at(optics, sent.rays.direction.take(glass, axis=1), at, media, mistakes)
         mirrored[glass], through[glass] = shares(border, at, optics, mistakes)
         total[glass] = border.is_total & (through[glass] == 0)
         bent[:, glass] = refracted_direction(border, at, mistakes)
@@ -45,8 +45,8 @@ def bounced(optics: Optics, sent: Sent, hits: Hits, least_share: float, mistakes
     back = np.flatnonzero(mirrored * sent.share > least_share)
     on = np.flatnonzero(through * sent.share > least_share)
     parent = np.concatenate([back, on])
-    off = mirror_direction(sent.rays.direction[:, back], hits.take(back), mistakes)
-    direction = np.concatenate([off, bent[:, on]], axis=1)
+    off = mirror_direction(sent.rays.direction.take(back, axis=1), hits.take(back), mistakes)
+    direction = np.concatenate([off, bent.take(on, axis=1)], axis=1)
     rays = rays_off(hits.take(parent), direction)
     if "mirror-acne" in mistakes:
         rays = rays_off_rounded(sent.rays.take(parent), hits.take(parent), direction)
@@ -54,5 +54,5 @@ def bounced(optics: Optics, sent: Sent, hits: Hits, least_share: float, mistakes
     kind = [np.where(total[back], Kind.TOTAL, Kind.REFLECTED), np.full(len(on), Kind.REFRACTED)]
     return Sent(
         rays, parent, np.concatenate(kind), weight, sent.share[parent] * weight,
-        np.concatenate([sent.media[:, back], beyond[:, on]], axis=1),
+        np.concatenate([sent.media.take(back, axis=1), beyond.take(on, axis=1)], axis=1),
     )  # fmt: skip

@@ -122,8 +122,8 @@ def blinn_phong(
     specular = np.where(shine > 0, np.maximum(shine, 0) ** exponent, 0)
     specular = np.minimum(specular, DAZZLING)
 
-    is_matt = surfaces.diffuse[hits.material].any(axis=1)
-    is_shiny = surfaces.specular[hits.material].any(axis=1)
+    is_matt = np.any(surfaces.diffuse, axis=1).take(hits.material)
+    is_shiny = np.any(surfaces.specular, axis=1).take(hits.material)
     return np.where(is_matt, diffuse, 0), np.where(is_shiny, specular, 0)
 
 
@@ -136,7 +136,8 @@ def local_colour(
     """
     surfaces, base = world.surfaces, lighting.base[asked]
     ambient, kd, ks = (
-        colour[material].T for colour in (surfaces.ambient, surfaces.diffuse, surfaces.specular)
+        colour.T.take(material, axis=1)
+        for colour in (surfaces.ambient, surfaces.diffuse, surfaces.specular)
     )
     colour = ambient * base
     for k, light in enumerate(world.scene.lights):

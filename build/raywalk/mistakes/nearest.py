@@ -70,8 +70,9 @@ def roots_ahead(
         # A ray never meets again the surface that it leaves outwards; inwards, it comes out at
         # the far side. A flat one it leaves for good.
         leaves = rays.leaving == body.number
-        near = np.where(leaves, np.inf, near)
-        far = np.where(leaves & ~rays.inwards, np.inf, far)
+        if leaves.any():
+            near = np.where(leaves, np.inf, near)
+            far = np.where(leaves & ~rays.inwards, np.inf, far)
     if "behind-the-eye" in mistakes:
         return near, far
     return np.where(near > least, near, np.inf), np.where(far > least, far, np.inf)
@@ -95,9 +96,10 @@ def surface_at(
         here = np.flatnonzero(met == body.number)
         if not len(here):
             continue
-        at, direction = point[:, here], rays.direction[:, here]
-        outward[:, here] = outward_normal(body, at)
-        own = programs_normal(body, at, mistakes)
+        at, direction = point.take(here, axis=1), rays.direction.take(here, axis=1)
+        out = outward_normal(body, at)
+        outward[:, here] = out
+        own = programs_normal(body, at, out, mistakes)
         inside[here] = dot(direction, own) > 0
         # The normal is turned to face the ray: both sides of a surface are lit.
         turns = inside[here]

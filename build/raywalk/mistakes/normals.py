@@ -47,13 +47,17 @@ def outward_normal(body: Body, point: np.ndarray) -> np.ndarray:
     return unit(turned(body.to_own.T, gradient(body, point)))
 
 
-def programs_normal(body: Body, point: np.ndarray, mistakes: Mistakes) -> np.ndarray:
-    """The same as a program has it."""
+def programs_normal(
+    body: Body, point: np.ndarray, outward: np.ndarray, mistakes: Mistakes
+) -> np.ndarray:
+    """The same as a program has it; outward: the true one, which most have."""
+    is_kept_long = "normal-not-unit" in mistakes and body.kind in ("sphere", "ellipsoid")
     if "normal-not-by-inverse-transpose" in mistakes:
         normal = turned(body.to_world, gradient(body, point))
     elif body.kind == "sphere":
         normal = point - body.centre
-    else:
+    elif is_kept_long:
         normal = turned(body.to_own.T, gradient(body, point))
-    is_kept_long = "normal-not-unit" in mistakes and body.kind in ("sphere", "ellipsoid")
+    else:
+        return outward
     return normal if is_kept_long else unit(normal)

@@ -23,7 +23,8 @@ class Rays(NamedTuple):
 
     def take(self, chosen: np.ndarray) -> Rays:
         """Those at these indices."""
-        return Rays(*(part[..., chosen] for part in self))
+        # numpy's own indexing, part[..., chosen], takes four times as long.
+        return Rays(*(part.take(chosen, axis=-1) for part in self))
 
 
 class Hits(NamedTuple):
@@ -39,7 +40,7 @@ class Hits(NamedTuple):
 
     def take(self, chosen: np.ndarray) -> Hits:
         """Those at these indices."""
-        return Hits(*(part[..., chosen] for part in self))
+        return Hits(*(part.take(chosen, axis=-1) for part in self))
 
 
 def free_rays(origin: np.ndarray, direction: np.ndarray) -> Rays:

@@ -55,7 +55,8 @@ def ask_light(
         answer.visibility[:] = Visibility.REACHED  # n.l, clamped, leaves no diffuse light there
     facing = np.flatnonzero(dot(hits.normal, l) > 0)
     at, away = hits.take(facing), distance[facing]
-    rays, reach = shadow_rays(world, came.take(facing), at, light, l[:, facing], away, mistakes)
+    came, l = came.take(facing), l.take(facing, axis=1)
+    rays, reach = shadow_rays(world, came, at, light, l, away, mistakes)
     mistakes = mistakes - OF_CAMERA_RAYS
     if mistakes & WITHOUT_OFFSET:
         habits = replace(habits, offset=None)

@@ -159,6 +159,10 @@ def gather(waves: list[Wave]) -> None:
     """Adds weight * colour of each ray to the ray that sent it, from the deepest wave on."""
     for k in range(len(waves) - 1, 0, -1):
         sent, colour = waves[k].sent, waves[k].colour
-        for branch in (sent.kind != Kind.REFRACTED, sent.kind == Kind.REFRACTED):
+        brought, before = sent.weight * colour, waves[k - 1].colour
+        for is_of_branch in (sent.kind != Kind.REFRACTED, sent.kind == Kind.REFRACTED):
             # A hit sends on at most one ray of each branch: no parent stands here twice.
-            waves[k - 1].colour[:, sent.parent[branch]] += sent.weight[branch] * colour[:, branch]
+            branch = np.flatnonzero(is_of_branch)
+            parent = sent.parent[branch]
+            for to, part in zip(before, brought, strict=True):
+                to[parent] += part[branch]

@@ -10,7 +10,10 @@ import numpy as np
 
 def dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """(n,) scalar products of vectors (3, n), or of one vector (3,) with itself or another."""
-    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+    total = a[0] * b[0]
+    total += a[1] * b[1]  # in place: each new array costs as much as its arithmetic
+    total += a[2] * b[2]
+    return np.asarray(total)
 
 
 def length(a: np.ndarray) -> np.ndarray:
@@ -32,8 +35,10 @@ def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 def turned(matrix: np.ndarray, a: np.ndarray) -> np.ndarray:
     """(3, n) a (3, 3) matrix times vectors (3, n), summed in the order x, y, z on any machine."""
-    x, y, z = a[0], a[1], a[2]
-    return np.stack([row[0] * x + row[1] * y + row[2] * z for row in matrix])
+    total = matrix[:, :1] * a[0]
+    total += matrix[:, 1:2] * a[1]
+    total += matrix[:, 2:] * a[2]
+    return np.asarray(total)
 
 
 def column(vector: np.ndarray | tuple[float, ...]) -> np.ndarray:
