@@ -79,4 +79,5 @@ def which_build(program: str) -> str:
 
 def named(hashes: dict[Path, str], sources: Sources) -> dict[str, str]:
     """By the path below our package, or below the repository."""
-    return {sources.name(path): hashes[path] for path in sorted(hashes)}
+    # By their texts: paths compare themselves part by part, in Python.
+    return {sources.name(path): hashes[path] for path in sorted(hashes, key=str)}

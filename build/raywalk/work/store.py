@@ -72,7 +72,8 @@ class Store:
         try:
             make(fresh)
             hashes = {path.name: digest(path) for path in sorted(fresh.iterdir())}
-            manifest = json.dumps({"made_from": made_from, "files": hashes}, indent=1)
+            # In a line: with an indent Python's own encoder would write it, not the one in C.
+            manifest = json.dumps({"made_from": made_from, "files": hashes})
             (fresh / MANIFEST).write_text(manifest, encoding="utf-8")
             self._keep(fresh, place)
         finally:
