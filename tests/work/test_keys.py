@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import shutil
-from collections.abc import Iterable
-from copy import copy as copy_of
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 import pytest
-from tests.cases import EVERY
 
 from raywalk.pipeline import parts as keys
 from raywalk.pipeline import slides as slide_pipeline
+from raywalk.work import closure
 from raywalk.work.closure import PACKAGE, Sources
 from raywalk.work.digests import key_of
 from raywalk.work.maker import OURS, Maker
@@ -39,7 +41,10 @@ def copy(tmp_path_factory):
         shutil.copytree(ROOT / folder, root / folder, ignore=leave)
     (root / "node_modules").symlink_to(ROOT / "node_modules")
     (root / "build/raywalk/__pycache__").touch()  # no folder: nothing is kept of what was parsed
-    return root
+    with pytest.MonkeyPatch.context() as patch:
+        # Files are read anew for each key; what a text imports is the same whenever it is parsed.
+        patch.setattr(closure, "found_in", cache(closure.found_in))
+        yield root
 
 
 def sources_of(root: Path) -> Sources:
@@ -51,50 +56,48 @@ def parts(sources: Sources, piece: str) -> dict:
     return maker.parts(shut, languages, sources)
 
 
-def read_anew(sources: Sources, file: Path) -> Sources:
-    """The same sources but for one file: reading all of them for each takes a minute."""
-    anew = copy_of(sources)
-    anew._reached = {}
-    anew._modules = {path: found for path, found in sources._modules.items() if path != file}
-    return anew
-
-
-def some(files: Iterable[Path]) -> list[Path]:
-    """Those that are edited one by one: each sixth, or all of them."""
-    every = sorted(files)
-    return every if EVERY else every[::6]
-
-
-def edit(file: Path) -> bytes:
-    """One byte more, of no meaning in any language; returns what was there."""
-    before = file.read_bytes()
-    file.write_bytes(before + b"\n")
-    return before
-
-
 def files_of(root: Path) -> set[Path]:
     folders = (root / "build", root / "site_src")
     return {path for folder in folders for path in folder.rglob("*") if path.is_file()}
+
+
+@contextmanager
+def edited(files: Iterable[Path]) -> Iterator[None]:
+    """Meanwhile each of them has one byte more, of no meaning in any language. It is put behind the
+    others and cut off again: to write a file anew waits for the disk."""
+    lengths = {file: file.stat().st_size for file in files}
+    for file in lengths:
+        with file.open("ab") as more:
+            more.write(b"\n")
+    yield
+    for file, length in lengths.items():
+        os.truncate(file, length)
+
+
+def hashes_alone(made_from: dict, changed: dict) -> Iterator[tuple[str, dict]]:
+    """Each file behind a piece of work, and what the piece is made from where it alone changed: a
+    file's hash is a row of its own, so all can be edited at once."""
+    for kind in ("code", "read"):
+        assert made_from.get(kind, {}).keys() == changed.get(kind, {}).keys()
+        for name, hash in changed.get(kind, {}).items():
+            yield name, made_from | {kind: made_from[kind] | {name: hash}}
 
 
 @pytest.mark.parametrize("piece", PIECES)
 def test_a_byte_of_any_file_behind_a_piece_of_work_changes_its_key_and_of_no_other_file(
     copy, piece
 ):
-    """Those behind it one by one, all the others at once."""
     sources = sources_of(copy)
     made_from = parts(sources, piece)
     behind = {sources.place(name) for name in (*made_from["code"], *made_from["read"])}
     assert behind < files_of(copy)
     key = key_of(made_from)
-    for file in some(behind):
-        before = edit(file)
-        assert key_of(parts(read_anew(sources, file), piece)) != key, file
-        file.write_bytes(before)
-    before = {file: edit(file) for file in files_of(copy) - behind}
-    assert key_of(parts(sources_of(copy), piece)) == key
-    for file, text in before.items():
-        file.write_bytes(text)
+    with edited(behind):
+        changed = parts(sources_of(copy), piece)
+    for name, alone in hashes_alone(made_from, changed):
+        assert key_of(alone) != key, name
+    with edited(files_of(copy) - behind):
+        assert key_of(parts(sources_of(copy), piece)) == key
 
 
 def test_the_viewers_key_changes_with_each_script_it_is_bundled_from_and_no_other_file(copy):
@@ -104,14 +107,12 @@ def test_the_viewers_key_changes_with_each_script_it_is_bundled_from_and_no_othe
     behind = {copy / name for name in made_from["code"]}
     names = {"bundle.mjs", "strip-rays.mjs", "slim/three.mjs", "viewer/main.ts", "kiosk/main.ts"}
     assert all(any(path.as_posix().endswith(name) for path in behind) for name in names)
-    for file in some(behind):
-        before = edit(file)
-        assert keys.viewer_parts(viewer) != made_from, file
-        file.write_bytes(before)
-    before = {file: edit(file) for file in files_of(copy) - behind}
-    assert keys.viewer_parts(viewer) == made_from
-    for file, text in before.items():
-        file.write_bytes(text)
+    with edited(behind):
+        changed = keys.viewer_parts(viewer)
+    for name, alone in hashes_alone(made_from, changed):
+        assert alone != made_from, name
+    with edited(files_of(copy) - behind):
+        assert keys.viewer_parts(viewer) == made_from
 
 
 def test_a_scene_that_is_placed_otherwise_is_traced_again(copy):
