@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -23,3 +23,12 @@ def rng(request: pytest.FixtureRequest) -> np.random.Generator:
 def with_viewer_of_make() -> Callable[[Path], Path]:
     """Makes a store that has the viewer already."""
     return with_viewer
+
+
+@pytest.fixture(scope="module")
+def one_process() -> Iterator[None]:
+    """Builds in this process start no others: each of those would import and load for seconds what
+    makes small scenes in a fraction of one."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("raywalk.work.pool.cores", lambda: 1)
+        yield

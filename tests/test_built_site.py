@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -29,26 +30,42 @@ def folder(scene):
     return place
 
 
+@pytest.fixture(scope="module")
+def read():
+    """A function that reads one of a scene's grids, the finest once for all tests."""
+    with Stops() as stops:
+        finest = cache(lambda scene: read_trace(path_of(scene, finest_of(scene)), stops))
+        yield lambda scene, n: (
+            finest(scene) if n == finest_of(scene) else read_trace(path_of(scene, n), stops)
+        )
+
+
+def finest_of(scene):
+    return max(scene.render.resolutions)
+
+
+def path_of(scene, n):
+    return folder(scene) / f"{n}.json.gz"
+
+
 @pytest.mark.parametrize("scene", OWN, ids=lambda scene: scene.id)
-def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene):
+def test_every_tile_of_every_grid_is_the_pictures_pixel_at_its_centre(scene, read):
     """The invariant the site rests on, over all scenes and levels, to the last bit."""
     size = scene.render.size
     picture = np.asarray(Image.open(folder(scene) / "picture.png").convert("RGB"))
     assert picture.shape == (size, size, 3)
-    with Stops() as stops:
-        for n in scene.render.resolutions:
-            step = size // n
-            centres = picture[step // 2 :: step, step // 2 :: step]
-            tiles = read_trace(folder(scene) / f"{n}.json.gz", stops).tiles.reshape(n, n, 3)
-            np.testing.assert_array_equal(tiles, centres)
+    for n in scene.render.resolutions:
+        step = size // n
+        centres = picture[step // 2 :: step, step // 2 :: step]
+        tiles = read(scene, n).tiles.reshape(n, n, 3)
+        np.testing.assert_array_equal(tiles, centres)
 
 
-def test_traces_take_at_most_2_2_bytes_a_ray_over_all_scenes():
+def test_traces_take_at_most_2_2_bytes_a_ray_over_all_scenes(read):
     """At the finest level, gzipped; a ray is a camera, reflected, refracted or shadow ray."""
     size = rays = 0
     for scene in OWN:
-        path = folder(scene) / f"{max(scene.render.resolutions)}.json.gz"
-        trace = read_trace(path)
+        path, trace = path_of(scene, finest_of(scene)), read(scene, finest_of(scene))
         shadow = int(np.isin(trace.visibility[trace.object >= 0], SHOT).sum())
         size, rays = size + path.stat().st_size, rays + trace.count + shadow
     print(f"{size / rays:.2f} bytes a ray over {rays} rays")

@@ -18,6 +18,7 @@ from PIL import Image
 from raywalk.__main__ import main
 from raywalk.stops.decoded import read_trace
 from raywalk.trace_file.container import unpack
+from raywalk.work import pool
 
 SMALL = """
 version = 1
@@ -66,7 +67,7 @@ def site(folder: Path, *options: str) -> int:
 
 
 @pytest.fixture(scope="module")
-def built(tmp_path_factory, with_viewer):
+def built(tmp_path_factory, with_viewer, one_process):
     """A folder with two scenes and the site of them, for tests that only look."""
     folder = tmp_path_factory.mktemp("site")
     write_scenes(folder)
@@ -151,14 +152,17 @@ def test_words_of_a_scene_file_cannot_become_markup(built):
     assert "<b>bold" not in page
 
 
-def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(build, tmp_path, with_viewer):
-    """Once from the store, and once more from nothing."""
+def test_the_same_input_gives_the_same_bytes_and_traces_nothing_again(
+    build, tmp_path, with_viewer, monkeypatch
+):
+    """Once from the store, and once more from nothing, where two processes make it."""
     first = contents(tmp_path / "dist")
     _, said, out = build()
     assert "0 traced, 2 unchanged" in said
     assert contents(out) == first
     shutil.rmtree(tmp_path / "work")
     with_viewer(tmp_path / "work")
+    monkeypatch.setattr(pool, "cores", lambda: 2)
     _, said, _ = build()
     assert "2 traced, 0 unchanged" in said
     assert contents(out) == first

@@ -90,7 +90,7 @@ def test_eight_times_as_much_takes_not_much_more_than_eight_times_as_long(
 
         return once
 
-    assert _seconds(read(4_000)) < 24 * _seconds(read(500))
+    assert _is_no_slower(read(500), lambda: read(4_000))
 
 
 IN_A_ROW = {
@@ -117,17 +117,22 @@ def test_warnings_of_eight_times_as_many_objects_take_not_much_longer(
         return lambda: scene_warnings(Tracer(scene))
 
     check(10)()  # kernels are compiled
-    assert _seconds(check(4_000)) < 24 * _seconds(check(500))
+    assert _is_no_slower(check(500), lambda: check(4_000))
+
+
+def _is_no_slower(few: Callable[[], object], make: Callable[[], Callable[[], object]]) -> bool:
+    """Whether the best of three of `few` takes more than a 24th of the best of three of what `make`
+    makes, which is tried again only while it does not."""
+    most = 24 * min(_seconds(few) for _ in range(3))
+    many = make()
+    return any(_seconds(many) < most for _ in range(3))
 
 
 def _seconds(work: Callable[[], object]) -> float:
-    """Of processor time, the best of three."""
-    best = float("inf")
-    for _ in range(3):
-        start = time.process_time()
-        work()
-        best = min(best, time.process_time() - start)
-    return best
+    """Of processor time."""
+    start = time.process_time()
+    work()
+    return time.process_time() - start
 
 
 def test_spoilt_scenes_are_refused_in_words() -> None:
