@@ -35,8 +35,10 @@ def read():
     """A function that reads one of a scene's grids, the finest once for all tests."""
     with Stops() as stops:
         finest = cache(lambda scene: read_trace(path_of(scene, finest_of(scene)), stops))
-        yield lambda scene, n: (
-            finest(scene) if n == finest_of(scene) else read_trace(path_of(scene, n), stops)
+        yield (
+            lambda scene, n: (
+                finest(scene) if n == finest_of(scene) else read_trace(path_of(scene, n), stops)
+            )
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.slides.course import DECKS, course_decks
+from tests.slides.course import course_decks, decks_of
 
 from raywalk.slides.figure import Text
 
@@ -19,8 +19,7 @@ FORMULAS = [
 
 @pytest.mark.parametrize(("id", "names", "formula"), FORMULAS)
 def test_a_formula_stands_on_a_slide_of_its_step(id, names, formula):
-    decks = [each for each in course_decks() if each.deck.id == id]
-    assert len(decks) == DECKS
+    decks = decks_of(id)
     for each in decks:
         name = names[each.language == "de"]
         with_it = [s for s in each.slides if any(formula in t.words for t in texts(s.items))]

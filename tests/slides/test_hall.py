@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from tests.slides.course import DECKS, CourseDeck, course_decks
+from tests.slides.course import CourseDeck, decks_of
 from tests.slides.test_words_and_space import tight
 
 from raywalk.scene.read import read_scenes
@@ -25,17 +25,10 @@ SIGNS = ("bullet", "letter")  # before items of lists and choices
 SCENES = [scene.id for scene in read_scenes(ROOT / "scenes")]
 
 
-@pytest.fixture(scope="module")
-def decks() -> list[CourseDeck]:
-    return course_decks()
-
-
 @pytest.fixture(params=SCENES)
-def of_scene(request: pytest.FixtureRequest, decks: list[CourseDeck]) -> list[CourseDeck]:
-    """One scene's decks: two languages, two aspects."""
-    own = [each for each in decks if each.deck.id == request.param]
-    assert len(own) == DECKS
-    return own
+def of_scene(request: pytest.FixtureRequest) -> list[CourseDeck]:
+    """One scene's decks."""
+    return decks_of(request.param)
 
 
 def spoken(decks: list[CourseDeck]) -> Iterator[tuple[CourseDeck, Slide]]:

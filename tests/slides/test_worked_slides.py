@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from tests.slides.course import DECKS, ROOT, CourseDeck, course_decks
+from tests.slides.course import ROOT, CourseDeck, decks_of
 
 from raywalk.scene.read import read_scene
 from raywalk.slides import worked_tree
@@ -40,13 +40,6 @@ WORKING = (EQUATION, TREE, AVERAGE)
 @pytest.fixture(scope="module", params=WORKING)
 def of_lesson(request: pytest.FixtureRequest) -> list[CourseDeck]:
     return decks_of(request.param)
-
-
-def decks_of(id: str) -> list[CourseDeck]:
-    """In two languages and two aspects."""
-    own = [each for each in course_decks() if each.deck.id == id]
-    assert len(own) == DECKS
-    return own
 
 
 def firsts(each: CourseDeck) -> list[tuple[Stop, Slide]]:

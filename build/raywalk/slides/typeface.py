@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from PIL import ImageFont
@@ -86,6 +86,11 @@ def shortened(text: str, size: float, most: float, bold: bool = False) -> str:
 
 def wrapped(runs: Iterable[Run], size: float, most: float) -> list[tuple[Run, ...]]:
     """Lines at most so many points wide, broken at spaces, within a word only if it is too long."""
+    return list(_wrapped(tuple(runs), size, most))
+
+
+@lru_cache(maxsize=4096)  # to part words evenly the same ones are laid out many times
+def _wrapped(runs: tuple[Run, ...], size: float, most: float) -> tuple[tuple[Run, ...], ...]:
     lines: list[list[Run]] = [[]]
     room = most
     for word in _words(runs, size, most):
@@ -96,7 +101,7 @@ def wrapped(runs: Iterable[Run], size: float, most: float) -> list[tuple[Run, ..
             room = most
         lines[-1] += word
         room -= need
-    return [_joined(line) for line in lines if line]
+    return tuple(_joined(line) for line in lines if line)
 
 
 def _words(runs: Iterable[Run], size: float, most: float) -> Iterable[list[Run]]:

@@ -52,9 +52,9 @@ Sentence = tuple[int, Paragraph]
 
 
 def _fits(sentences: list[Sentence], box: Box, size: float, most: int) -> bool:
-    words = sum(map(_count, sentences))
-    high = flow(_joined(sentences), size, box.width).height()
-    return words <= most and high <= box.height + 0.01
+    if sum(map(_count, sentences)) > most:
+        return False
+    return flow(_joined(sentences), size, box.width).height() <= box.height + 0.01
 
 
 def count_words(text: str) -> int:
