@@ -50,10 +50,12 @@ async function bundled(contents, { noteInputs, ...more }) {
   return { text: result.outputFiles[0].text, inputs, imports };
 }
 
-/** The viewer's script, its parts by name, and the modules in each: { viewer, parts, modules }. */
-export async function bundleViewer(noteInputs = () => {}, without = "") {
-  const first = { format: "esm", external: ["three"], plugins: [partsApart, tightShaders] };
-  const alone = await bundled('import "./viewer/main"', first);
+const APART = { format: "esm", external: ["three"], plugins: [partsApart, tightShaders] };
+
+/** The viewer's parts by name, the modules in each script, and what is left for the viewer's own: its entry, and that
+ *  bundled without three: { parts, modules, entry, own }. */
+export async function bundleParts(noteInputs = () => {}) {
+  const alone = await bundled('import "./viewer/main"', APART);
   const parts = new Map(alone.imports.filter(({ kind }) => kind === "dynamic-import").map(({ path }) => path.replace("part:", "")).map((path) => [path.split("/").at(-1), path]));
   const shared = await sharedWith(parts, alone.inputs, (path, plugin) => bundled(`export * from "./${path}"`, { format: "esm", plugins: [plugin, tightShaders] }));
   const modules = {};
@@ -65,8 +67,15 @@ export async function bundleViewer(noteInputs = () => {}, without = "") {
     offered[name] = `${BANNERS.other}\n${asOfferedPart(name, text, taken)}`;
   }
   const entry = `import "./viewer/main";\n${handingOut(taken)}`;
-  const own = await bundled(entry, first);
-  const three = await slimThree(own.text, TARGET, noteInputs, without);
+  const own = await bundled(entry, APART);
+  modules.viewer = own.inputs;
+  return { parts: offered, modules, entry, own: own.text };
+}
+
+/** The viewer's script and its parts by name: { viewer, parts }. */
+export async function bundleViewer(noteInputs = () => {}, without = "") {
+  const { parts, entry, own } = await bundleParts(noteInputs);
+  const three = await slimThree(own, TARGET, noteInputs, without);
   const slim = {
     name: "slim",
     setup(build) {
@@ -75,8 +84,7 @@ export async function bundleViewer(noteInputs = () => {}, without = "") {
     },
   };
   const whole = await bundled(entry, { noteInputs, format: "iife", minify: true, banner: { js: BANNERS.viewer }, plugins: [partsApart, tightShaders, slim] });
-  modules.viewer = whole.inputs;
-  return { viewer: whole.text.replace(/\bimport\("part:(?:[\w-]+\/)*([\w-]+)"\)/g, 'raywalkParts.load("$1")'), parts: offered, modules };
+  return { viewer: whole.text.replace(/\bimport\("part:(?:[\w-]+\/)*([\w-]+)"\)/g, 'raywalkParts.load("$1")'), parts };
 }
 
 /** The packages that esbuild took something from. */

@@ -67,7 +67,7 @@ def _quickly(image: Image.Image, kind: str, **options: Any) -> bytes:
     return out.getvalue()
 
 
-#: Of a view: all of them tell where its words can be read, and a sixteenth is what decks carry, for no
+#: Of a view all tell where words can be read on it; decks carry a sixteenth of them, for no
 #: law here is about its pixels either.
 _view_pixels = pictures.view_pixels
 

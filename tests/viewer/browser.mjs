@@ -142,6 +142,7 @@ export async function inTime(promise, complaint) {
 
 const rest = (ms) => new Promise((done) => setTimeout(done, ms));
 const POLL = 15; // ms, ours
+const TICK = 5; // ms, ours, while a held page waits for its machine: each question is work for all that it waits for
 const FRAME = 16; // ms of a held page: its clock's frames
 const MOST_AT_ONCE = 200; // ms of a held page that pass between two questions
 
@@ -153,7 +154,7 @@ async function whilePassing(page, promise, step = 1) {
   let isOver = !page.isHeld;
   const over = () => (isOver = true);
   promise.then(over, over);
-  for (; !isOver; await rest(1)) await pass(page, step);
+  for (; !isOver; await rest(TICK)) await pass(page, step);
   return promise;
 }
 
@@ -210,7 +211,7 @@ async function poll(page, expression, isRight, complaint) {
   const ask = `({ answer: ${expression}, waits: window.raywalk?.loading().length !== 0 })`;
   let now = null;
   let step = FRAME;
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await rest(page.isHeld ? 1 : POLL)) {
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await rest(!page.isHeld ? POLL : now?.waits ? TICK : 1)) {
     now = await page.evaluate(ask).catch(goneElsewhere);
     if (now && isRight(now.answer)) return;
     if (page.isHeld) await pass(page, !now || now.waits ? 1 : (step = Math.min(MOST_AT_ONCE, 1.2 * step))).catch(goneElsewhere);

@@ -380,7 +380,7 @@ for (const [k, [what, file]] of Object.entries(SCRIPTS).entries())
     test(`${what} ${how}: the page as it was written, with one sentence`, async () => {
       await make(file);
       await page.goto("about:blank");
-      await page.goto(server.url + rich.path);
+      await page.goto(`${server.url}${rich.path}?fault=webgl`); // nothing here is about the stage
       await page.locator("#broken").waitFor();
       assert.match(await page.locator("#broken").innerText(), PLAIN);
       await thePlainPageIsThere();
@@ -518,7 +518,7 @@ test("three grids in a row while they load slowly: only the last one is shown; a
 });
 
 test("the graphics card drops the drawing: flat at once and said, and back by itself; not for ever", async () => {
-  const page = await newPage(browser, { held: true, viewport: { width: 1000, height: 640 } });
+  const page = await newPage(browser, { held: true, viewport: { width: 640, height: 480 } });
   const said = page.locator("#notice .notice-text");
   await open(page, server.url, rich.path, "still=1&tiles=filled&n=5");
   for (let time = 1; time <= 3; time++) {

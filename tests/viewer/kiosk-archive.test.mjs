@@ -29,7 +29,7 @@ before(async () => {
   execFileSync(PYTHON, ["-m", "raywalk", "kiosk", "--site", DIST, "--out", zip]);
   execFileSync(PYTHON, ["-c", UNPACK, zip, place]);
   script = spawn(join(place, "raywalk-kiosk/start-linux.sh"), ["idle=3600&warn=1&attract-pace=0.4"], {
-    env: { ...process.env, RAYWALK_PROFILE: profile, RAYWALK_ONCE: "1", RAYWALK_BROWSER: process.env.CHROMIUM ?? "/usr/bin/chromium", RAYWALK_FLAGS: "--headless=new --no-sandbox --remote-debugging-port=0 --window-size=800,600 --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr" },
+    env: { ...process.env, RAYWALK_PROFILE: profile, RAYWALK_ONCE: "1", RAYWALK_BROWSER: process.env.CHROMIUM ?? "/usr/bin/chromium", RAYWALK_FLAGS: "--headless=new --no-sandbox --remote-debugging-port=0 --window-size=500,400 --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr" },
     stdio: ["ignore", "ignore", "pipe"],
     detached: true, // a group of its own: it ends with all that it started
   });

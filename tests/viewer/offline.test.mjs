@@ -44,7 +44,7 @@ test("under a sub-path every page links to its own only, and the manifest is fou
 });
 
 test("what was looked at is there when the host is gone; what was not is said", async () => {
-  await open(page, server.url, first.path, "still=1&tiles=filled");
+  await open(page, server.url, first.path, "still=1&tiles=filled"); // in space: what draws it is kept, too
   const { n } = await state(page);
   await isKept(`${first.id}/${n}.js`);
   await isKept(`${first.id}/picture.webp`);
@@ -55,8 +55,8 @@ test("what was looked at is there when the host is gone; what was not is said", 
   server.close();
   server.close = () => {};
   await context.setOffline(true);
-  for (const scene of [first, second]) {
-    await open(page, server.url, scene.path, "still=1&tiles=filled");
+  for (const [scene, gl] of [[first, ""], [second, "&gl=none"]]) {
+    await open(page, server.url, scene.path, `still=1&tiles=filled${gl}`);
     assert.equal((await state(page)).scene, scene.id);
     assert.ok((await stats(page)).tiles.length > 0);
     assert.ok(await pictureShows(".picture img"));
@@ -143,7 +143,8 @@ test("two builds, one after the other, through one worker: pages and data are of
     cpSync(DIST, site, { recursive: true, filter: (path) => !/slides|sizes|benchmarks/.test(path.slice(DIST.length)) });
     const older = await context.newPage();
     older.setDefaultTimeout(PATIENCE);
-    await older.goto(`${own.url}${first.path}`);
+    const flat = "#still=1&gl=none"; // nothing here is about the stage
+    await older.goto(`${own.url}${first.path}${flat}`);
     await inTime(older.evaluate(() => Promise.all([window.raywalk.ready, navigator.serviceWorker.ready])), "no worker");
     await older.waitForFunction(async (id) => (await Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url)))).flat().some((url) => url.endsWith(`${id}/scene.js`)), first.id);
     execFileSync(".venv/bin/python", ["tests/viewer/two_builds.py", site]);
@@ -158,14 +159,14 @@ test("two builds, one after the other, through one worker: pages and data are of
 
     const newer = await context.newPage();
     newer.setDefaultTimeout(PATIENCE);
-    await newer.goto(`${own.url}${third.path}`); // not kept: it comes from the host
+    await newer.goto(`${own.url}${third.path}${flat}`); // not kept: it comes from the host
     assert.match(await newer.title(), /^Newer: /);
     for (const { key, id } of [first, second]) {
       await newer.keyboard.press(key); // the first one's data are kept, of the older build
       await newer.waitForFunction((id) => window.raywalk.state()?.scene === id && window.raywalk.stats().shown.scene === id, id);
       assert.match(await newer.title(), /^Newer: /, id);
     }
-    await newer.goto(`${own.url}${first.path}`); // kept, but the host is known to be newer
+    await newer.goto(`${own.url}${first.path}${flat}`); // kept, but the host is known to be newer
     assert.match(await newer.title(), /^Newer: /);
 
     await newer.goto(`${own.url}index.html`);

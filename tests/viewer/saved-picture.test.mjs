@@ -13,7 +13,7 @@ const ALIKE = 12; // of 255, on average: what is drawn anew at another size has 
 let browser, page, server;
 before(async () => {
   [browser, server] = await Promise.all([launch(), serve(DIST)]);
-  page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 640 } }); // what is drawn costs by its pixels
+  page = await newPage(browser, { sharp: true, viewport: { width: 820, height: 560 } }); // what is drawn costs by its pixels
   await page.addInitScript(() => {
     window.fonts = new Set();
     const { fillText } = CanvasRenderingContext2D.prototype;
