@@ -6,7 +6,7 @@ A scene's figures have a key of their own: other words trace nothing, other pixe
 from __future__ import annotations
 
 import json
-from collections.abc import Generator, Iterable, Iterator, Mapping
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,7 @@ from raywalk.pipeline.parts import models_of, shut_for, silent
 from raywalk.scene.measures import Facts
 from raywalk.scene.model import Scene
 from raywalk.scene.read import SCENE_FILE, read_scene
-from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in
+from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in, stop_of
 from raywalk.scene.translation import Spoken
 from raywalk.words.catalogue import DEFAULT
 from raywalk.work.chains import Chain, run_chains
@@ -58,7 +58,7 @@ def wanted_pixels(scenes: Iterable[Scene]) -> tuple[list[Pixel], bool] | None:
     found = list(_asked(scenes))
     if not found:
         return None
-    own = [(operand, pixel) for operand, pixel in found if not operand.scene]
+    own = [(operand, pixel) for stop, operand, pixel in found if not (operand.scene or stop)]
     pixels = {pixel for _, pixel in own if pixel}
     pixels |= {
         pixel
@@ -74,7 +74,7 @@ def wanted_elsewhere(scenes: Iterable[Scene], known: Known) -> dict[str, list[Pi
     """By the id of another scene, the pixels of it that the slots of a scene's languages ask for;
     without those that it has not, which are named where slots are filled."""
     found: dict[str, set[Pixel]] = {}
-    for operand, pixel in _asked(scenes):
+    for _, operand, pixel in _asked(scenes):
         if operand.scene in known:
             of = found.setdefault(operand.scene, set())
             if pixel and _has(known[operand.scene], operand, pixel):
@@ -82,22 +82,46 @@ def wanted_elsewhere(scenes: Iterable[Scene], known: Known) -> dict[str, list[Pi
     return {id: sorted(pixels) for id, pixels in sorted(found.items())}
 
 
+def wanted_at_stops(scenes: Iterable[Scene]) -> dict[str, list[Pixel]]:
+    """By stop of a sweep, as views name it, the pixels that the slots of steps there ask for."""
+    found: dict[str, set[Pixel]] = {}
+    for stop, _, pixel in _asked(scenes):
+        if stop:
+            found.setdefault(stop, set()).update([pixel] if pixel else [])
+    return {stop: sorted(pixels) for stop, pixels in sorted(found.items())}
+
+
+def asked_elsewhere(scenes: Sequence[Scene], known: Known) -> dict[str, tuple[Scene, list[Pixel]]]:
+    """What the slots of a scene's languages ask of other scenes, by their ids, and of it at stops
+    of its sweeps, by their names: these have a colon, and no scene that a slot can name."""
+    beside, stops = wanted_elsewhere(scenes, known), wanted_at_stops(scenes)
+    of_others = {id: (known[id], pixels) for id, pixels in beside.items()}
+    return of_others | {at: (scenes[0].at_stop(at), pixels) for at, pixels in stops.items()}
+
+
+def with_others(figures: Figures, found: Mapping[str, tuple[Scene, Figures]]) -> Figures:
+    """A scene's figures with what asked_elsewhere has asked for."""
+    stops = {name: each for name, each in found.items() if ":" in name}
+    others = {name: each for name, each in found.items() if name not in stops}
+    return replace(figures, others=others, stops=stops)
+
+
 def _has(scene: Scene, operand: Operand, pixel: Pixel) -> bool:
     n, column, row = pixel
     return n in scene.render.resolutions and max(column, row) < n
 
 
-def _asked(scenes: Iterable[Scene]) -> Iterator[tuple[Operand, Pixel | None]]:
-    """Each quantity in a slot with its pixels."""
+def _asked(scenes: Iterable[Scene]) -> Iterator[tuple[str, Operand, Pixel | None]]:
+    """Each quantity in a slot with its pixels, and the stop at which it is asked."""
     for scene in scenes:
         told = [said for step in scene.lesson for said in step.said().values()]
         for text, view in [*told, *((goal, {}) for goal in scene.goals)]:
             for _, slot in slots_in(text):
                 for operand in slot.operands if isinstance(slot, Slot) else []:
                     if operand.quantity:
-                        yield operand, operand.pixel(own_pixel(view))
-                        for pixel in operand.inside(own_pixel(view)):
-                            yield operand, pixel
+                        stop, own = stop_of(operand, view), own_pixel(view)
+                        for pixel in [operand.pixel(own), *operand.inside(own)]:
+                            yield stop, operand, pixel
 
 
 def figures_parts(scene: Scene, pixels: list[Pixel]) -> Parts:
@@ -124,19 +148,19 @@ def _figures_chain(store: Store, scenes: list[Scene], known: Known) -> Chain[Fig
     pixels, is_whole = wanted
     works = [_work(scene, pixels)]
     works += [(bounces_parts(scene), partial(BOUNCES, scene))] if is_whole else []
-    beside = wanted_elsewhere(scenes, known)
-    own, works = len(works), works + [_work(known[id], each) for id, each in beside.items()]
+    elsewhere, own = asked_elsewhere(scenes, known), len(works)
+    works += [_work(there, pixels) for there, pixels in elsewhere.values()]
     for parts, _ in works:
         yield from reasons(store, parts)
     missing = [work for work in works if not store.find(key_of(work[0]))]
     if missing:
         note((yield Job(scene.id, partial(_make, store), missing)))
     entries = [store.get(key_of(parts)) for parts, _ in works]
-    others = {
-        id: (known[id], read_figures(entry))
-        for id, entry in zip(beside, entries[own:], strict=True)
+    found = {
+        name: (there, read_figures(entry))
+        for (name, (there, _)), entry in zip(elsewhere.items(), entries[own:], strict=True)
     }
-    return replace(read_figures(*entries[:own]), others=others)
+    return with_others(read_figures(*entries[:own]), found)
 
 
 def _work(scene: Scene, pixels: list[Pixel]) -> tuple[Parts, Any]:
@@ -157,12 +181,11 @@ def filled_here(store: Store, scene: Scene, is_quick: bool = False) -> Scene:
     whole = store.find(key_of(bounces_parts(scene))) if is_whole else None
     if is_whole and not is_quick:
         whole = made(store, bounces_parts(scene), partial(BOUNCES, scene))
-    known = scenes_beside([scene])
-    others = {
-        id: (known[id], read_figures(made(store, *_work(known[id], each))))
-        for id, each in wanted_elsewhere([scene], known).items()
+    found = {
+        name: (there, read_figures(made(store, *_work(there, each))))
+        for name, (there, each) in asked_elsewhere([scene], scenes_beside([scene])).items()
     }
-    figures = replace(read_figures(entry, whole), others=others)
+    figures = with_others(read_figures(entry, whole), found)
     spoken = filled({DEFAULT: [Spoken(scene, True)]}, [figures])
     return spoken[DEFAULT][0].scene
 
@@ -173,7 +196,7 @@ def scenes_beside(scenes: Iterable[Scene]) -> Known:
     scenes: it in its languages.
     """
     scenes = list(scenes)
-    named = sorted({operand.scene for operand, _ in _asked(scenes) if operand.scene})
+    named = sorted({operand.scene for _, operand, _ in _asked(scenes) if operand.scene})
     files = {id: scenes[0].path.parent.parent / id / SCENE_FILE for id in named}
     return {id: read_scene(file) for id, file in files.items() if file.is_file()}
 

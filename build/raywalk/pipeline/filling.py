@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import isnan, nan
+from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
 from raywalk.scene.check_slots import check_pixel
@@ -28,6 +29,12 @@ class Figures:
     trees: dict[Pixel, Ray]
     facts: Facts
     others: Mapping[str, tuple[Scene, Figures]] = field(default_factory=dict)  # by the scene's id
+    stops: Mapping[str, tuple[Scene, Figures]] = field(default_factory=dict)  # as views name them
+
+    def at(self, view: Mapping[str, Any], scene: Scene) -> tuple[Scene, Figures]:
+        """The scene as a step shows it, and the figures of that: at its stop, if it names one."""
+        there, figures = self.stops.get(view.get("sweep", ""), (scene, self))
+        return there, replace(figures, others=self.others)
 
 
 def filled(spoken: Lessons, figures: list[Figures]) -> Lessons:
@@ -54,10 +61,12 @@ def _filled(
     file = translation_file(own, code) if language != DEFAULT else own.path
     numbers = read_words(language).numbers
 
-    def fill(key: str, text: str, pixel: Pixel | None) -> str:
+    def fill(key: str, text: str, view: Mapping[str, Any]) -> str:
+        here, known = figures.at(view, own)
+
         def write(slot: Slot) -> str:
             try:
-                return written(slot, own, figures, pixel, numbers)
+                return written(slot, here, known, own_pixel(view), numbers)
             except SlotFault as fault:
                 message = f"{{{slot.typed}}}: {fault.message}"
                 problems.append(SourceError(file, key, message, fault.allowed, fault.hint))
@@ -67,12 +76,12 @@ def _filled(
 
     lesson = tuple(
         step.saying({
-            key: fill(key_path(("lesson", i, *key)), text, own_pixel(view))
+            key: fill(key_path(("lesson", i, *key)), text, view)
             for key, (text, view) in step.said().items()
         })
         for i, step in enumerate(scene.lesson)
     )  # fmt: skip
-    goals = tuple(fill(f"goals[{i}]", goal, None) for i, goal in enumerate(scene.goals))
+    goals = tuple(fill(f"goals[{i}]", goal, {}) for i, goal in enumerate(scene.goals))
     return replace(scene, lesson=lesson, goals=goals)
 
 

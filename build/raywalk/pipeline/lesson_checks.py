@@ -5,12 +5,17 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 from raywalk.errors import shown_path
 from raywalk.pipeline.agreeing_figures import disagreements
-from raywalk.pipeline.figures import FILE, scenes_beside, wanted_elsewhere, wanted_pixels
+from raywalk.pipeline.figures import (
+    FILE,
+    asked_elsewhere,
+    scenes_beside,
+    wanted_pixels,
+    with_others,
+)
 from raywalk.pipeline.filling import Figures, filled
 from raywalk.pipeline.shown_names import unseen
 from raywalk.pipeline.typed_figures import typed_figures
@@ -59,7 +64,8 @@ def _warnings(
             for figure in figures_typed:
                 hint = "a slot, {t} say, stays right when the scene changes"
                 yield f"{at}the figure {quoted(figure)} is typed: {hint}"
-            for said in disagreements(text, own, figures, pixel, words.numbers):
+            here, known = figures.at(view, own)
+            for said in disagreements(text, here, known, pixel, words.numbers):
                 yield at + said
             if key[0] in NAMING:
                 yield from (at + said for said in unseen(text, view, scene, tracer, code))
@@ -71,10 +77,9 @@ def figures_now(own: Scene, scenes: list[Scene]) -> Figures:
     wanted = wanted_pixels(scenes)
     if wanted is None:
         return Figures({}, Facts({}, None))
-    known = scenes_beside(scenes)
-    beside = wanted_elsewhere(scenes, known)
-    others = {id: (known[id], _traced(known[id], pixels)) for id, pixels in beside.items()}
-    return replace(_traced(own, wanted[0]), others=others)
+    elsewhere = asked_elsewhere(scenes, scenes_beside(scenes))
+    found = {name: (there, _traced(there, pixels)) for name, (there, pixels) in elsewhere.items()}
+    return with_others(_traced(own, wanted[0]), found)
 
 
 def _traced(scene: Scene, pixels: list[Pixel]) -> Figures:

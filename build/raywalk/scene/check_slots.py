@@ -10,7 +10,7 @@ from typing import Any
 from raywalk.scene.measures import SlotFault
 from raywalk.scene.model import Render
 from raywalk.scene.problems import Location, Problems
-from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in
+from raywalk.scene.slots import Operand, Pixel, Slot, own_pixel, slots_in, stop_of
 from raywalk.scene.wording import joined
 
 
@@ -34,12 +34,14 @@ def check_slots(
 
 
 def _check_stop(slot: Slot, view: Mapping[str, Any]) -> None:
-    """Figures are of scenes as they are."""
-    if "sweep" in view and any(each.quantity and not each.scene for each in slot.operands):
-        raise SlotFault(
-            "figures are of the scene as it is, and the step shows it at a stop of a sweep",
-            hint="ask in a step without sweep, or write a plain number: {4.2}",
-        )
+    """Of a stop there are rays, but no whole picture."""
+    for operand in slot.operands:
+        if stop_of(operand, view) and operand.quantity and operand.quantity.needs_picture:
+            raise SlotFault(
+                f"{operand.quantity.name} is counted over the scene's own picture, and the step "
+                "shows the scene at a stop of a sweep",
+                hint="ask in a step without sweep, or write a plain number: {4.2}",
+            )
 
 
 def _check_pixels(slot: Slot, view: Mapping[str, Any], render: Render | None) -> None:

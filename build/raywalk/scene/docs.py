@@ -150,8 +150,8 @@ So it is right after the scene has changed, and the same on pages, slides and sh
 The order is quantity, rays, what else it is of: `{n.l.reflected.light 2}`. Rays are
 `reflected`, `refracted` and `total` (totally reflected), each sent on by the one before. Names are
 those of this file, in translations too. Switches of the view change nothing: figures are of the
-scene as it is traced, and a step at a stop of a sweep has none. Formulas and code hold no slots,
-and `\\{` is a brace that opens none.
+scene as it is traced, at the stop of a sweep that the step shows; `bouncing`, of the whole picture,
+is of the scene itself only. Formulas and code hold no slots, and `\\{` is a brace that opens none.
 
 | quantity | of | then | written | meaning |
 |---|---|---|---|---|"""

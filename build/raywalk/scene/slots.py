@@ -93,6 +93,11 @@ def own_pixel(view: Mapping[str, Any]) -> Pixel | None:
     return view["resolution"], column, row
 
 
+def stop_of(operand: Operand, view: Mapping[str, Any]) -> str:
+    """At which stop of a sweep it is asked of: as the step shows its scene; "" of one as it is."""
+    return "" if operand.scene else str(view.get("sweep", ""))
+
+
 def filled_in(text: str, write: Callable[[Slot], str]) -> str:
     """The text with each slot written. Raises SlotFault, and what `write` raises."""
     return SLOT.sub(
