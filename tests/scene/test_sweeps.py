@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from PIL import Image
+from tests.scene.conftest import CAMERA
 
 from raywalk.errors import SourceErrors
+from raywalk.pipeline.figures import filled_here
+from raywalk.pipeline.filling import filled
+from raywalk.pipeline.lesson_checks import figures_now
+from raywalk.scene.translation import Spoken
 from raywalk.site.scene_data import Display, scene_data
+from raywalk.site.stop_data import stop_data
+from raywalk.work.store import Store
 
 SCENE = """
 [render]
@@ -50,7 +58,7 @@ def test_steps_between_two_values_are_what_one_reads(scene_from):
     ("old", "new", "key", "said"),
     [
         ('"light 1"', '"lihgt 1"', "sweeps[0].varies", 'did you mean "light 1"?'),
-        ("lights.", "lamps.", "sweeps[0].varies", "one below camera, lights"),
+        ("lights.", "lamps.", "sweeps[0].varies", "background, or one below camera, lights"),
         (".position", ".positon", "sweeps[0].varies", 'did you mean "position"?'),
         (".position", ".intensity", "sweeps[0].varies", "write the scene's own value there"),
         ("to = [-2, 2, 1]", "to = [-2, 2.5, 1]", "sweeps[0]", "is none of its 3 stops"),
@@ -90,27 +98,85 @@ def test_a_lamp_may_have_more_or_fewer_points(scene_from):
     assert "at stop 2, [9, 9]: lights[0].samples" in found
 
 
+def test_a_stop_that_goes_deeper_than_the_scene_is_told(scene_from):
+    """A link may limit bounces to what only that stop has."""
+    sweep = '\n[[sweeps]]\nname = "it"\nvaries = "render.depth"\nvalues = {}\n'
+    for values, deepest in (("[0, 1, 6]", 6), ("[0, 1]", None)):
+        scene = scene_from(SCENE.replace("[render]", "[render]\ndepth = 1") + sweep.format(values))
+        data = scene_data(scene, Display(np.zeros(3), 1.0, {}), {}, {}, "picture.png")
+        assert data.get("deepest") == deepest
+
+
 def sweep_of_points(values):
     return f'\n[[sweeps]]\nname = "points"\nvaries = "lights.lamp.samples"\nvalues = {values}\n'
 
 
+MORE = """colour = [1, 1, 1]
+
+[materials.matt]
+diffuse = [1, 0, 0]
+
+[[objects]]
+name = "floor"
+type = "plane"
+point = [0, -2, 0]
+normal = [0, 1, 0]
+material = "matt"
+"""
+
+
+def sweep_of(varies, values):
+    return f"\n[[sweeps]]\nname = \"it\"\nvaries = '{varies}'\nvalues = {values}\n"
+
+
 @pytest.mark.parametrize(
-    ("varies", "values", "said"),
+    ("varies", "values", "is_anew"),
     [
-        ("materials.matt.diffuse", "[[1, 0, 0], [0, 1, 0]]", 'the material "matt"'),
-        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]", '"floor"'),
-        ('lights."light 1".colour', "[[1, 1, 1], [1, 0, 0]]", 'the colour of "light 1"'),
+        ("materials.matt.diffuse", "[[1, 0, 0], [0, 1, 0]]", True),
+        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]", True),
+        ('lights."light 1".colour', "[[1, 1, 1], [1, 0, 0]]", True),
+        ('lights."light 1".position.1', "[1, 2]", False),
+        ("background", "[[0, 0, 0], [0, 0.2, 0.4]]", False),
     ],
 )
-def test_what_the_page_cannot_move_is_no_sweep(scene_from, varies, values, said):
-    """Tiles would show what the stage does not."""
-    more = "colour = [1, 1, 1]\n\n[materials.matt]\ndiffuse = [1, 0, 0]\n\n[[objects]]\n"
-    more += 'name = "floor"\ntype = "plane"\npoint = [0, -2, 0]\nnormal = [0, 1, 0]\n'
-    more += 'material = "matt"\n'
-    sweep = f"\n[[sweeps]]\nname = \"it\"\nvaries = '{varies}'\nvalues = {values}\n"
-    [found] = errors_of(scene_from, more + sweep)
-    assert found.startswith("sweeps[0].varies: ") and f"changes {said}, at stop 2" in found
-    assert "what moves: the camera" in found
+def test_colours_and_planes_may_change_and_the_stage_knows_what_it_cannot_move(
+    scene_from, varies, values, is_anew
+):
+    """Tiles would show what the stage does not, otherwise."""
+    at_top = "background = [0, 0, 0]\n" + CAMERA
+    scene = scene_from(SCENE + MORE + sweep_of(varies, values), at_top)
+    data = scene_data(scene, Display(np.zeros(3), 1.0, {}), {}, {}, "picture.png")
+    assert data["sweeps"][0].get("anew", False) == is_anew
+    [moved] = [stop_data(scene.sweeps[0].stops[1], scene, Display(np.zeros(3), 1.0, {}), "x.webp")]
+    assert len(moved) == 2, "its picture, and what is other"
+
+
+@pytest.mark.parametrize(
+    ("varies", "said"),
+    [
+        ("background", 'the file gives no "background"'),
+        ("materials.matt.like", 'the file gives no "like"'),
+        ("materials.matt.shininess", "write the scene's own value there"),
+    ],
+)
+def test_a_colour_that_cannot_vary_is_told_how_it_could(scene_from, varies, said):
+    [found] = errors_of(scene_from, MORE + sweep_of(varies, "[[0, 0, 0], [1, 1, 1]]"))
+    assert found.startswith("sweeps[0].varies: ") and said in found
+
+
+def test_a_texture_is_drawn_once_and_so_no_sweep_changes_it(scene_from, tmp_path):
+    """The stage has its picture from a file: tiles would show what it does not."""
+    Image.new("RGB", (2, 2)).save(tmp_path / "wood.png")
+    texture = '{ file = "wood.png", repeat = [2, 2] }'
+    wood = MORE.replace('"matt"', f'{{ like = "matt", texture = {texture} }}')
+    for varies, values in (
+        ("objects.floor.material.texture.repeat", "[[2, 2], [3, 3]]"),
+        ("objects.floor.point", "[[0, -2, 0], [0, -3, 0]]"),
+    ):
+        [found] = errors_of(scene_from, wood + sweep_of(varies, values))
+        assert 'sweeps[0].varies: changes "floor", at stop 2: its' in found
+        assert "an object without a texture" in found
+    assert scene_from(SCENE + wood + sweep_of("objects.ball.center.0", "[0, 1]")).sweeps
 
 
 def test_a_step_shows_a_stop_that_there_is(scene_from):
@@ -144,14 +210,48 @@ def test_a_step_at_a_stop_shows_a_grid_that_the_stop_has(scene_from):
     assert scene_from(SCENE + lamp + step.format(n=33)).lesson[0].view["resolution"] == 33
 
 
-def test_no_figure_of_the_scene_is_told_where_another_stop_is_shown(scene_from):
-    """{t} was of the scene as it is, beside a ray of the stop."""
-    step = '[[lesson]]\ntext = "{said}"\nview = {{ resolution = 15, pixel = [7, 7], {sweep} }}\n'
-    at = {"said": "So far: {t}.", "sweep": 'sweep = { "lamp" = 1 }'}
-    [error] = errors_of(scene_from, LAMP + step.format(**at))
-    assert "lesson[0].text: {t}: figures are of the scene as it is" in error
-    for own in ({"said": "{0.5} of it."}, {"sweep": 'tiles = "filled"'}):
-        assert scene_from(SCENE + LAMP + step.format(**at | own)).lesson
+STEP = """
+[[lesson]]
+text = "{angle.light 1 : 5} {lit} {discriminant.ball : 4} {1.5}"
+view = { resolution = 15, pixel = [8, 6], sweep = { lamp = 1 } }
+answer = "{angle.light 1 : 5} {t at 6,6 : 4}"
+answer_view = { sweep = { lamp = 3 } }
+"""
+
+
+def told(scene, tmp_path):
+    """Text and answer of its last step with their figures, as a build has them."""
+    step = filled_here(Store(tmp_path / "work"), scene).lesson[-1]
+    figures = figures_now(scene, [scene])  # as `check` has them
+    checked = filled({"en": [Spoken(scene, True)]}, [figures])["en"][0].scene.lesson[-1]
+    assert (step.text, step.answer) == (checked.text, checked.answer)
+    return step.text, step.answer
+
+
+def test_a_figure_of_a_step_at_a_stop_is_of_that_stop(scene_from, tmp_path):
+    """What the scene would say whose file had the value: the text at one stop, its answer at
+    another; in a step without a stop it is of the scene as it is."""
+    at_stops = told(scene_from(SCENE + LAMP + STEP), tmp_path)
+    without = STEP.replace(", sweep = { lamp = 1 }", "").replace("sweep = { lamp = 3 }", "")
+    alone = {}
+    for height in (0, 1, 2):
+        there = SCENE.replace("position = [-2, 1, 1]", f"position = [-2, {height}, 1]")
+        alone[height] = told(scene_from(there + without), tmp_path)
+    assert at_stops == (alone[0][0], alone[2][1])
+    assert len({text for text, _ in alone.values()}) == 3
+    own = told(scene_from(SCENE + LAMP + without), tmp_path)
+    assert own == alone[1]
+
+
+def test_what_is_counted_over_the_whole_picture_is_asked_at_no_stop(scene_from):
+    """A stop has no such picture."""
+    step = '[[lesson]]\ntext = "So far: {said}."\nview = {{ sweep = {{ "lamp" = 1 }} }}\n'
+    [error] = errors_of(scene_from, LAMP + step.format(said="{bouncing.1}"))
+    assert "lesson[0].text: {bouncing.1}: bouncing is counted over the scene's own" in error
+    [error] = errors_of(scene_from, LAMP + step.format(said="{t}"))
+    assert "of which pixel?" in error
+    for own in ("{0.5}", "{ior.glass in 08-glass}"):
+        assert scene_from(SCENE + LAMP + step.format(said=own)).lesson
 
 
 def test_a_grids_stops_are_numbered_in_rows(scene_from):

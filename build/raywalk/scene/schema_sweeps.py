@@ -52,8 +52,8 @@ class SteppedTable(Table):
     varies: Text = means(
         "the key of this file whose value changes; objects, lights and materials by their names, "
         'items of a list by their number from 0: `lights."light 1".position`, '
-        "`objects.bunny.transform.0.rotate.degrees`, `lights.lamp.samples`, `camera.fov`, "
-        "`render.depth`"
+        "`objects.bunny.transform.0.rotate.degrees`, `lights.lamp.samples`, "
+        "`materials.red.shininess`, `camera.fov`, `render.depth`, `background`"
     )
     from_: Maybe[Value] = Field(default=None, alias="from", description="the first stop's value")
     to: Maybe[Value] = maybe("the last stop's value")

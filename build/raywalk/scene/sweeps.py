@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import deepcopy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import isclose
 from typing import Any
 
@@ -16,8 +16,7 @@ from raywalk.scene.compile import compile_scene
 from raywalk.scene.draft import Draft, read_tables
 from raywalk.scene.fields import AxisName
 from raywalk.scene.lesson_text import PICTURES
-from raywalk.scene.lights import lamp_of
-from raywalk.scene.model import Across, Scene, Sweep
+from raywalk.scene.model import Across, Scene, SceneObject, Sweep
 from raywalk.scene.models import Models
 from raywalk.scene.problems import Location, Problems
 from raywalk.scene.resolutions import fits
@@ -229,32 +228,21 @@ def _frozen(axis: _Axis) -> tuple[Any, ...]:
 
 
 def _is_like(stop: Scene, scene: Scene, k: int, at: Location, problems: Problems) -> bool:
-    """Whether only what moves is other there. As many of everything there are: no number that a
-    file gives makes an object, and a lamp's points are one lamp."""
-    own = _drawn_once(scene)
-    for what, there in _drawn_once(stop).items():
-        if there != own[what]:
-            problems.add(
-                (*at, "varies"), f"changes {what}, at stop {k + 1}: the page draws it once for all",
-                allowed="what moves: the camera, lamps' positions, intensities, sizes and samples, "
-                "all objects but planes; and a material's ior, render.depth",
-            )  # fmt: skip
+    """Whether what the page draws from files is the scene's there. As many of everything there are:
+    no number that a file gives makes an object, and a lamp's points are one lamp."""
+    for obj, own in zip(stop.objects, scene.objects, strict=True):
+        if _filed(obj) != _filed(own):
+            message = f"changes {quoted(obj.name)}, at stop {k + 1}: its texture is drawn once"
+            hint = "move or colour an object without a texture"
+            problems.add((*at, "varies"), message, hint=hint)
             return False
     return True
 
 
-def _drawn_once(scene: Scene) -> dict[str, Any]:
-    """By its name, what the page's stage draws the same at every stop."""
-    drawn: dict[str, Any] = {"the background": scene.background}
-    for material in scene.materials:
-        drawn[f"the material {quoted(material.name)}"] = replace(material, ior=1.0)
-    for light in scene.lights:
-        drawn[f"the colour of {quoted(lamp_of(light.name))}"] = light.colour, light.attenuation
-    for obj in scene.objects:
-        fixed = obj.shape.drawn(), obj.material, obj.checker, obj.base
-        is_plane = isinstance(obj.shape, Plane)
-        drawn[quoted(obj.name)] = (*fixed, obj.shape, obj.transform.tolist()) if is_plane else fixed
-    return drawn
+def _filed(obj: SceneObject) -> Any:
+    """What the page's stage has of an object's texture: which, and of a plane where it lies."""
+    is_laid = obj.base is not None and isinstance(obj.shape, Plane)
+    return obj.base, (obj.shape, obj.transform.tolist()) if is_laid else None
 
 
 def _stop(

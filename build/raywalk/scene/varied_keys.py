@@ -11,6 +11,8 @@ from raywalk.scene.problems import Location, Problems
 from raywalk.scene.wording import did_you_mean, joined, quoted, show
 
 VARIED = ("camera", "lights", "materials", "objects", "render")
+GIVE = "write the scene's own value there: it is one of the stops"
+WHOLE = "background"  # no table, but a colour
 
 Path = list[str | int]
 
@@ -20,12 +22,16 @@ def path_of(
 ) -> Path | None:
     """Where in the file the value stands; None, with the problem noted, if it is not there."""
     keys = _keys(varies)
-    if keys is None or len(keys) < 2 or keys[0] not in VARIED:
+    is_key = keys is not None and (keys[0] == WHOLE or (len(keys) > 1 and keys[0] in VARIED))
+    if keys is None or not is_key:
         problems.add(
             at, f"{quoted(varies)} is no key whose value may change",
-            allowed=f"allowed: one below {joined(VARIED)}",
+            allowed=f"allowed: {WHOLE}, or one below {joined(VARIED)}",
             hint='write it as lights."light 1".position, or camera.fov',
         )  # fmt: skip
+        return None
+    if keys[0] not in raw:
+        problems.add(at, f"the file gives no {quoted(keys[0])}", hint=GIVE)
         return None
     path: Path = [keys[0]]
     known = {"lights": light_names(draft), "objects": object_names(draft)}.get(keys[0])
@@ -73,8 +79,7 @@ def _walk(
             problems.add(
                 at, f"{quoted(varies)}: the file gives no {quoted(key)} there",
                 allowed=f"there: {joined(known)}" if known else "",
-                hint=did_you_mean(key, known)
-                or "write the scene's own value there: it is one of the stops",
+                hint=did_you_mean(key, known) or GIVE,
             )  # fmt: skip
             return None
         path, here = [*path, step], here[step]

@@ -17,6 +17,7 @@ from raywalk.scene.lights import lamp_of
 from raywalk.scene.model import Choice, LessonStep, Light, Scene, SceneObject, Sweep
 from raywalk.scene.placement import checker_axes, placement
 from raywalk.scene.shapes import Mesh, Plane
+from raywalk.site.drawn_anew import drawn_anew
 from raywalk.site.mesh_data import DisplayMesh, mesh_data
 from raywalk.site.savings import savings_of
 from raywalk.site.scene_types import (
@@ -81,16 +82,22 @@ def scene_data(
         "files": files,
     }
     if scene.sweeps:
-        data["sweeps"] = [_sweep(each) for each in scene.sweeps]
+        data["sweeps"] = [_sweep(each, scene) for each in scene.sweeps]
+        deepest = max(stop.render.depth for each in scene.sweeps for stop in each.stops)
+        if deepest > scene.render.depth:
+            data["deepest"] = deepest
     return data
 
 
-def _sweep(sweep: Sweep) -> SweepData:
+def _sweep(sweep: Sweep, scene: Scene) -> SweepData:
     data: SweepData = {
         "id": sweep.id, "name": sweep.name, "values": _listed(sweep.values), "own": sweep.own + 1,
     }  # fmt: skip
     if sweep.is_turned:
         data["unit"] = "degrees"
+    own = drawn_anew(scene)
+    if any(drawn_anew(stop) != own for stop in sweep.stops):
+        data["anew"] = True
     points = [
         [*Counter(lamp_of(light.name) for light in stop.lights).values()] for stop in sweep.stops
     ]

@@ -162,6 +162,9 @@ class SweepData(TypedDict):
     unit: NotRequired[SweptUnit]
     across: NotRequired[AcrossData]
     own: int  # the stop that is the scene itself, of all
+    anew: NotRequired[
+        bool
+    ]  # True: the stage draws some stops anew, whose colours or planes are other
     points: NotRequired[list[int]]  # of each lamp at most, where stops differ in them
 
 
@@ -191,6 +194,7 @@ class SceneData(TypedDict):
     savings: Savings
     files: dict[str, str]  # the marks of the scripts beside it: of this build, and no other
     sweeps: NotRequired[list[SweepData]]
+    deepest: NotRequired[int]  # depth of a stop that goes deeper than the scene and all others
     sweepNames: NotRequired[list[str]]  # in another language, laid over by its words
     acrossNames: NotRequired[list[str]]  # likewise; "" where there is none
 

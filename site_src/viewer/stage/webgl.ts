@@ -83,7 +83,7 @@ function createSets(made: (set: ReturnType<typeof createSet>) => void) {
   return {
     all: () => [...sets.values()],
     of(view: StageView) {
-      const name = `${view.scene.id} ${isPlain(view)} ${view.plane.origin}`;
+      const name = `${view.scene.id} ${view.scene.of} ${isPlain(view)} ${view.plane.origin}`;
       const last = sets.get(name);
       const known = last?.of === view.scene ? last : null;
       if (last && !known) release(last.world); // the scene was read anew since

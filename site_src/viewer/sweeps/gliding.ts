@@ -47,7 +47,8 @@ export function createGliding(session: Session) {
       held = place;
       session.changed();
     },
-    /** The scene of this moment's drawing, and that whose bodies and lamps are moved. scene: at its stop. */
-    drawn: (scene: SceneData) => ({ scene: withMostPoints(session.scene!), switched: glided(withMostPoints(scene)) }),
+    /** The scene of this moment's drawing, and that whose bodies and lamps are moved: the scene itself, or where more than places is other the
+     *  stop's. scene: at its stop. */
+    drawn: (scene: SceneData) => ({ scene: withMostPoints(shown()?.sweep.anew ? session.here()! : session.scene!), switched: glided(withMostPoints(scene)) }),
   };
 }
