@@ -49,7 +49,7 @@ export function tidy(of: Switches, scene: SceneData): Switches {
   return { bounces, lamps, shadows: of.shadows || !scene.shadows, without: PARTS.filter((part) => of.without.includes(part)) };
 }
 
-export const bouncesOf = (of: Switches, scene: SceneData): number => of.bounces ?? scene.depth;
+export const bouncesOf = (of: Switches, scene: SceneData): number => Math.min(of.bounces ?? scene.depth, scene.depth);
 
 /** As a lesson step names them. */
 export function switchesFrom(view: SwitchesView | undefined, scene: SceneData): Switches {
@@ -68,8 +68,9 @@ export function writeSwitches(of: Switches): string {
   ].join(",");
 }
 
-/** null where this scene has no such switch. */
-export function readSwitches(text: string, scene: SceneData): Switches | null {
+/** null where this scene has no such switch. A limit may be one of a stop that goes deeper than the scene. */
+export function readSwitches(text: string, of: SceneData): Switches | null {
+  const scene = { ...of, depth: of.deepest ?? of.depth };
   const lamps = lampsOf(scene).map(() => 1);
   const without: Part[] = [];
   let bounces: number | null = null;

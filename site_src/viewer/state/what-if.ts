@@ -109,7 +109,8 @@ export function createWhatIf() {
     const altered = { ...trace, pixel, weight, visibility, diffuse, specular };
     const colour = recombine(now, altered);
     const tiles = new Uint8Array(3 * trace.n * trace.n);
-    for (let k = 0; k < tiles.length; k++) tiles[k] = eightBit(colour[k]);
+    // What rays give is rounded in files, tiles are not: one that the switches leave as it was keeps its byte.
+    for (let k = 0; k < tiles.length; k++) tiles[k] = colour[k] === trace.colour[k] ? trace.tiles[k] : eightBit(colour[k]);
     return { trace: { ...altered, colour, tiles }, scene: now };
   }
 
