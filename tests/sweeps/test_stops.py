@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from PIL import Image
 from tests.cases import cases
 
 from raywalk.pipeline.parts import trace_parts
-from raywalk.pipeline.sweeps import stop_parts, sweeps_here
+from raywalk.pipeline.sweeps import Tally, stop_parts, sweeps_chain, sweeps_here
 from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.model import Scene, Sweep
 from raywalk.scene.read import read_scene
@@ -27,8 +28,10 @@ from raywalk.trace_file.container import unpack
 from raywalk.trace_file.encode import encode
 from raywalk.trace_file.level import level_of
 from raywalk.work.digests import key_of
+from raywalk.work.explain import in_runs
+from raywalk.work.pool import Job
 from raywalk.work.progress import say_nothing
-from raywalk.work.store import Store
+from raywalk.work.store import Entry, Store
 
 # 165 = 3 * 5 * 11: it has both grids, and is traced in no time.
 SCENE = """\
@@ -129,6 +132,16 @@ across = { varies = "objects.ball.center.2", values = [-0.5, 0] }
 name = "points"
 varies = "lights.panel.samples"
 values = [[1, 1], [2, 1], [2, 2]]
+
+[[sweeps]]
+name = "paint"
+varies = "objects.floor.material.diffuse"
+values = [[0.8, 0.4, 0.2], [0.1, 0.4, 0.9]]
+
+[[sweeps]]
+name = "floor"
+varies = "objects.floor.point.1"
+values = [-1, -2]
 """
 # The scene without its own field of view has 45 degrees all the same; a sweep wants it written.
 WITH_SWEEPS = SCENE.replace("target = [0, 0, 0]", "target = [0, 0, 0]\nfov = 45", 1) + SWEEPS
@@ -147,7 +160,7 @@ def swept_scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
 
 STOPS = {
     "lamp height": 3, "refraction": 3, "turn": 2, "bounces": 3, "zoom": 2, "round": 2, "place": 4,
-    "points": 3,
+    "points": 3, "paint": 2, "floor": 2,
 }  # fmt: skip
 EACH_STOP = [(sweep, stop) for sweep, stops in STOPS.items() for stop in range(stops)]
 FEW = [
@@ -157,6 +170,8 @@ FEW = [
     ("round", 1),
     ("place", 1),
     ("points", 2),
+    ("paint", 1),
+    ("floor", 1),
 ]
 
 
@@ -191,6 +206,8 @@ def scene_at(sweep: Sweep, stop: int, folder: Path) -> Scene:
         "zoom": ("fov = 45", f"fov = {said}"),
         "round": ("eye = [0, 0, 5]", f"eye = {places.get(value)}"),
         "points": ("samples = [2, 1]", f"samples = {said}"),
+        "paint": ("diffuse = [0.8, 0.4, 0.2]", f"diffuse = {said}"),
+        "floor": ("point = [0, -1, 0]", f"point = [0, {said}, 0]"),
         "place": ("center = [0, 0.5, 0]", f"center = [{said}, 0.5, {rows.get(stop // 2)}]"),
     }[sweep.name]
     text = WITH_SWEEPS.split("[[sweeps]]")[0]
@@ -200,7 +217,7 @@ def scene_at(sweep: Sweep, stop: int, folder: Path) -> Scene:
 
 def test_the_scenes_own_value_is_one_of_the_stops(swept: Scene) -> None:
     """That stop's trace is the scene's own, which is not made from other parts."""
-    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1, 0, 2, 1]
+    assert [each.own for each in swept.sweeps] == [2, 1, 0, 2, 1, 0, 2, 1, 0, 0]
     for sweep in swept.sweeps:
         own = sweep.stops[sweep.own]
         assert trace_parts(own)["scene"] == trace_parts(swept)["scene"]
@@ -224,28 +241,61 @@ def test_differences_become_whole_again_and_are_never_longer(rng: np.random.Gene
         assert len(json.dumps(each)) <= len(json.dumps({"whole": table}))
 
 
-def test_only_stops_whose_value_changed_are_traced_again(tmp_path: Path) -> None:
-    """Another last stop: the others are kept, and so is the scene's trace."""
-    store = Store(tmp_path / "work")
+def explained(store: Store, scene: Scene, entry: Entry) -> tuple[list[str], list[int], Tally]:
+    """What a build that explains itself says of a scene's sweeps; of each how many stops it traced,
+    counted where they are; and what it tells of them at its end."""
+    tally, told, counts = Tally(), [], []
+    chain, done = sweeps_chain(store, scene, entry, tally), None
+    with suppress(StopIteration):
+        while True:
+            said = chain.send(done)
+            if isinstance(said, str):
+                told.append(said)
+            done = None
+            if isinstance(said, Job):
+                before = set(store.folder.iterdir())
+                done = said.work(said.task, 2, say_nothing)
+                counts.append(len(set(store.folder.iterdir()) - before))
+    return told, counts, tally
+
+
+def test_only_stops_whose_value_changed_are_traced_again_and_explained(tmp_path: Path) -> None:
+    """Another last stop, and later another in the middle: the others are kept, and so is the
+    scene's trace."""
+    store = Store(tmp_path / "work", True)
     text = WITH_SWEEPS.split('\n[[sweeps]]\nname = "refraction"')[0]
 
-    def built(text: str) -> tuple[dict[str, bool], str]:
+    def built(text: str) -> tuple[list[str], list[int], str]:
         scene = scene_of(text, tmp_path / "02-test")
-        [sweep] = scene.sweeps
-        before = {key_of(stop_parts(each, sweep)): False for each in sweep.stops}
-        before = {key: store.find(key) is not None for key in before}
         parts = trace_parts(scene)
         trace_into(store, {scene.id: parts}, scene, 2, say_nothing)
-        sweeps_here(store, scene, store.get(key_of(parts)))
-        return before, key_of(parts)
+        told, counts, tally = explained(store, scene, store.get(key_of(parts)))
+        return [*told, key_of(parts)], counts, tally.told()
 
-    first, trace = built(text)
     steps = "from = [-2, 1, 2]\nto = [-2, 3, 2]\nstops = 3"
-    listed = "values = [[-2, 3, 2], [-2, 2, 2], [-2, 0.5, 2]]"
-    second, again = built(text.replace(steps, listed))
-    assert not any(first.values())
-    assert list(second.values()) == [True, True, False]
-    assert trace == again
+    first = built(text)
+    listed = text.replace(steps, "values = [[-2, 3, 2], [-2, 2, 2], [-2, 0.5, 2]]")
+    second = built(listed)
+    third = built(listed.replace("[-2, 2, 2]", "[-2, 2.25, 2]"))
+    again = built(listed)
+    assert [counts for _, counts, _ in (first, second, third, again)] == [[3], [1], [1], []]
+    assert second[2] == "3 stops: 1 traced, 2 unchanged"
+    assert again[2] == "3 stops: 0 traced, 3 unchanged"
+    assert {told[-1] for told, _, _ in (first, second, third, again)} == {first[0][-1]}
+    said = "\n".join(third[0])
+    assert '02-test: "lamp height": tracing 1 of 3 stops' in said
+    why = '02-test: stop 2 of "lamp height" made: lights[0].position [-2.0, '
+    assert why in said and "-> [-2.0, 2.25, 2.0]\n" in said
+    assert '02-test: stops 1, 3 of "lamp height" unchanged' in said
+    assert any(each.startswith("02-test: stop 1 of") and each.endswith("was never made before")
+               for each in first[0])  # fmt: skip
+    assert not any("stop" in each for each in again[0][:-1])
+
+
+def test_stops_are_told_in_runs() -> None:
+    assert [in_runs(each) for each in ([], [1], [1, 2], [1, 2, 3], [1, 2, 4, 6, 7, 8])] == [
+        "", "1", "1, 2", "1 to 3", "1, 2, 4, 6 to 8",
+    ]  # fmt: skip
 
 
 def test_what_is_published_holds_every_stops_bytes(tmp_path: Path) -> None:
@@ -268,7 +318,8 @@ def test_what_is_published_holds_every_stops_bytes(tmp_path: Path) -> None:
         assert set(moved[sweep.own]) == {"picture"}
         changed = {"lamp-height": "lights", "refraction": "materials", "turn": "objects",
                    "bounces": "depth", "zoom": "camera", "round": "camera",
-                   "place": "objects", "points": "lights"}[sweep.id]  # fmt: skip
+                   "place": "objects", "points": "lights", "paint": "materials",
+                   "floor": "objects"}[sweep.id]  # fmt: skip
         others = [set(each) for k, each in enumerate(moved) if k != sweep.own]
         assert all(each == {"picture", changed} for each in others)
 

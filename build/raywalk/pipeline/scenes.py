@@ -5,7 +5,7 @@ its pictures and data for pages; of its lesson what the viewer tells and the tra
 from __future__ import annotations
 
 from collections.abc import Generator, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -27,7 +27,7 @@ from raywalk.pipeline.slides import (
     last_decks,
     planned,
 )
-from raywalk.pipeline.sweeps import sweeps_chain
+from raywalk.pipeline.sweeps import Tally, sweeps_chain
 from raywalk.pipeline.tracing import Tracing, by_cost
 from raywalk.pipeline.worked import worked_chain
 from raywalk.scene.model import Scene
@@ -70,6 +70,7 @@ class Making:
     store: Store
     tracing: Tracing
     asking: Asking | None
+    stops: Tally = field(default_factory=Tally)
 
 
 def make_scenes(
@@ -119,7 +120,7 @@ def scene_chain(
     pictures = None if base else (yield from _page_pictures(making, scene, traced))
     picture = shown_picture(pictures.folder if pictures else folder, "picture")
     worked = yield from worked_chain(store, scene, traced)
-    sweeps = base.sweeps if base else (yield from sweeps_chain(store, scene, traced))
+    sweeps = base.sweeps if base else (yield from sweeps_chain(store, scene, traced, making.stops))
     made_sweeps = {id: each.folder for id, each in sweeps.items()}
     data = yield from _kept(
         store, page_data_parts(scene, name, picture, worked, sweeps),

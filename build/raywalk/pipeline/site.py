@@ -23,6 +23,7 @@ from raywalk.pipeline.tracing import Tracing
 from raywalk.scene.model import Scene
 from raywalk.scene.read import read_scenes
 from raywalk.scene.translation import Spoken, missing_translations, read_spoken
+from raywalk.scene.wording import counted
 from raywalk.site.assets import BundleError, bundle_viewer
 from raywalk.site.figures import left_out
 from raywalk.site.savings import as_table
@@ -104,9 +105,10 @@ def build(chosen: Namespace, site_source: Path) -> Generator[str | Message, None
         with phase("tidy up kept work"):
             store.prune(keep={entry.folder.name for entry in works.entries()})
     count, missing = len(own), len(tracing.missing)
+    scenes_told = f"{counted(count, 'scene')}: {missing} traced, {count - missing} unchanged"
     size = sum(path.stat().st_size for path in chosen.out.rglob("*") if path.is_file())
     return Built(
-        f"{count} scenes: {missing} traced, {count - missing} unchanged",
+        "; ".join(filter(None, [scenes_told, making.stops.told()])),
         [path for scene in scenes for obj in scene.objects for path in obj.files],
         {"scenes": count, "size": size, "remarks": notes},
     )

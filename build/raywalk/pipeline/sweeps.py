@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from raywalk.pipeline.parts import models_of, shut_for, silent
 from raywalk.scene.model import Scene, Sweep
+from raywalk.scene.wording import counted, quoted
 from raywalk.work.chains import Chain
 from raywalk.work.digests import key_of
+from raywalk.work.explain import in_runs
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.making import made, reasons
 from raywalk.work.pool import Job, Threads, cores
@@ -39,16 +42,34 @@ def sweep_parts(scene: Scene, sweep: Sweep, traced: Entry, stops: list[str]) -> 
     }  # fmt: skip
 
 
-def sweeps_chain(store: Store, scene: Scene, traced: Entry) -> Chain[dict[str, Entry]]:
+@dataclass
+class Tally:
+    """Stops of all sweeps of a build, and how many of them were traced by it."""
+
+    stops: int = 0
+    traced: int = 0
+
+    def told(self) -> str:
+        """For the end of a build; "" where nothing moves."""
+        unchanged = self.stops - self.traced
+        count = counted(self.stops, "stop")
+        return f"{count}: {self.traced} traced, {unchanged} unchanged" if self.stops else ""
+
+
+def sweeps_chain(
+    store: Store, scene: Scene, traced: Entry, tally: Tally | None = None
+) -> Chain[dict[str, Entry]]:
     """What is published of each sweep, by its id; only stops that nobody has traced are traced."""
-    found = {}
+    found, tally = {}, tally or Tally()
     for sweep in scene.sweeps:
         parts = [stop_parts(stop, sweep) for stop in sweep.stops]
         missing = [k for k, each in enumerate(parts) if not store.find(key_of(each))]
+        tally.stops += len(parts)
+        tally.traced += len(missing)
         if missing:
-            yield f'{scene.id}: "{sweep.name}": tracing {len(missing)} of {len(parts)} stops'
-            for k in missing:
-                yield from reasons(store, parts[k])
+            count = counted(len(parts), "stop")
+            yield f"{scene.id}: {quoted(sweep.name)}: tracing {len(missing)} of {count}"
+            yield from _explained(store, scene, sweep, parts, missing)
             wanted = [(sweep.stops[k], parts[k]) for k in missing]
             note((yield Job(scene.id, partial(_make_stops, store, sweep), wanted)))
         whole = sweep_parts(scene, sweep, traced, [key_of(each) for each in parts])
@@ -57,6 +78,17 @@ def sweeps_chain(store: Store, scene: Scene, traced: Entry) -> Chain[dict[str, E
         bare = replace(scene, lesson=(), sweeps=())
         found[sweep.id] = made(store, whole, partial(SWEEP, bare, sweep, traced.folder, stops))
     return found
+
+
+def _explained(
+    store: Store, scene: Scene, sweep: Sweep, parts: list[Parts], missing: list[int]
+) -> Iterator[str]:
+    """In a build that explains itself, which stops are traced and why, and which are not."""
+    for k in missing:
+        yield from reasons(store, parts[k], f"stop {k + 1} of {quoted(sweep.name)}")
+    if store.explains and (kept := [k + 1 for k in range(len(parts)) if k not in missing]):
+        stops = f"{'stop' if len(kept) == 1 else 'stops'} {in_runs(kept)}"
+        yield f"{scene.id}: {stops} of {quoted(sweep.name)} unchanged"
 
 
 def sweeps_here(store: Store, scene: Scene, traced: Entry) -> dict[str, Entry]:

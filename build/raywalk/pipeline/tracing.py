@@ -10,6 +10,7 @@ from typing import Any
 from raywalk.pipeline.cluster import run_on_cluster
 from raywalk.pipeline.trace_task import trace_into
 from raywalk.scene.model import Scene
+from raywalk.scene.wording import counted
 from raywalk.work.chains import Chain, run_chains
 from raywalk.work.digests import key_of
 from raywalk.work.maker import Parts
@@ -43,7 +44,7 @@ class Tracing:
             yield from reasons(self._store, self._parts[scene.id])
         if self.missing:
             where = f"the cluster {scheduler}" if scheduler else f"{cores()} cores"
-            yield f"tracing {len(self.missing)} of {len(self._keys)} scenes on {where}"
+            yield f"tracing {len(self.missing)} of {counted(len(self._keys), 'scene')} on {where}"
             yield Begin({scene.id: guessed_cost(scene) for scene in self.missing})
         if self.missing and scheduler:
             yield from self._on_cluster(scheduler)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 # Parts with names and values inside. Others are mostly keys of other work: only their names speak.
@@ -29,6 +29,26 @@ def why(before: Any, now: dict[str, Any], damage: str) -> str:
         ),
     ]
     return "; ".join(reasons) or "what was made from this was cleared away"
+
+
+def likest(before: Iterable[Any], now: dict[str, Any]) -> Any:
+    """Of what earlier work was made from, what differs least from this; None if there is none.
+
+    Of a scene there are many stops, and none of them is the one that was here before.
+    """
+    return min(before, key=lambda each: len([*_values_changed("", each, now)]), default=None)
+
+
+def in_runs(numbers: Iterable[int]) -> str:
+    """Ascending ones as a person tells them: 1, 2, 4 to 11."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    told = (f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs)
+    return ", ".join(told)
 
 
 def _listed(prefix: str, names: Iterator[str]) -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from raywalk.errors import UserError
 from raywalk.work.digests import digest_or_missing, key_of
-from raywalk.work.explain import why
+from raywalk.work.explain import likest, why
 from raywalk.work.maker import OURS, Parts
 from raywalk.work.store import Entry, Store, damage_of
 
@@ -31,13 +31,17 @@ def made(store: Store, parts: Parts, make: Callable[[Path], object]) -> Entry:
     return store.entry(key_of(parts), make_unless_edited, parts)
 
 
-def reasons(store: Store, parts: Parts) -> Iterator[str]:
-    """Why a piece of work will be made, in a build that explains itself; nothing if it is there."""
+def reasons(store: Store, parts: Parts, called: str = "") -> Iterator[str]:
+    """Why a piece of work will be made, in a build that explains itself; nothing if it is there.
+
+    called: what it is to a person, where a scene has many of its kind.
+    """
     key = key_of(parts)
     if store.explains and not store.find(key):
-        before = store.newest(parts["what"], parts["of"])
+        what, of = parts["what"], parts["of"]
+        before = likest(store.all_of(what, of), parts) if called else store.newest(what, of)
         because = why(before, parts, damage_of(store.folder / key) or "")
-        yield f"{parts['of']}: {parts['what']} made: {because}"
+        yield f"{of}: {called or what} made: {because}"
 
 
 def refuse_edited(parts: Parts) -> None:

@@ -14,6 +14,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -83,6 +84,12 @@ class Store:
     def newest(self, what: str, of: str) -> Any:
         """What the newest entry of this kind and name was made from; None if there is none."""
         return self.newest_of(what).get(of)
+
+    def all_of(self, what: str, of: str) -> list[Any]:
+        """What each entry of this kind and name was made from, the one used last first."""
+        found = [(_used(place), _made_from(place)) for place in self._places()]
+        alike = [each for each in found if (each[1].get("what"), each[1].get("of")) == (what, of)]
+        return [made_from for _, made_from in sorted(alike, key=itemgetter(0), reverse=True)]
 
     def newest_of(self, what: str) -> dict[str, Any]:
         """The same of every name of a kind: one look at the store, which may hold thousands."""
