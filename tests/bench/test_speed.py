@@ -16,6 +16,8 @@ from raywalk.bench.speed_many import write_scenes
 from raywalk.bench.speed_primitives import primitive_cases
 from raywalk.bench.speed_rebuild import rebuild_cases, turned, with_red, with_words
 from raywalk.bench.speed_skips import SKIPS, measured, quarter, skip_cases
+from raywalk.bench.speed_sweeps import as_table as sweep_table
+from raywalk.bench.speed_sweeps import sweep_cases
 from raywalk.bench.speed_triangles import Fineness, triangle_cases, triangles
 from raywalk.commands.bench import PARTS
 from raywalk.scene.read import read_scene, read_scenes
@@ -61,6 +63,16 @@ def test_the_scenes_that_are_built_by_the_dozen_are_in_order_and_all_different(t
     write_scenes(tmp_path, 3)
     radii = {scene.objects[0].shape.radius for scene in read_scenes(tmp_path)}
     assert len(radii) == 3
+
+
+def test_what_stops_cost_is_a_share_of_their_scenes_and_can_break_its_bound():
+    """All scenes together are held to it, with their traces' own time in both."""
+    cheap = {"scene": "a", "stops": 9, "trace": 3.0, "sweeps": 3.0}
+    dear = {"scene": "b", "stops": 30, "trace": 1.0, "sweeps": 6.0}
+    assert [each.measured for each in sweep_cases([cheap, dear], 0)] == [13 / 4]
+    assert [each.holds for each in sweep_cases([cheap, dear], 0)] == [True]
+    assert [each.holds for each in sweep_cases([dear], 0)] == [False]
+    assert [*sweep_table([dear])] == ["  b: 7.00 times with 30 stops"]
 
 
 def test_every_part_of_the_bench_can_be_measured_alone():

@@ -19,6 +19,7 @@ from raywalk.bench import (
     speed_primitives,
     speed_rebuild,
     speed_skips,
+    speed_sweeps,
     speed_triangles,
 )
 from raywalk.bench.cases import Case
@@ -100,6 +101,11 @@ PARTS = {
     "memory": Part("Peak memory of making a scene", _memory, speed_memory.memory_cases),
     "many": Part(
         "Many scenes beside few", lambda c: speed_many.many(), speed_many.many_cases
+    ),
+    "sweeps": Part(
+        "Scenes with all stops of their sweeps, over the same scenes without",
+        lambda c: speed_sweeps.sweeps(read_own_scenes(c.scenes)[: 2 if c.quick else None]),
+        speed_sweeps.sweep_cases, speed_sweeps.as_table,
     ),
     "triangles": Part(
         "Time a ray over the triangles of a mesh",

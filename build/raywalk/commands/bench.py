@@ -10,7 +10,7 @@ from typing import Any
 SEED = 20_260
 PARTS = (
     "skips", "floor", "cores", "memory", "many", "triangles", "primitives", "counters", "cluster",
-    "look", "rebuild", "mistakes", "check",
+    "look", "rebuild", "sweeps", "mistakes", "check",
 )  # fmt: skip
 MISTAKES = "mistakes"  # which the page has a section of, measured with the rest or by itself
 
