@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +22,8 @@ from raywalk.stops.process import Stops
 from raywalk.work.store import Store
 
 Result = TypeVar("Result")
+STOPS = Stops()  # one node process for all of these tests: to start it takes longer than to ask
+atexit.register(STOPS.__exit__, None, None, None)
 
 BALLS = """
 version = 1
@@ -85,9 +88,8 @@ class Made:
 
     def sources(self, aspect: str = "16:9") -> Sources:
         """As `raywalk slides` has them."""
-        with Stops() as stops:
-            source = last(traced(self.store, self.scene))
-            [plan] = last(plans_of(self.store, stops, [source], LAYOUTS[aspect]))
+        source = last(traced(self.store, self.scene))
+        [plan] = last(plans_of(self.store, STOPS, [source], LAYOUTS[aspect]))
         return sources_of(plan)
 
     def lesson(self, aspect: str = "16:9") -> Lesson:

@@ -34,7 +34,7 @@ from raywalk.words.catalogue import DEFAULT
 from raywalk.work.pool import Workers
 from raywalk.work.store import Store
 
-from .conftest import last
+from .conftest import STOPS, last
 
 ROOT = Path(__file__).parent.parent.parent
 #: What the others share most with: German has the longer words, 4:3 the narrower lines.
@@ -89,19 +89,18 @@ def _course_decks() -> list[CourseDeck]:
             filled_lessons(store, in_all_languages(read_scenes(ROOT / "scenes")), workers)
         )
     decks = []
-    with Stops() as stops:
-        for number, each in enumerate(spoken[DEFAULT]):
-            source = last(traced(store, each.scene))
-            sources = [
-                replace(source, scene=scene, language=code)
-                for code, scene in translated(each.scene, spoken).items()
-            ]
-            plans = last(plans_of(store, stops, sources))
-            for plan, of in zip(plans, sources, strict=True):
-                decks += [
-                    _deck(stops, plan, of, layout) for layout in LAYOUTS.values()
-                    if _is_asked(number, of.scene.id, (plan.language, layout.name))
-                ]  # fmt: skip
+    for number, each in enumerate(spoken[DEFAULT]):
+        source = last(traced(store, each.scene))
+        sources = [
+            replace(source, scene=scene, language=code)
+            for code, scene in translated(each.scene, spoken).items()
+        ]
+        plans = last(plans_of(store, STOPS, sources))
+        for plan, of in zip(plans, sources, strict=True):
+            decks += [
+                _deck(STOPS, plan, of, layout) for layout in LAYOUTS.values()
+                if _is_asked(number, of.scene.id, (plan.language, layout.name))
+            ]  # fmt: skip
     return decks
 
 

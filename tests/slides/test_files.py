@@ -22,21 +22,31 @@ from raywalk.slides.pdf import deck_pdf
 from raywalk.slides.pptx import deck_pptx
 from raywalk.trace.pixel_tree import pixel_tree
 
+from .conftest import Made
+
 MIRROR = "The mirror sends the ray on."
 
 
-def test_twice_made_is_the_same_to_the_byte(balls):
+@pytest.fixture(scope="module")
+def files(balls) -> dict[str, bytes]:
+    """Of one lesson, in all formats."""
+    return files_of(balls)
+
+
+def files_of(made: Made) -> dict[str, bytes]:
+    return dict(deck_files(made.deck(), FORMATS, None, made.lesson()))
+
+
+def test_twice_made_is_the_same_to_the_byte(balls, files):
     """Nothing of the clock, of random numbers or of an order by chance."""
-    first, second = (
-        dict(deck_files(balls.deck(), FORMATS, None, balls.lesson())) for _ in range(2)
-    )
+    first, second = files, files_of(balls)
     assert sorted(first) == sorted(second)
     assert [name for name in first if first[name] != second[name]] == []
 
 
-def test_no_file_is_over_a_megabyte(balls):
+def test_no_file_is_over_a_megabyte(files):
     """A lesson can be sent by mail."""
-    for name, data in deck_files(balls.deck(), FORMATS, None, balls.lesson()):
+    for name, data in files.items():
         assert len(data) < 1_000_000, name
 
 
