@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -112,6 +112,7 @@ def _placed(obj: SceneObject, shape: Mesh, cleaned: Cleaned) -> Triangles:
     )
 
 
+@lru_cache(2)  # a mesh that moves is placed anew at each stop of a sweep, and is smooth before that
 def _subdivided(cleaned: Cleaned, rounds: int) -> tuple[np.ndarray, np.ndarray]:
     """By Loop's scheme, shell by shell: at a corner where two touch neither pulls at the other."""
     import trimesh  # only here: reading needs none of it
