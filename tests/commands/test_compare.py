@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -16,6 +18,7 @@ from raywalk.__main__ import main
 from raywalk.mistakes.habits import Habits
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.read import read_scene
+from raywalk.stops.process import Stops
 
 ROOT = Path(__file__).parents[2]
 SCENE = read_scene(ROOT / "scenes" / "03-two-lights")
@@ -41,10 +44,20 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made
 
 
+@pytest.fixture(scope="module")
+def node() -> Iterator[Stops]:
+    """Answers all commands that run in this process: to start it takes longer than to ask."""
+    with Stops(ROOT / "site_src" / "check.mjs") as node:
+        yield node
+
+
 @pytest.fixture
-def compared(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+def compared(
+    node: Stops, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Callable[..., subprocess.CompletedProcess[str]]:
     """A function: the command here, as if it were a process of its own."""
     monkeypatch.chdir(ROOT)
+    monkeypatch.setattr("raywalk.stops.process.Stops", lambda script: nullcontext(node))
 
     def run(*words: str | Path) -> subprocess.CompletedProcess[str]:
         code = main(["compare", *map(str, words)])

@@ -29,7 +29,7 @@ for (const where of ["a disk", "a server, in a folder"]) {
     after(() => page.close());
     /** Where the stage itself is asked about: drawn as most see it. */
     const onStage = async (hash) => {
-      const stage = await newPage(browser, { sharp: true });
+      const stage = await newPage(browser, { sharp: true, viewport: { width: 820, height: 560 } }); // what is drawn costs by its pixels
       await open(stage, base(), rich.path, hash);
       return stage;
     };
