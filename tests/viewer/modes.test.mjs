@@ -14,7 +14,7 @@ const START = "still=1&gl=none&n=15&p=5,8";
 let browser, page;
 before(async () => {
   browser = await launch();
-  page = await newPage(browser, { sharp: true });
+  page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 700 } }); // what is drawn costs by its pixels
 });
 after(() => browser.close());
 const button = (name) => page.getByRole("button", { name });
