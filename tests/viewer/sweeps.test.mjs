@@ -139,6 +139,21 @@ test("a link to a stop opens there: tiles, picture, slider and its words are tha
   assert.match(page.url(), /sweep=lamp-height:3/);
 });
 
+test("in the traced look the picture over the stage is the stop's, also on the way to it, and the scene's own again", async () => {
+  await show(`sweep=${sweep.id}:3&look=traced&cam=camera&n=15`);
+  const picture = page.locator(".traced-picture img");
+  const shows = (file) => until(page, (s, t, [file]) => document.querySelector(".traced-picture img").src.endsWith(file), [file]);
+  await shows(`/${ID}/${sweep.id}/3.webp`);
+  await press(page, ">");
+  await at(4);
+  await shows(`/${ID}/${sweep.id}/4.webp`);
+  await slider().fill(String(sweep.own));
+  await at(sweep.own);
+  await shows(`/${ID}/${scene.picture}`);
+  assert.ok(await picture.evaluate((image) => image.decode().then(() => image.naturalWidth > 0)));
+  await show(`sweep=${sweep.id}:3&tiles=filled&p=9,8&n=15`);
+});
+
 test("keys, buttons and the slider go from stop to stop, and end at the last", async () => {
   await press(page, ">");
   await at(4);

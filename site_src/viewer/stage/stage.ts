@@ -49,13 +49,13 @@ export function createStage(acts: StageActs, withGl: boolean, over: () => readon
   const observerFor = (choice: ObserverChoice, { scene, switched, plane }: StageView) => observerOf(choice, { ...scene, camera: switched.camera }, plane, size.width / size.height);
 
   function draw(view: StageView) {
-    const { scene, plane, state, recombined } = view;
+    const { switched, plane, state, recombined } = view;
     const observer = observerFor(state.observer, view);
     const projection = createProjection(observer, size.width, size.height);
     drawn = { view, observer, projection };
     drawing.renderer().draw(drawn);
     const seen = state.look === "traced" && state.observer === "camera";
-    acts.traced(seen, redraw)?.show(seen ? scene : null, plane, projection, recombined, state.wipe);
+    acts.traced(seen, redraw)?.show(seen ? switched : null, plane, projection, recombined, state.wipe);
     labels.show(acts.marked(drawn, namesOf(drawn), redraw), size.width, size.height, clearOf(drawn, takenOn(root, over())), state.projector ? parseFloat(getComputedStyle(labels.element).fontSize) / 14 : 1);
     frames++;
   }

@@ -50,7 +50,7 @@ export function createTracedPicture(siteRoot: string, wipe: (share: number) => v
       root.hidden = !scene;
       if (!scene) return bar.show(null, 0);
       recombined.show(instead);
-      const source = `${siteRoot}scenes/${scene.of}/${scene.picture}`;
+      const source = `${siteRoot}scenes/${scene.of.replace(/ at [^/]*$/, "")}/${scene.picture}`; // of: with where it is between stops
       if (image.getAttribute("src") !== source) image.src = source;
       const [topLeft, , bottomRight] = planeCorners(plane).map(projection.project);
       const [left, top, width, height] = [topLeft.x, topLeft.y, bottomRight.x - topLeft.x, bottomRight.y - topLeft.y];
