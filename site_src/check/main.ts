@@ -4,7 +4,6 @@ export { check, wantsTiles } from "./check";
 export { compare } from "./compare";
 export { aboutOf, rightOf, sceneOf, stripsOf } from "./data";
 export { atlasOf } from "./atlas";
-export { readPng } from "./formats/png";
 export { pictureOrSentence, readPicture } from "./formats/read";
 export { sentenceOf } from "./formats/sentences";
 export { allScenesOf, otherScene, toldApartFromAfar } from "./other-scene";

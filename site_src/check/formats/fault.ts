@@ -9,9 +9,9 @@ export class PictureFault extends Error {
 }
 
 /** Refuses what a header claims before anything of that size is made. */
-export function checkSize(format: string, width: number, height: number, most = MOST_PIXELS_ALONG): void {
+export function checkSize(format: string, width: number, height: number): void {
   if (width === 0 || height === 0) throw new PictureFault("empty", { format, width, height });
-  if (Math.max(width, height) > most) throw new PictureFault("tooLarge", { format, width, height, most });
+  if (Math.max(width, height) > MOST_PIXELS_ALONG) throw new PictureFault("tooLarge", { format, width, height, most: MOST_PIXELS_ALONG });
 }
 
 /** Refuses a file that ends before what its header claims. */

@@ -5,7 +5,7 @@
 import { convertIndexedToRgb, decode } from "fast-png";
 import { Unzlib } from "fflate";
 import { checkSize, PictureFault } from "./fault";
-import { MOST_PIXELS_ALONG, pictureOf, type Picture } from "./picture";
+import { pictureOf, type Picture } from "./picture";
 
 const FORMAT = "PNG";
 const SIGNATURE = 8;
@@ -30,11 +30,10 @@ interface Header {
   isInterlaced: boolean;
 }
 
-/** most: pixels along; without end for files of our own, which are no bombs either. */
-export function readPng(bytes: Uint8Array, most = MOST_PIXELS_ALONG): Picture {
+export function readPng(bytes: Uint8Array): Picture {
   const chunks = chunksOf(bytes);
-  const header = headerOf(chunks[0], most);
-  if (most < Infinity) checkUnpacked(header, chunks);
+  const header = headerOf(chunks[0]);
+  checkUnpacked(header, chunks);
   let decoded: ReturnType<typeof decode>;
   try {
     decoded = decode(joined([bytes.subarray(0, SIGNATURE), ...chunks.map(({ whole }) => whole)]), { checkCrc: true });
@@ -62,11 +61,11 @@ function* walked(bytes: Uint8Array): Generator<Chunk> {
 
 const chunksOf = (bytes: Uint8Array) => [...walked(bytes)].filter(({ type }) => KEPT.has(type));
 
-function headerOf({ type, data }: Chunk, most: number): Header {
+function headerOf({ type, data }: Chunk): Header {
   if (type !== "IHDR" || data.length !== 13) throw new PictureFault("header", { format: FORMAT, what: "it does not begin with IHDR" });
   const view = new DataView(data.buffer, data.byteOffset, data.length);
   const [width, height, depth, kind] = [view.getUint32(0), view.getUint32(4), data[8], data[9]];
-  checkSize(FORMAT, width, height, most);
+  checkSize(FORMAT, width, height);
   const channels = CHANNELS[kind];
   if (!channels || ![1, 2, 4, 8, 16].includes(depth)) throw new PictureFault("header", { format: FORMAT, what: `there is no colour type ${kind} with ${depth} bits` });
   const header = { width, height, depth, channels, isIndexed: kind === 3, isInterlaced: data[12] === 1 };
