@@ -19,11 +19,10 @@ from raywalk.geometry.compiled import Hits
 from raywalk.geometry.roots import NOWHERE
 from raywalk.optics.shade import towards_lights
 from raywalk.scene.model import Scene
-from raywalk.trace.bounce import Bounced
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import kept_pixels, record
 from raywalk.trace.shadows import Cast, shadow_rays
-from raywalk.trace.wave import Wave
+from raywalk.trace.wave import Met, Wave
 from raywalk.trace.wavefront import STRIP, Tracer, eight_bit
 
 STRIPS = 6  # of a picture's 82, spread evenly
@@ -102,8 +101,8 @@ def _all_highlights(scene: Scene) -> Tracer:
 class _Shooting(Tracer):
     """Shoots the shadow rays that a scene without shadows does not need."""
 
-    def _wave(self, shot: Bounced, met: Hits | None = None) -> Wave:
-        wave = super()._wave(shot, met)
+    def lit(self, met: Met) -> Wave:
+        wave = super().lit(met)
         lit = np.flatnonzero(wave.lighting.local_weight > 0.0)
         if len(lit):
             self._shoot(wave.hits, lit)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
@@ -110,11 +111,15 @@ def _make_stops(
 ) -> Spent:  # fmt: skip
     # Only where something is traced: a change of words imports no compiler.
     from raywalk.optics.compiling import seconds_spent
+    from raywalk.trace.relighting import KnownPaths, unlit
 
     stages = Stages("compiling kernels", seconds_spent)
     of = sweep.resolutions, sweep.picture
+    paths = [key_of({"paths": silent(unlit(stop))}) for stop, _ in wanted]
+    # Kept only where another stop lights them again.
+    known = {each: KnownPaths() for each, count in Counter(paths).items() if count > 1}
     for k, (stop, parts) in enumerate(wanted):
-        made(store, parts, partial(STOP, stop, *of, threads=threads))
+        made(store, parts, partial(STOP, stop, *of, threads=threads, known=known.get(paths[k])))
         report("stops", (k + 1) / len(wanted))
     return stages.spent("stops of sweeps")
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from raywalk.scene.model import Scene
 from raywalk.trace.plan import LEAST_SHARE
+from raywalk.trace.relighting import KnownPaths
 from raywalk.trace.tree import level_pixels
 from raywalk.trace.wavefront import Threads, Tracer, trace_coarse
 from raywalk.trace_file.container import pack_texts, write_beside
@@ -18,11 +19,13 @@ METHOD = 2
 
 
 def write_stop(
-    scene: Scene, resolutions: tuple[int, ...], side: int, folder: Path, threads: Threads
-) -> None:
+    scene: Scene, resolutions: tuple[int, ...], side: int, folder: Path, threads: Threads,
+    known: KnownPaths | None = None,
+) -> None:  # fmt: skip
     """<n>.json.gz of each resolution, byte for byte those of the scene's own trace;
-    picture.webp: pixels of its picture, side x side."""
-    traced = trace_coarse(Tracer(scene, least_share=LEAST_SHARE), resolutions, side, threads)
+    picture.webp: pixels of its picture, side x side. known: of stops that differ in light."""
+    tracer = Tracer(scene, least_share=LEAST_SHARE, known=known)
+    traced = trace_coarse(tracer, resolutions, side, threads)
     for n in resolutions:
         level = level_of(traced.tree, n)
         write_beside(folder / f"{n}.json.gz", pack_texts(encode(level, scene, traced.picture)))

@@ -57,8 +57,8 @@ def write_bounces(scene: Scene, folder: Path) -> None:
         pixels = np.arange(first, min(first + STRIP, size * size))
         who = np.arange(len(pixels))
         rays = tracer.camera_rays(pixels, size, size)
-        for bounces, wave in enumerate(tracer.each_wave(rays, tracer.eye_media)):
-            who = who[wave.parent] if bounces else who
+        for bounces, met in enumerate(tracer.each_met(rays, tracer.eye_media)):
+            who = who[met.shot.parent] if bounces else who
             counts[bounces] += len(np.unique(who))
     reached = counts[: np.flatnonzero(counts)[-1] + 1].tolist()
     (folder / FIGURES).write_text(json.dumps(reached), encoding="utf-8")

@@ -11,6 +11,7 @@ import numpy as np
 
 from raywalk.geometry.compiled import Hits, Rays
 from raywalk.optics.compiled import kernel
+from raywalk.trace.bounce import Bounced
 
 
 class Lighting(NamedTuple):
@@ -25,6 +26,13 @@ class Lighting(NamedTuple):
     local: np.ndarray  # (n, 3)
     local_weight: np.ndarray  # (n,)
     base: np.ndarray | None  # (n, 3), None where no object has a base colour
+
+
+class Met(NamedTuple):
+    """The rays of one depth and what they hit, before any light."""
+
+    shot: Bounced  # its `faint`: rays that these do not send on
+    hits: Hits
 
 
 @dataclass(eq=False)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TypeVar
@@ -30,10 +30,11 @@ from raywalk.trace.lighting import light_hits
 from raywalk.trace.media import stack_width, stacks_holding
 from raywalk.trace.plan import LEAST_SHARE, Plan, plan_of
 from raywalk.trace.record import Recorded, Recording, assemble, kept_pixels
+from raywalk.trace.relighting import KnownPaths
 from raywalk.trace.tables import compile_lights, compile_materials
 from raywalk.trace.tally import Tally
 from raywalk.trace.tree import Kind, RayTree, level_pixels
-from raywalk.trace.wave import Wave, gather
+from raywalk.trace.wave import Met, Wave, gather
 
 Result = TypeVar("Result")
 # How many; if asked each time, threads join in when other scenes are done with their cores.
@@ -64,10 +65,13 @@ class Tracer:
         depth: int | None = None,
         least_share: float = 0.0,
         plan: Plan | None = None,
+        known: KnownPaths | None = None,
     ):
+        """known: of scenes that differ from it in nothing but light (`trace/relighting.py`)."""
         self.scene = scene
         self.plan = plan or plan_of(scene, depth)
         self.least_share = least_share
+        self.known = known
         self.compiled = CompiledScene(scene)
         self.materials = compile_materials(scene)
         self.lights = compile_lights(scene)
@@ -107,19 +111,30 @@ class Tracer:
     def each_wave(self, first: Rays, media: list[int], met: Hits | None = None) -> Iterator[Wave]:
         """Their waves, one after the other, of which only the last is held: their colours are yet
         to be gathered."""
-        last = self._wave(self._shot(first, media), met)
+        return map(self.lit, self.each_met(first, media, met))
+
+    def each_met(self, first: Rays, media: list[int], met: Hits | None = None) -> Iterator[Met]:
+        """The rays of each wave and what they hit, of which no light changes anything."""
+        shot, hits = self._shot(first, media), met or self.compiled.hits(first)
         for _ in range(self.plan.depth):
-            bounced = bounce(
-                self.compiled, self.materials, self.ior_of, last.rays, last.hits, last.media,
-                last.share, self.least_share,
+            onward = bounce(
+                self.compiled, self.materials, self.ior_of, shot.rays, hits, shot.media,
+                shot.share, self.least_share,
             )  # fmt: skip
-            last.faint = bounced.faint
-            if not len(bounced.parent):
-                break
-            yield last
-            last = self._wave(bounced)
-            last.faint = 0  # of what comes next, where anything may
-        yield last
+            yield Met(shot._replace(faint=onward.faint), hits)
+            if not len(onward.parent):
+                return
+            shot, hits = onward, self.compiled.hits(onward.rays)
+        yield Met(shot._replace(faint=0), hits)  # nothing is sent on, however bright
+
+    def met_through(self, pixels: np.ndarray) -> Iterable[Met]:
+        """Of the rays through these pixels (n,) of the scene's picture; met before, if known."""
+        size = self.scene.render.size
+
+        def followed() -> Iterator[Met]:
+            return self.each_met(self.camera_rays(pixels, size, size), self.eye_media)
+
+        return self.known.through(pixels, followed) if self.known else followed()
 
     def _shot(self, rays: Rays, media: list[int]) -> Bounced:
         count = len(rays.origin)
@@ -133,11 +148,11 @@ class Tracer:
             faint=0,
         )
 
-    def _wave(self, shot: Bounced, met: Hits | None = None) -> Wave:
-        rays: Rays = shot.rays
-        hits = met or self.compiled.hits(rays)
+    def lit(self, met: Met) -> Wave:
+        """A wave's rays with the light of this scene."""
+        shot, hits = met
         lighting = light_hits(
-            self.scene, self.compiled, self.materials, self.lights, rays, hits, self.plan
+            self.scene, self.compiled, self.materials, self.lights, shot.rays, hits, self.plan
         )
         colour = lighting.local_weight[:, None] * lighting.local
         colour[hits.object == NOWHERE] = self.scene.background
@@ -237,9 +252,8 @@ def trace_strip(
 ) -> tuple[np.ndarray, Recorded | None, Tally]:
     """8-bit colours (n, 3) of these pixels of the scene's picture, the rays of those that are kept
     (size * size,), and what was done."""
-    size = tracer.scene.render.size
     recording, brought = Recording(tracer, pixels, kept), []
-    for wave in tracer.each_wave(tracer.camera_rays(pixels, size, size), tracer.eye_media):
+    for wave in map(tracer.lit, tracer.met_through(pixels)):
         recording.add(wave)
         brought.append(wave.brings())
     gather(brought)
