@@ -10,9 +10,10 @@ from pathlib import Path
 from raywalk.bench.bench import beats, says
 from raywalk.bench.cases import Case
 from raywalk.bench.recognition import Tally, as_table, cases, lines
-from raywalk.bench.report import keep_bench, keep_mistakes, keep_stress
+from raywalk.bench.report import keep_bench, keep_mistakes, keep_stress, publish_page
 from raywalk.site.plots import front_of
 from raywalk.site.reports import publish_reports
+from raywalk.work.publish import staged
 
 TEMPLATES = Path("site_src/templates")
 ASSETS = {"style_css": "assets/style-0.css"}
@@ -73,6 +74,23 @@ def test_kept_figures_become_page_plots_and_json(tmp_path: Path) -> None:
         ElementTree.parse(out / f"benchmarks/{plot}.svg")
     kept = json.loads((out / "benchmarks/benchmarks.json").read_text(encoding="utf-8"))
     assert kept["bench"]["tasks"][0]["methods"][0]["name"] == "ours"
+
+
+def test_a_build_after_a_bench_replaces_the_page_that_the_bench_put_into_the_site(
+    tmp_path: Path,
+) -> None:
+    """It refused it as a file of somebody else's."""
+    work, out = tmp_path / "work", tmp_path / "dist"
+    with staged(out) as fresh:
+        (fresh / "assets").mkdir()
+        (fresh / "assets" / "style-0.css").write_text("")
+    keep_bench(work, report())
+    assert list(publish_page(work, out))
+    with staged(out) as fresh:
+        (fresh / "benchmarks").mkdir()
+        (fresh / "benchmarks" / "index.html").write_text("another")
+    assert [path.name for path in (out / "benchmarks").iterdir()] == ["index.html"]
+    assert not (out / "assets").exists()
 
 
 def named(work: Path) -> None:

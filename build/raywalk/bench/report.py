@@ -15,6 +15,7 @@ from raywalk.bench.cases import Case
 from raywalk.site.assets import named
 from raywalk.site.reports import FORMAT, REPORTS, publish_reports
 from raywalk.trace_file.container import write_beside
+from raywalk.work.ownership import mark_too
 
 SITE_SOURCE = Path("site_src")
 PACKAGES = ("numpy", "numba", "embreex", "trimesh", "mpmath", "mitsuba", "open3d")
@@ -41,8 +42,9 @@ def keep_mistakes(
 
 def publish_page(work: Path, out: Path) -> Iterator[str]:
     """Renders the kept reports into a site that is there or not; tells where."""
-    assets = {"style_css": _style_of(out)}
-    if publish_reports(out, SITE_SOURCE / "templates", assets, (), work):
+    style = _style_of(out)
+    if publish_reports(out, SITE_SOURCE / "templates", {"style_css": style}, (), work):
+        mark_too(out, [out / style, *(out / "benchmarks").iterdir()])
         yield f"page: {out.as_posix()}/benchmarks/index.html"
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import filecmp
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from raywalk.errors import SourceError, SourceErrors
@@ -58,7 +58,16 @@ def refuse_foreign(out: Path) -> None:
 
 def mark(site: Path) -> None:
     """Writes the list of all files that the site has now."""
-    names = [path.relative_to(site).as_posix() for path in _files(site)]
+    _list(site, [path.relative_to(site).as_posix() for path in _files(site)])
+
+
+def mark_too(site: Path, written: Iterable[Path]) -> None:
+    """Adds files to that list which came to a finished site: the next build replaces them."""
+    names = {path.relative_to(site).as_posix() for path in written if path.is_file()}
+    _list(site, sorted({*(_listed(site) or ()), *names}))
+
+
+def _list(site: Path, names: Iterable[str]) -> None:
     (site / MARKER).write_text("\n".join([SAYS, *names, ""]), encoding="utf-8")
 
 
