@@ -263,13 +263,6 @@ test("by keyboard alone: a scene, a file, what is found, another picture", async
   assert.ok(!(await page.locator("#found").isVisible()));
 });
 
-test("a scene's data come while a file is being chosen", async () => {
-  await visit("#scene=04-one-bounce");
-  const [atlas, chooser] = [page.waitForRequest(/04-one-bounce\/atlas\.js$/), page.waitForEvent("filechooser")];
-  await page.locator(".check-choose").click();
-  await Promise.all([atlas, chooser]);
-});
-
 test("another scene checks the same picture again", async () => {
   await visit("#scene=01-shading");
   const { found } = await drop(pngOf(await rightPicture("02-shadows", 256)));
@@ -307,6 +300,30 @@ test("the page knows its name in a scene's menu, and no request left the site", 
   const { href } = await page.goto(`${ON_DISK}scenes/02-shadows/index.html`).then(() => page.locator(".to-check").evaluate(({ href }) => ({ href })));
   assert.match(href, /\/check\/index\.html#scene=02-shadows$/);
   assert.deepEqual(page.faults, []);
+});
+
+test("a scene's data come while the page rests; where bytes are saved, when a file is looked for", async () => {
+  const saving = await newPage(browser);
+  await saving.addInitScript(() => Object.defineProperty(Navigator.prototype, "connection", { get: () => ({ saveData: true }) }));
+  for (const each of [page, saving]) {
+    const asked = [];
+    const listen = (request) => asked.push(request.url().split("/").at(-1));
+    each.on("request", listen);
+    const atlas = () => each.waitForRequest(/02-shadows\/atlas\.js/, { timeout: PATIENCE });
+    const come = each === page && atlas();
+    await each.goto("about:blank");
+    await each.goto(`${ON_DISK}check/index.html#scene=02-shadows`);
+    await each.locator("#sizes:not(:empty)").waitFor({ state: "attached" });
+    if (each === saving) {
+      await each.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(() => requestAnimationFrame(done)))));
+      assert.deepEqual(asked.filter((name) => /^(atlas|places)/.test(name)), []);
+      await Promise.all([atlas(), each.waitForEvent("filechooser"), each.locator(".check-choose").click()]);
+    }
+    await come;
+    each.off("request", listen);
+    assert.deepEqual(each.faults, []);
+  }
+  await saving.close();
 });
 
 test("a kiosk has no link to it: nobody brings a picture there", async () => {

@@ -90,16 +90,22 @@ async function given(name: string, bytes: Uint8Array) {
   await checkLast();
 }
 
+const idle = () => new Promise((done) => (window.requestIdleCallback ?? setTimeout)(done));
+/** ms; who gives a file as soon as the page is there does not wait for the engine to be through. */
+const PAUSE = 1000;
 let isUsed = false;
-/** A scene's data are here, and the engine has been through all that recognises, which takes it twice as long the first time. */
-async function prepared() {
+/** Loading and preparing takes longer than a check: it is done while a person looks for the file, or reads. The engine has been through
+ *  all that recognises then, which takes it twice as long the first time. What fails is told when it is wanted. */
+async function prepare(pause: number) {
   const { about, recogniser } = await files.scene(chosenScene().id);
-  const [wrong, right] = isUsed ? [] : [recogniser?.pictureOf(about.mistakes[0]?.name), recogniser?.right];
+  await new Promise((done) => setTimeout(done, pause));
+  const [wrong, right] = isUsed || turn ? [] : [recogniser?.pictureOf(about.mistakes[0]?.name), recogniser?.right];
   if (!recogniser || !wrong || !right) return;
   isUsed = true;
   const of = (values: Uint8Array) => pictureOf(about.grid, about.grid, values);
   recogniser.recognise(of(wrong), of(right));
 }
+const prepared = (pause = 0) => void prepare(pause).catch(() => {});
 
 /** The report that one comes back to, where it was left. */
 async function shownAgain() {
@@ -112,19 +118,16 @@ async function shownAgain() {
 /** #scene=02-shadows, as a scene's page links here. */
 const followAddress = () => choose(readAddress(location.hash).scene);
 followAddress();
-const sizes = () => void showSizes(files, chosenScene().id).catch(() => tell(say("check.missing")));
+/** Who pays by the byte has a scene's data when a file is looked for. */
+const mayLoad = () => !(navigator as { connection?: { saveData?: boolean } }).connection?.saveData;
+const sizes = () => void showSizes(files, chosenScene().id).then(idle).then(() => mayLoad() && prepared(PAUSE)).catch(() => tell(say("check.missing")));
 sizes();
 function chosenAnew() {
   history.replaceState(null, "", addressOf(chosenScene().id, false));
   sizes();
   void checkLast().catch(failing);
 }
-listenToAsked(
-  (file) => void file.arrayBuffer().then((bytes) => given(file.name, new Uint8Array(bytes))).catch(failing),
-  chosenAnew,
-  // Loading and preparing takes longer than a check: it is done while a person looks for the file. What fails is told when it is wanted.
-  () => void prepared().catch(() => {}),
-);
+listenToAsked((file) => void file.arrayBuffer().then((bytes) => given(file.name, new Uint8Array(bytes))).catch(failing), chosenAnew, () => prepared());
 window.addEventListener("hashchange", () => {
   followAddress();
   sizes();
