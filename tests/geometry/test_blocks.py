@@ -126,7 +126,7 @@ def test_a_mark_is_left_out_just_where_a_ray_passes_by(rng: np.random.Generator)
         block,
         origin,
         direction,
-        np.full(size, NOWHERE),
+        np.full(size, NOWHERE, np.int32),
         np.zeros(size, bool),
         np.full(size, np.inf),
         0,
@@ -156,7 +156,7 @@ def groups_near(origin, direction, centre, reach):  # type: ignore[no-untyped-de
     """Of each sphere, whether the cone of the first group of rays may meet it."""
     block, cones, near = np.empty(BLOCK_SIZE), np.empty(CONES), np.empty(GROUPS, np.uint8)
     count, out = origin.shape[0], np.empty(centre.shape[0], np.bool_)
-    nowhere, far = np.full(count, NOWHERE), np.full(count, np.inf)
+    nowhere, far = np.full(count, NOWHERE, np.int32), np.full(count, np.inf)
     fill_block(block, origin, direction, nowhere, np.zeros(count, np.bool_), far, 0, count)
     find_cones(block, cones)
     for k in range(centre.shape[0]):

@@ -70,6 +70,8 @@ def rows_of(columns: Iterable[np.ndarray], chosen: np.ndarray) -> Iterator[np.nd
 def rays_from(origin: np.ndarray, direction: np.ndarray) -> Rays:
     """Rays that start in free space, such as camera rays."""
     count = len(origin)
+    # Whole numbers or another layout in memory: numba would compile every kernel anew for them.
+    origin, direction = (np.ascontiguousarray(each, float) for each in (origin, direction))
     nowhere = np.full(count, NOWHERE, np.int32)
     return Rays(origin, direction, nowhere, np.zeros(count, bool), nowhere.copy())
 
@@ -105,7 +107,7 @@ class CompiledScene:
         """
         t, met, triangle, uv = self._unrefined(rays, t_max)
         if t_max is None:
-            every = np.arange(len(t))
+            every = np.arange(len(t), dtype=np.int32)
             refine_roots(self.primitives, every, rays.origin, rays.direction, rays.leaving, t, met)
         return t, met, triangle, uv
 

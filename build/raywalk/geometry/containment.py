@@ -44,4 +44,5 @@ def winding_number(corners: np.ndarray, point: np.ndarray) -> float:
     from raywalk.geometry.mesh_sides import turns_round
 
     x, y, z = point.tolist()
-    return float(turns_round(corners, (x, y, z)))
+    # A read-only array, as trimesh gives, would have it compiled once more.
+    return float(turns_round(np.require(corners, float, "CW"), (x, y, z)))

@@ -56,7 +56,7 @@ def trusted_above(corners: np.ndarray, scale: float, bvh: Bvh) -> np.ndarray:
     """
     ab, bc, ca = (corners[:, (k + 1) % 3] - corners[:, k] for k in range(3))
     area = np.linalg.norm(np.cross(ab, ca), axis=1)
-    opposite = np.array([np.linalg.norm(edge, axis=1) for edge in (bc, ca, ab)]).T
+    opposite = np.stack([np.linalg.norm(edge, axis=1) for edge in (bc, ca, ab)], axis=1)
     border = BORDER * opposite / (scale * area[:, None])
     core, _ = _moved_edges(corners, -BORDER / scale)
     alone = np.flatnonzero(border.sum(axis=1) < 1.0)

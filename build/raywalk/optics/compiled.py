@@ -32,7 +32,8 @@ def lean(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
     """A kernel that is always copied into its callers: for the innermost loops, where handing
-    over a table of arrays costs several times the arithmetic done with it. Makes no array."""
+    over a table of arrays costs several times the arithmetic done with it, and where loops of a
+    known length fill vectors. Makes no array."""
     return _compiled(function, forceinline=True, counts=False)
 
 
@@ -44,7 +45,8 @@ def _compiled(
     # Unknown to numba's types.
     options: Any = {"forceinline": forceinline, "no_cfunc_wrapper": True, "_nrt": counts}
     made: Callable[..., Any] = compiled_once(
-        numba.njit(cache=True, nogil=True, error_model="numpy", **options)(function)
+        numba.njit(cache=True, nogil=True, error_model="numpy", **options)(function),
+        for_constants=forceinline,
     )
     return made
 

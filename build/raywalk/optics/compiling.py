@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numba
+from numba.core import sigutils, types
 from numba.core.compiler_lock import global_compiler_lock
 
 try:
@@ -37,13 +38,14 @@ def seconds_spent() -> float:
     return _spent
 
 
-def compiled_once(dispatcher: Any) -> Any:
+def compiled_once(dispatcher: Any, for_constants: bool = False) -> Any:
     """The same numba dispatcher; it looks into the cache, compiles and saves while no other process
     does so for this function. Who waits finds the code in the cache afterwards.
 
     Processes do not wait for one another in a circle: a kernel's lock is kept while those it calls
     are compiled, and no two kernels call each other. Where numba is told to compile nothing
-    (NUMBA_DISABLE_JIT), the kernel is the function itself.
+    (NUMBA_DISABLE_JIT), the kernel is the function itself. for_constants: it is compiled for each
+    constant that a caller hands it.
     """
     if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
         return dispatcher
@@ -53,10 +55,25 @@ def compiled_once(dispatcher: Any) -> Any:
     def compile_in_turn(signature: Any) -> Any:
         # Numba's own lock first: two threads that took them in another order would wait for ever.
         with global_compiler_lock, _turn(name), _counted():
-            return compile_alone(signature)
+            return compile_alone(signature if for_constants else alike(signature))
 
     dispatcher.compile = compile_in_turn
     return dispatcher
+
+
+def alike(signature: Any) -> Any:
+    """One signature for calls that differ in a constant, or in the width of an index.
+
+    Numba would compile a kernel for each of them: a fifth of all that a first build compiles.
+    """
+    given, returned = sigutils.normalize_signature(signature)
+    widened = tuple(_widened(each) for each in given)
+    return returned(*widened) if returned else widened
+
+
+def _widened(kind: Any) -> Any:
+    kind = types.unliteral(kind)
+    return types.int64 if kind == types.int32 else kind
 
 
 @contextmanager

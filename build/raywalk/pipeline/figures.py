@@ -14,6 +14,7 @@ from typing import Any
 
 from raywalk.pipeline.filling import Figures, Lessons, filled
 from raywalk.pipeline.parts import models_of, shut_for, silent
+from raywalk.pipeline.tracing import by_cost
 from raywalk.scene.measures import Facts
 from raywalk.scene.model import Scene
 from raywalk.scene.read import SCENE_FILE, read_scene
@@ -41,9 +42,13 @@ def filled_lessons(
     """The scenes with the figures in their words, by language. Raises SourceErrors with all slots
     that ask for what there is not."""
     known = {each.scene.id: each.scene for each in spoken[DEFAULT]}
-    chains = [_figures_chain(store, in_languages(spoken, k), known) for k in range(len(known))]
-    found = yield from run_chains(chains, workers)
-    return filled(spoken, found)
+    place = {id: k for k, id in enumerate(known)}
+    # In the order in which they are traced: the first processes then want the kernels of other
+    # surfaces, and where none is compiled yet no core waits for another's.
+    order = [place[scene.id] for scene in by_cost([*known.values()])]
+    chains = [_figures_chain(store, in_languages(spoken, k), known) for k in order]
+    found = dict(zip(order, (yield from run_chains(chains, workers)), strict=True))
+    return filled(spoken, [found[k] for k in range(len(order))])
 
 
 def in_languages(spoken: Lessons, k: int) -> list[Scene]:

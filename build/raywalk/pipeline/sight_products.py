@@ -142,7 +142,7 @@ def exact_rays(tracer: Tracer, n: int, pixels: list[int]) -> dict[str, Any]:
 
 def _observer(viewpoint: dict[str, Any]) -> Observer:
     vectors: dict[str, Any] = {
-        key: np.array(viewpoint[key]) for key in ("eye", "right", "up", "forward")
+        key: np.array(viewpoint[key], float) for key in ("eye", "right", "up", "forward")
     }
     seen: dict[str, Any] = {key: viewpoint[key] for key in ("focal", "width", "height")}
     return Observer(**seen, **vectors)

@@ -17,7 +17,7 @@ def camera_directions(camera: Camera, width: int, height: int, pixels: np.ndarra
     pixels: (n,) row * width + column, row 0 on top. In the camera's frame the direction is
     ((2 (i + 0.5) / w - 1) tan(f/2) w/h, -(2 (j + 0.5) / h - 1) tan(f/2), 1), normalised.
     """
-    given = np.asarray(pixels, np.int64)
+    given = np.ascontiguousarray(pixels, np.int64)
     return np.asarray(
         unit_directions(camera_frame(camera), half_width(camera), width, height, given)
     )

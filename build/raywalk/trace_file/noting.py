@@ -32,7 +32,7 @@ class Noting:
     def symbols(
         self, name: str, first: int, group: np.ndarray, kind: np.ndarray, sides: np.ndarray
     ) -> np.ndarray:
-        symbol = self.known[name][first : first + len(kind)]
+        symbol = np.ascontiguousarray(self.known[name][first : first + len(kind)])
         codes = residuals.symbol_codes(symbol, group, kind, sides)[kind != ABSENT]
         self.texts.setdefault(name, []).append(write_numbers(codes))
         return symbol

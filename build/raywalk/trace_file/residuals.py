@@ -208,7 +208,7 @@ def tap_columns(off, rows, near, target, most):
             table[k, filled] = off[near[i, k]] - start
         table[6, filled] = target[r]
         filled += 1
-    return table[:, :filled]
+    return table[:, :filled].copy()  # else `products` would be compiled for another layout too
 
 
 @kernel
