@@ -90,7 +90,7 @@ def test_eight_times_as_much_takes_not_much_more_than_eight_times_as_long(
 
         return once
 
-    assert _is_no_slower(read(500), lambda: read(4_000))
+    assert _is_no_slower(read(250), lambda: read(2_000))
 
 
 IN_A_ROW = {
@@ -117,7 +117,7 @@ def test_warnings_of_eight_times_as_many_objects_take_not_much_longer(
         return lambda: scene_warnings(Tracer(scene))
 
     check(10)()  # kernels are compiled
-    assert _is_no_slower(check(500), lambda: check(4_000))
+    assert _is_no_slower(check(250), lambda: check(2_000))
 
 
 def _is_no_slower(few: Callable[[], object], make: Callable[[], Callable[[], object]]) -> bool:

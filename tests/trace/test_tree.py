@@ -195,6 +195,7 @@ def test_the_hits_along_a_camera_ray_begin_with_its_own(traced: Everything, name
         assert len(t) == 0 if tree.object[k] < 0 else (t[0], met[0]) == (tree.t[k], tree.object[k])
 
 
+@pytest.mark.slow  # smaller pictures are asked above
 def test_at_full_size_every_pixel_is_its_tree_too(course: dict[str, Scene]) -> None:
     """Scene 5 at 1155 x 1155, nine resolutions: sums, tiles and the rays kept."""
     scene = course["05-many-bounces"]
