@@ -45,4 +45,4 @@ def winding_number(corners: np.ndarray, point: np.ndarray) -> float:
 
     x, y, z = point.tolist()
     # A read-only array, as trimesh gives, would have it compiled once more.
-    return float(turns_round(np.require(corners, float, "CW"), (x, y, z)))
+    return float(turns_round(np.require(corners, float, ["C", "W"]), (x, y, z)))
