@@ -10,7 +10,7 @@ MUTANTS := .venv/mutants
 
 # Several targets are also names of folders (build/ is our source, dist/ our output): without
 # .PHONY make would look at the folder's date and do nothing.
-.PHONY: all packages site slides teacher kiosk test test-busy check serve bench stress mutants clean distclean help versions
+.PHONY: all packages site slides teacher kiosk package test test-busy check serve bench stress mutants clean distclean help versions
 .DEFAULT_GOAL := all
 
 all: site
@@ -53,6 +53,10 @@ teacher: packages ## guide, answers, assignments, quizzes for teachers: dist-tea
 kiosk: site ## one zip for a locked touch screen: dist-kiosk/raywalk-kiosk.zip
 	@$(PYTHON) -m raywalk kiosk
 
+package: packages ## what `pip install` takes, a wheel and an sdist: dist-package/
+	@rm -rf dist-package
+	@$(PYTHON) build/setup/package.py
+
 test: site $(TEST_READY) ## check types and style, run the tests, in a real browser too
 	@sh build/setup/browser.sh
 	@$(PYTHON) -m tests.run_all
@@ -80,7 +84,7 @@ mutants: $(TEST_READY) $(MUTANTS)/.ready ## change sources and see that a test f
 		$(if $(JOBS),--jobs $(JOBS)) $(if $(ONLY),--only $(ONLY))
 
 clean: ## remove what was built; keeps installed packages
-	rm -rf dist dist-kiosk dist-teacher dist.*.partial .work test-output
+	rm -rf dist dist-kiosk dist-package dist-teacher dist.*.partial .work test-output
 	@# compiled kernels too: each state of their sources has left a folder
 	find build tests -name __pycache__ -prune -exec rm -rf {} +
 

@@ -16,15 +16,12 @@
 import { readFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { createInterface } from "node:readline";
-import { fileURLToPath } from "node:url";
-import { build } from "esbuild";
+import { modulesOf } from "./modules.mjs";
 
-const place = (path) => fileURLToPath(new URL(path, import.meta.url));
-const { outputFiles } = await build({ entryPoints: [place("./check/main.ts")], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, stripsOf, taken, wantsTiles, written } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { aboutOf, atlasOf, check, isRefusal, nearestSize, pictureOrSentence, recogniserOf, refused, reportOf, rightOf, sceneOf, sentenceAlone, sourceFor, squareOf, stripsOf, taken, wantsTiles, written } = await modulesOf("./check/main.ts");
 
 function speak(language = "en") {
-  if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(place(`./words/${language}.json`), "utf8"));
+  if (globalThis.raywalkWords?.language.code !== language) globalThis.raywalkWords = JSON.parse(readFileSync(new URL(`./words/${language}.json`, import.meta.url), "utf8"));
 }
 
 function pictureIn(file) {

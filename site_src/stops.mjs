@@ -15,13 +15,10 @@
  */
 import { existsSync, readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
-import { fileURLToPath } from "node:url";
 import { gunzipSync } from "node:zlib";
-import { build } from "esbuild";
+import { modulesOf } from "./modules.mjs";
 
-const ENTRY = fileURLToPath(new URL("./viewer/stops/main.ts", import.meta.url));
-const { outputFiles } = await build({ entryPoints: [ENTRY], bundle: true, write: false, format: "esm", logLevel: "silent" });
-const { ask, boxesFrom, decode, eventsBeside, inWords, lessonOf, listEvents, sceneAt, stopIn, wholeAgain } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+const { ask, boxesFrom, decode, eventsBeside, inWords, lessonOf, listEvents, sceneAt, stopIn, wholeAgain } = await modulesOf("./viewer/stops/main.ts");
 
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 

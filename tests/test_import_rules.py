@@ -21,14 +21,14 @@ VIEWER = ROOT / "site_src" / "viewer"
 # __main__ and its commands, pipeline and bench tie the others together.
 MAY_IMPORT = {
     "optics": set(),
-    "words": {"work.snapshot"},
-    "terms": {"work.snapshot"},
+    "words": {"home", "work.snapshot"},
+    "terms": {"home", "work.snapshot"},
     "models": set(),
-    "scene": {"errors", "models", "work.snapshot"},
+    "scene": {"errors", "home", "models", "work.snapshot"},
     "geometry": {"scene", "models", "optics", "errors"},
     "trace": {"geometry", "optics", "scene", "errors"},
     "trace_file": {"trace.kinds", "trace.tree", "optics.compiled", "scene", "errors"},
-    "stops": {"words", "trace.tree", "errors"},
+    "stops": {"words", "trace.tree", "home", "node", "errors"},
     "homework": {"trace", "scene", "errors"},
     # An independent check of the tracer: it shares scenes and the names of what is recorded only.
     "mistakes": {"scene", "trace.tree", "trace.kinds", "errors"},
@@ -37,9 +37,9 @@ MAY_IMPORT = {
     "check": {"mistakes", "trace", "trace_file", "geometry.roots", "scene", "words", "errors"},
     # Stops are traced and written as scenes are; what moves on the stage is scene data.
     "sweeps": {"trace", "trace_file", "site", "scene", "errors"},
-    "work": {"errors"},
-    "slides": {"scene", "trace.kinds", "words", "terms", "errors"},
-    "teacher": {"slides", "scene", "words", "terms", "errors"},
+    "work": {"home", "node", "errors"},
+    "slides": {"scene", "trace.kinds", "words", "terms", "home", "errors"},
+    "teacher": {"slides", "scene", "words", "terms", "home", "errors"},
     "site": {
         "scene",
         "trace.kinds",
@@ -50,6 +50,8 @@ MAY_IMPORT = {
         "mistake_pages.rounds",
         "words",
         "terms",
+        "home",
+        "node",
         "errors",
         "work.snapshot",
     },

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from raywalk.commands.terminal import Terminal
 from raywalk.errors import UserError, disk_trouble, visible
+from raywalk.home import HOME
 
 # Every core has a scene or a strip of its own: numpy's linear algebra with threads besides took a
 # third longer to write the trace files, and sums in another order give other last bits.
@@ -19,6 +20,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # A scene of thousands of objects makes many small things that stay: to look through them again and
 # again for circles, of which there are none, took a tenth of its reading.
 gc.set_threshold(100_000, 50, 50)
+
+# A wheel that pip made of a checkout by itself has Python alone.
+HOMELESS = """Raywalk's templates and words are not in {place}
+  hint: install the wheel that `make package` writes into dist-package/"""
 
 # Word on the command line -> its module in commands/. Only the one that runs is imported: what
 # the others need takes longer than a build with nothing to do.
@@ -42,6 +47,9 @@ COMMANDS = {
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns its exit code: 0 done, 1 bad input, 2 wrong usage."""
     arguments = sys.argv[1:] if arguments is None else arguments
+    if not (HOME / "site_src").is_dir():
+        print(HOMELESS.format(place=HOME), file=sys.stderr)
+        return 1
     chosen = _parser(arguments).parse_args(arguments)
     terminal = Terminal()
     try:

@@ -29,7 +29,8 @@ def test_without_node_it_says_what_is_missing(monkeypatch: pytest.MonkeyPatch):
 def test_without_its_packages_it_says_so_too(tmp_path: Path):
     """The script where no node_modules are: one sentence, not node's trace."""
     lost = tmp_path / "stops.mjs"
-    lost.write_bytes(process.SCRIPT.read_bytes())
+    for name in ("stops.mjs", "modules.mjs"):
+        lost.with_name(name).write_bytes(process.SCRIPT.with_name(name).read_bytes())
     with Stops(lost) as stops, pytest.raises(SourceErrors) as raised:
         stops.ask({})
     message = str(raised.value)

@@ -19,6 +19,7 @@ from raywalk.work.digests import key_of
 from raywalk.work.maker import OURS, Maker
 
 ROOT = PACKAGE.parents[1]
+FOLDERS = ("build/raywalk", "site_src", "models")
 # Maker, what it leaves out, whose sentences it says.
 PIECES = {
     "trace": (keys.TRACE, "", None),
@@ -37,7 +38,7 @@ def copy(tmp_path_factory):
     """The sources of pipeline and site, to be edited."""
     root = tmp_path_factory.mktemp("checkout")
     leave = shutil.ignore_patterns("__pycache__", "*.d.ts")
-    for folder in ("build/raywalk", "site_src"):
+    for folder in FOLDERS:
         shutil.copytree(ROOT / folder, root / folder, ignore=leave)
     (root / "node_modules").symlink_to(ROOT / "node_modules")
     (root / "build/raywalk/__pycache__").touch()  # no folder: nothing is kept of what was parsed
@@ -57,8 +58,7 @@ def parts(sources: Sources, piece: str) -> dict:
 
 
 def files_of(root: Path) -> set[Path]:
-    folders = (root / "build", root / "site_src")
-    return {path for folder in folders for path in folder.rglob("*") if path.is_file()}
+    return {path for each in FOLDERS for path in (root / each).rglob("*") if path.is_file()}
 
 
 @contextmanager
@@ -135,6 +135,7 @@ def test_what_writes_a_scenes_data_is_in_its_key(copy):
 
 
 GLOSSARY = "site_src/words/glossary.toml"
+CREDITS = "models/models.toml"
 
 
 def test_a_page_or_a_sentence_traces_nothing():
@@ -152,8 +153,8 @@ def test_slides_are_keyed_by_the_languages_that_they_say():
     """What a language lacks is said in the default one."""
     maker = slide_pipeline.WRITE
     said = {code: maker.parts(languages={"en", code})["read"] for code in ("en", "de")}
-    assert set(said["en"]) == {"site_src/words/en.json", GLOSSARY}
-    assert set(said["de"]) == {"site_src/words/en.json", "site_src/words/de.json", GLOSSARY}
+    assert set(said["en"]) == {"site_src/words/en.json", GLOSSARY, CREDITS}
+    assert set(said["de"]) == {*said["en"], "site_src/words/de.json"}
 
 
 def test_packages_are_those_behind_the_imports_by_the_names_they_are_installed_under():

@@ -19,13 +19,14 @@ import numpy as np
 from raywalk.bench.cases import Case
 from raywalk.check.atlas import CHANGED, GRID, USUAL, atlas_of, changed
 from raywalk.check.write import about_of, packed_strips
+from raywalk.home import HOME
 from raywalk.mistakes.habits import EXACT, Habits
 from raywalk.mistakes.table import BY_NAME, FAMILIES
 from raywalk.mistakes.tracer import picture
 from raywalk.scene.model import Scene
 from raywalk.stops.process import Stops
 
-SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "check.mjs"
+SCRIPT = HOME / "site_src" / "check.mjs"
 # What tells nothing: each of them is a right program.
 HABITS = (
     EXACT,

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from raywalk.bench.cases import Case
+from raywalk.home import HOME
 from raywalk.site.assets import named
 from raywalk.site.reports import FORMAT, REPORTS, publish_reports
 from raywalk.trace_file.container import write_beside
 from raywalk.work.ownership import mark_too
 
-SITE_SOURCE = Path("site_src")
+SITE_SOURCE = HOME / "site_src"
 PACKAGES = ("numpy", "numba", "embreex", "trimesh", "mpmath", "mitsuba", "open3d")
 
 

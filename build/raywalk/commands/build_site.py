@@ -9,6 +9,7 @@ from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
+from raywalk.home import HOME
 from raywalk.work import times
 from raywalk.work.last_build import LastBuild, inputs_of
 from raywalk.work.ownership import refuse_nested
@@ -16,7 +17,7 @@ from raywalk.work.progress import Message
 from raywalk.work.publish import ready
 from raywalk.work.snapshot import one_build
 
-SITE_SOURCE = Path("site_src")
+SITE_SOURCE = HOME / "site_src"
 BUDGETS = Path(__file__).parent.parent / "site" / "budgets.toml"
 #: Of the site, what it is whole without.
 PARTS = {"check": "the page that pictures are checked on", "mistakes": "the pages of mistakes"}

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raywalk.errors import SourceError, SourceErrors, UserError, shown_path
+from raywalk.home import HOME
 
 if TYPE_CHECKING:
     from raywalk.check.report import Report
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from raywalk.work.progress import Message
     from raywalk.work.store import Entry
 
-SITE_SOURCE = Path(__file__).resolve().parents[3] / "site_src"
+SITE_SOURCE = HOME / "site_src"
 #: Endings of files that a class's folder is searched for; a file that is named may have any.
 PICTURES = (".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".bmp", ".tga", ".pfm", ".csv", ".txt")
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from raywalk.scene.model import Scene
+from raywalk.site.assets import MADE
 from raywalk.work.digests import digest
 from raywalk.work.maker import Maker, Parts
 from raywalk.work.packages import npm_versions
@@ -87,9 +88,12 @@ def page_pictures_parts(id: str, trace_key: str) -> Parts:
 
 
 def viewer_parts(site_source: Path) -> Parts:
-    """The bundler, all that it bundles, and the npm packages they import."""
-    root = site_source.absolute().parent
-    files, packages = script_closure(site_source.absolute() / "bundle.mjs")
+    """The bundler, all it bundles, and the npm packages they import; in a wheel the bundles."""
+    root, made = site_source.absolute().parent, site_source.absolute() / MADE
+    if made.is_dir():
+        files, packages = set(made.iterdir()), set[str]()
+    else:
+        files, packages = script_closure(site_source.absolute() / "bundle.mjs")
     code = {path.relative_to(root).as_posix(): digest_of(path) for path in sorted(files)}
     return {
         "what": "viewer", "of": "viewer", "code": code, "packages": npm_versions(root, packages)

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from raywalk.home import HOME
 from raywalk.models.faults import shown
 from raywalk.models.read import READABLE
 from raywalk.scene.fields import Allowed, Text
@@ -19,6 +20,7 @@ from raywalk.scene.toml import read_toml
 from raywalk.scene.wording import did_you_mean, joined, quoted
 
 CATALOGUE = "models/models.toml"
+OURS = HOME / "models" / "models.toml"
 
 Count = Annotated[int, Field(strict=True, ge=1), Allowed("a whole number of at least 1")]
 
@@ -58,9 +60,9 @@ class Models:
 
 
 def find_catalogue(scene_file: Path) -> Path | None:
-    """The nearest models/models.toml in the scene's folder or one above it."""
+    """The nearest models/models.toml in the scene's folder or one above it, else Raywalk's own."""
     candidates = (folder / CATALOGUE for folder in scene_file.absolute().parents)
-    return next((path for path in candidates if path.is_file()), None)
+    return next((path for path in (*candidates, OURS) if path.is_file()), None)
 
 
 def read_catalogue(catalogue: Path | None) -> tuple[Models, Problems]:

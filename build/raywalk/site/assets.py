@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import json
+import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
 
+from raywalk.node import MISSING, node_program
 from raywalk.trace.kinds import LINES, PAGE
 from raywalk.words import Words
 from raywalk.work.snapshot import bytes_of
 
+MADE = "bundled"  # in the site's sources of a wheel: what bundle_viewer makes
 BUNDLED = ("viewer", "kiosk", "page", "check", "check-mistake")
 PART = "part-"  # what comes when asked for, as bundle.mjs names it
 CHECK = "check"  # the sentences of the page check/, which no other page says
@@ -62,15 +65,18 @@ def _said(out: Path, stem: str, said: dict[str, Any]) -> str:
 
 
 def bundle_viewer(site_src: Path, folder: Path) -> None:
-    """Writes folder/<name>.js of all BUNDLED. Needs node and the packages of package-lock.json.
+    """Writes folder/<name>.js of all BUNDLED. Needs node and the packages of package-lock.json,
+    but where a wheel brought them.
 
     Raises BundleError.
     """
-    command = ["node", str(site_src / "bundle.mjs"), "--out", str(folder)]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except FileNotFoundError:
-        raise BundleError("node is not installed (see README: what is needed)") from None
+    if (site_src / MADE).is_dir():
+        shutil.copytree(site_src / MADE, folder, dirs_exist_ok=True)
+        return
+    if not (node := node_program()):
+        raise BundleError(MISSING)
+    command = [node, str(site_src / "bundle.mjs"), "--out", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise BundleError((done.stderr or done.stdout).strip())
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
+from raywalk.home import HOME
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.work.snapshot import text_of
 
-ROOT = Path(__file__).resolve().parents[3]
 FILE = "LICENSES.txt"
 FONT = "@expo-google-fonts/arimo"
 RULE = "=" * 78
@@ -45,7 +45,7 @@ def write_licences(out: Path, scenes: Iterable[Scene], bundled: Path, has_slides
 
 def own() -> Part:
     """Raywalk itself."""
-    text = text_of(ROOT / "LICENSE")
+    text = text_of(HOME / "LICENSE")
     return Part(
         "Raywalk: pages, viewer, scenes, lessons, pictures, slides", "everywhere", "MIT", text
     )
@@ -53,9 +53,9 @@ def own() -> Part:
 
 def npm_package(name: str, where: str, files: tuple[str, ...] = ("LICENSE",)) -> Part:
     """One of package-lock.json, with its licence as it was installed."""
-    locked = json.loads(text_of(ROOT / "package-lock.json"))["packages"]
+    locked = json.loads(text_of(HOME / "package-lock.json"))["packages"]
     found = locked[f"node_modules/{name}"]
-    folder = ROOT / "node_modules" / name
+    folder = HOME / "node_modules" / name
     text = "\n\n".join((folder / file).read_text(encoding="utf-8") for file in files)
     return Part(f"{name} {found['version']} (npm)", where, found["license"], text)
 

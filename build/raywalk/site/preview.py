@@ -6,8 +6,10 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
+from raywalk.home import HOME
+
 WIDTH, HEIGHT = 1200, 630  # pixels
-FONTS = Path(__file__).resolve().parents[3] / "node_modules" / "@expo-google-fonts" / "arimo"
+FONTS = HOME / "node_modules" / "@expo-google-fonts" / "arimo"
 BOLD = FONTS / "700Bold" / "Arimo_700Bold.ttf"
 GROUND, WORDS, RAY = (13, 17, 22), (233, 237, 242), (240, 228, 66)
 NAME = "preview.jpg"

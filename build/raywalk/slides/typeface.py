@@ -15,9 +15,10 @@ from pathlib import Path
 from PIL import ImageFont
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.home import HOME
 from raywalk.slides.figure import Run
 
-FOLDER = Path(__file__).resolve().parents[3] / "node_modules" / "@expo-google-fonts" / "arimo"
+FOLDER = HOME / "node_modules" / "@expo-google-fonts" / "arimo"
 # By (bold, italic).
 FILES = {
     (False, False): "400Regular/Arimo_400Regular.ttf",

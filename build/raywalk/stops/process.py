@@ -10,8 +10,10 @@ from types import TracebackType
 from typing import Any
 
 from raywalk.errors import SourceError, SourceErrors
+from raywalk.home import HOME
+from raywalk.node import MISSING, node_program
 
-SCRIPT = Path(__file__).resolve().parents[3] / "site_src" / "stops.mjs"
+SCRIPT = HOME / "site_src" / "stops.mjs"
 ANSWER, FAULT = '{"answer":', '{"fault":'
 
 
@@ -60,13 +62,12 @@ class Stops:
         )
 
     def _started(self) -> subprocess.Popen[str]:
-        try:
-            return subprocess.Popen(
-                ["node", str(self._script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE, text=True, encoding="utf-8",
-            )  # fmt: skip
-        except FileNotFoundError:
-            raise _problem("node is not installed (see README: what is needed)") from None
+        if not (node := node_program()):
+            raise _problem(MISSING)
+        return subprocess.Popen(
+            [node, str(self._script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, text=True, encoding="utf-8",
+        )  # fmt: skip
 
 
 def _problem(message: str, file: Path | None = None) -> SourceErrors:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from raywalk.errors import UserError, shown_path
+from raywalk.home import HOME
 from raywalk.scene.credits import named_models
 from raywalk.scene.model import Scene
 from raywalk.slides.figure import Deck
@@ -27,7 +28,7 @@ from raywalk.teacher.terms import glossary
 
 TOP = "raywalk-teacher"
 WHEN = (1980, 1, 1, 0, 0, 0)  # of all files: the same lessons give the same bytes
-LICENCE = Path(__file__).resolve().parents[3] / "LICENSE"
+LICENCE = HOME / "LICENSE"
 
 File = tuple[str, bytes]
 

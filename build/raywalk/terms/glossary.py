@@ -11,12 +11,12 @@ import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from raywalk.home import HOME
 from raywalk.work.snapshot import text_of
 
-FILE = Path(__file__).resolve().parents[3] / "site_src" / "words" / "glossary.toml"
+FILE = HOME / "site_src" / "words" / "glossary.toml"
 # Endings that a term's last word takes where the glossary lists no forms.
 ENDINGS = {"en": "(?:s|es)?", "de": "(?:s|es|e|en|n)?"}
 STARRED = r"\w{0,4}"  # what a * stands for: any ending

@@ -7,14 +7,14 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
+from raywalk.home import HOME
 from raywalk.words.numbers import Numbers
 from raywalk.words.plurals import plural_form
 from raywalk.work.snapshot import text_of
 
-FOLDER = Path(__file__).resolve().parents[3] / "site_src" / "words"
+FOLDER = HOME / "site_src" / "words"
 DEFAULT = "en"
 SLOT = re.compile(r"\{(\w+)\}", re.ASCII)
 MARK = re.compile(r"\[.+?\]\((\w+)\)", re.ASCII)  # [text](what it is marked as)

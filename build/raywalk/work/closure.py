@@ -1,8 +1,9 @@
 """What a module's work is made from, found in the sources: the modules it imports, at their tops
 and inside functions, with what those import; files and scripts they name; packages of others.
 
-A file counts as named where its place is worked out from the module's own: `Path(__file__)`
-with constant parts behind it. A script brings what it imports itself (`scripts.py`).
+A file counts as named where its place is worked out from the module's own, `Path(__file__)`, or
+from HOME (`home.py`), with constant parts behind it. A script brings what it imports itself
+(`scripts.py`).
 """
 
 from __future__ import annotations
@@ -19,10 +20,12 @@ from os.path import normpath
 from pathlib import Path
 from typing import Any
 
+from raywalk.home import home_of
 from raywalk.work.digests import digest
 from raywalk.work.scripts import SCRIPTS, npm_package, script_closure
 
 PACKAGE = Path(__file__).resolve().parent.parent
+HOME = "HOME"  # as modules write it
 Found = dict[str, list[str]]  # "imports", "places" of one module
 # Modules with their hashes, places that they name, packages that they import.
 Reached = tuple[dict[Path, str], set[Path], set[str]]
@@ -45,7 +48,7 @@ class Sources:
 
     def __init__(self, package: Path = PACKAGE):
         self.package = package
-        self.root = package.parents[1]  # of the repository
+        self.root = home_of(package)
         self._modules: dict[Path, tuple[str, Found]] = {}
         self._reached: dict[tuple[str, str], Reached] = {}
         self._names: dict[Path, str] = {}
@@ -62,7 +65,7 @@ class Sources:
         modules, places, packages = self._reached[module, shut]
         whole = _with_files(places, packages)  # scripts may be edited between two builds
         # Tables beside a module are read when it is imported: they are as much code as it is.
-        tables = {file: self._table(file) for file in whole.read if self.package in file.parents}
+        tables = {file: self._table(file) for file in whole.read if self._is_beside_code(file)}
         return replace(whole, modules=modules | tables, read=whole.read - tables.keys())
 
     def _reach(self, module: str, shut: str) -> Reached:
@@ -81,22 +84,31 @@ class Sources:
                     modules[file], found = self._module(file)
                     waiting += [each for each in found["imports"] if each not in seen]
                     seen.update(found["imports"])
-                    places |= {Path(normpath(file.parent / place)) for place in found["places"]}
+                    places |= {self._at(file, place) for place in found["places"]}
         if not self._is_kept:
             _write_cache(self._cache, self._kept)
             self._is_kept = True
         return modules, places, packages
 
     def name(self, path: Path) -> str:
-        """A file by its path below the package, or else below the repository."""
+        """A file by its path below the package, or else below its home: the same in a wheel."""
         if path not in self._names:
-            inside = path.is_relative_to(self.package)
-            below = path.relative_to(self.package if inside else self.root)
+            below = path.relative_to(self.package if self._is_beside_code(path) else self.root)
             self._names[path] = below.as_posix()
         return self._names[path]
 
+    def _is_beside_code(self, path: Path) -> bool:
+        """Whether it lies in the package, but not in a home that a wheel's package carries."""
+        around = (folder for folder in path.parents if folder in (self.package, self.root))
+        return next(around, None) == self.package
+
+    def _at(self, file: Path, place: str) -> Path:
+        """A place that a module names."""
+        home, _, below = place.partition("/")
+        return self.root / below if home == HOME else Path(normpath(file.parent / place))
+
     def place(self, name: str) -> Path:
-        """The file of such a name."""
+        """The file of such a name; what is in a package is in no home, and the other way round."""
         inside = self.package / name
         return inside if inside.exists() else self.root / name
 
@@ -159,8 +171,10 @@ def found_in(text: bytes) -> Found:
             if node.level or not node.module:
                 raise ValueError("imports are absolute here")
             imports |= {f"{node.module}.{alias.name}" for alias in node.names}
-        elif (place := _place(node)) and not place.endswith(("_", "..")):
+        elif (place := _place(node)) and not place.endswith(("_", "..", HOME)):
             places.add(normpath(place))
+    if f"raywalk.home.{HOME}" not in imports:  # another thing of that name
+        places = {place for place in places if not place.startswith(f"{HOME}/")}
     return {"imports": sorted(imports), "places": sorted(places)}
 
 
@@ -177,8 +191,10 @@ def _run(tree: ast.AST) -> Iterator[ast.AST]:
 
 def _place(node: Any) -> str | None:
     """What an expression that begins with Path(__file__) comes to, relative to the file's folder,
-    in which the file is `_`; None for others."""
+    in which the file is `_`; one that begins with HOME as it is written; None for others."""
     match node:
+        case ast.Name(id="HOME"):
+            return HOME
         case ast.Call(func=ast.Name(id="Path"), args=[ast.Name(id="__file__")]):
             return "_"
         case ast.Call(func=ast.Attribute(value=of, attr="resolve" | "absolute"), args=[]):

@@ -64,7 +64,11 @@ def inputs_of(scenes: Path, site_source: Path, work: Path) -> dict[str, str]:
     root = site_source.absolute().parent
     places = [*_files(scenes), *_files(site_source), *(work / "reports").glob("*.json")]
     places += [folder / "models" / "models.toml" for folder in scenes.absolute().parents]
-    places += [root / "package-lock.json", root / "node_modules" / ".package-lock.json"]
+    places += [
+        root / "models" / "models.toml",
+        root / "package-lock.json",
+        root / "node_modules" / ".package-lock.json",
+    ]
     named = {str(path): digest_of(path) for path in places}
     others = (f"{name} {version}" for name, (version, _) in sorted(installed().items()))
     versions = f"{sys.version} {zlib.ZLIB_RUNTIME_VERSION} {' '.join(others)}"

@@ -7,7 +7,6 @@ listed. Keys are taken before anything runs: a file edited meanwhile is then mad
 from __future__ import annotations
 
 import platform
-import shutil
 import zlib
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from raywalk.node import node_program
 from raywalk.work.closure import Closure, Sources
 from raywalk.work.packages import npm_versions, versions
 from raywalk.work.snapshot import digest_of
@@ -54,7 +54,7 @@ def parts_of(found: Closure, languages: Iterable[str] | None, sources: Sources =
     }
     own = {"python": platform.python_version(), "zlib": zlib.ZLIB_RUNTIME_VERSION}
     if scripts:
-        own["node"] = which_build("node")
+        own["node"] = which_build(node_program())
     return {
         "code": named(found.modules | scripts, sources),
         "read": named(read, sources),
@@ -67,13 +67,12 @@ def _is_a_language(path: Path) -> bool:
     return path.parent.name == "words" and path.suffix == ".json"
 
 
-def which_build(program: str) -> str:
+def which_build(program: str | None) -> str:
     """What tells one build of a program from another without running it, which would take as long
-    as all the rest of a build with nothing to do; "none" if it is not installed."""
-    found = shutil.which(program)
-    if not found:
+    as all the rest of a build with nothing to do; "none" if there is none."""
+    if not program:
         return "none"
-    about = Path(found).stat()
+    about = Path(program).stat()
     return f"of {about.st_size} bytes, {about.st_mtime_ns}"
 
 

@@ -11,7 +11,7 @@ import shutil
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from raywalk.errors import SourceError, SourceErrors
+from raywalk.errors import SourceError, SourceErrors, shown_path
 
 #: In a site's root: its files, one a line, below a line that says so.
 MARKER = ".raywalk"
@@ -31,11 +31,12 @@ def refuse_nested(out: Path, read: dict[str, Path]) -> None:
     read: folders by what they are, such as "the folder of scenes".
     """
     for what, folder in read.items():
+        named = f"{what} ({shown_path(folder)})"
         inner, outer = out.resolve(), folder.resolve()
         if inner.is_relative_to(outer):
-            message = f"lies in {what} ({folder}), which builds read: they would read the site too"
+            message = f"lies in {named}, which builds read: they would read the site too"
         elif outer.is_relative_to(inner):
-            message = f"holds {what} ({folder}), which builds read: a site stands by itself"
+            message = f"holds {named}, which builds read: a site stands by itself"
         else:
             continue
         raise SourceErrors([SourceError(out, "", message, hint=HINT)])
