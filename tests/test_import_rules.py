@@ -37,6 +37,7 @@ MAY_IMPORT = {
     "check": {"mistakes", "trace", "trace_file", "geometry.roots", "scene", "words", "errors"},
     # Stops are traced and written as scenes are; what moves on the stage is scene data.
     "sweeps": {"trace", "trace_file", "site", "scene", "errors"},
+    "course": {"models", "scene", "home", "errors"},
     "work": {"home", "node", "errors"},
     "slides": {"scene", "trace.kinds", "words", "terms", "home", "errors"},
     "teacher": {"slides", "scene", "words", "terms", "home", "errors"},

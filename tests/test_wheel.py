@@ -153,6 +153,12 @@ def test_what_a_site_holds_of_others_is_told_as_in_the_checkout(course):
     assert set(licences.splitlines()) <= set((ROOT / "dist/LICENSES.txt").read_text().splitlines())
 
 
+def test_a_course_is_begun_with_what_came_along(raywalk, tmp_path):
+    raywalk(tmp_path, "new", "mine")
+    scene = raywalk(tmp_path / "mine", "new", "scene", "glass", "--from", "08-glass").split(":")[0]
+    assert scene == "scenes/02-glass/scene.toml" and (tmp_path / "mine" / scene).is_file()
+
+
 def test_nothing_is_made_again_where_nothing_changed(course, raywalk):
     assert "no input changed" in raywalk(course, *BUILD, "--explain")
 
@@ -218,10 +224,14 @@ def test_python_alone_says_what_to_install(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.slow
 def test_installed_from_nothing_it_traces_the_same_bytes(wheel, tmp_path):
-    """With all that it requires, node too, from the index or pip's cache; kernels are compiled."""
+    """With all that it requires, node too, from the index or pip's cache; kernels are compiled. So
+    does a course that it begins by itself."""
     venv = tmp_path / "venv"
     subprocess.run([sys.executable, "-m", "venv", venv], check=True)
     subprocess.run([venv / "bin/python", "-m", "pip", "install", "--quiet", wheel], check=True)
     course = course_of(tmp_path / "course", SCENE)
     assert "1 scene: 1 traced" in run(venv, course, *BUILD)
     assert_is_as_in_the_checkout(course)
+    run(venv, tmp_path, "new", "mine")
+    assert "1 scene: 1 traced" in run(venv, tmp_path / "mine", "build")
+    assert (tmp_path / "mine/dist/slides/01-my-first-scene.pdf").is_file()

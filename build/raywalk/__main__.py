@@ -28,7 +28,9 @@ HOMELESS = """Raywalk's templates and words are not in {place}
 # Word on the command line -> its module in commands/. Only the one that runs is imported: what
 # the others need takes longer than a build with nothing to do.
 COMMANDS = {
+    "new": "new",
     "site": "build_site",
+    "build": "build_site",
     "check": "check",
     "model": "model",
     "inspect": "inspect",
@@ -78,10 +80,10 @@ def _parser(arguments: list[str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="raywalk", description="Walk every ray.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     named = arguments[0] if arguments else ""
-    for word, module in COMMANDS.items():
-        if word == named or named not in COMMANDS:
-            import_module(f"raywalk.commands.{module}").add_to(commands)
-    for command in commands.choices.values():
+    wanted = [COMMANDS[named]] if named in COMMANDS else list(COMMANDS.values())
+    for module in dict.fromkeys(wanted):  # some have two words
+        import_module(f"raywalk.commands.{module}").add_to(commands)
+    for command in dict.fromkeys(commands.choices.values()):
         command.add_argument(
             "--scenes", type=Path, default=Path("scenes"), help="folder of scene folders"
         )

@@ -30,7 +30,9 @@ PACKAGE = Path("build") / "raywalk"
 #: Of the checkout, what a build of an installed Raywalk reads; of the site's sources not what is
 #: bundled: scripts that run in pages, and what node runs.
 WHOLE = ("models", "scenes", "LICENSE", "package-lock.json")
-OF_SITE = ("templates", "styles", "words", "mistakes", "homework", "kiosk", "offline", "serve")
+OF_SITE = (
+    "templates", "styles", "words", "mistakes", "homework", "kiosk", "offline", "serve", "new",
+)  # fmt: skip
 RUN_BY_NODE = ("stops.mjs", "check.mjs")
 LEFT_OUT = shutil.ignore_patterns("__pycache__", ".*", "*~", "*.partial")
 

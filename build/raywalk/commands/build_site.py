@@ -25,7 +25,9 @@ PARTS = {"check": "the page that pictures are checked on", "mistakes": "the page
 
 def add_to(commands: Any) -> None:
     """Adds the command's arguments."""
-    parser = commands.add_parser("site", help="trace all scenes and build the site")
+    parser = commands.add_parser(
+        "site", aliases=["build"], help="trace all scenes and build the site"
+    )
     add_options(parser)
     parser.set_defaults(run=run)
 

@@ -83,7 +83,7 @@ def in_full(facts: dict[str, Any]) -> Iterator[str]:
         yield f"    and at {more} more places; --picture FILE.png draws them all"
     yield f"  cleaned: {', '.join(_done(facts)) or 'nothing was to be done'}"
     yield from (f"  note: {line}" for line in warnings(facts))
-    yield from _for_a_scene(facts)
+    yield from for_a_scene(facts)
 
 
 def _sized(facts: dict[str, Any]) -> str:
@@ -149,7 +149,7 @@ def _surface(facts: dict[str, Any]) -> str:
     return ", ".join(said)
 
 
-def _for_a_scene(facts: dict[str, Any]) -> Iterator[str]:
+def for_a_scene(facts: dict[str, Any]) -> Iterator[str]:
     """What to write."""
     yield "  in a scene:"
     yield "    [[objects]]"
@@ -176,14 +176,30 @@ FITTING, WANTED = (0.3, 8.0), 2.0
 def _placed(facts: dict[str, Any]) -> Iterator[str]:
     """A transform for a model that would hardly be seen: of a usual size, on the ground at the
     origin."""
+    if (fitted := _fitted(facts)) is None:
+        return
+    scale, moved = fitted
+    foot = ", ".join(f"{each:.4g}" for each in moved)
+    moves = f"[{{ scale = {scale!r} }}, {{ translate = [{foot}] }}]"
+    yield f"    transform = {moves}   # {WANTED:g} in size, on the ground in the middle"
+
+
+def _fitted(facts: dict[str, Any]) -> tuple[float, list[float]] | None:
+    """How such a model is scaled, and then moved; None for one that is seen as it is."""
     (low, high), longest = facts["box"], max(facts["size"])
     centre = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
     if FITTING[0] <= longest <= FITTING[1] and max(map(abs, centre)) <= longest:
-        return
-    foot = ", ".join(f"{0.0 - each:.4g}" for each in (centre[0], low[1], centre[2]))
+        return None
     scale = float(f"{WANTED / longest:.2g}")
-    moves = f"[{{ scale = {scale!r} }}, {{ translate = [{foot}] }}]"
-    yield f"    transform = {moves}   # {WANTED:g} in size, on the ground in the middle"
+    return scale, [0.0 - each for each in (centre[0], low[1], centre[2])]
+
+
+def box_in_scene(facts: dict[str, Any]) -> list[list[float]]:
+    """The model's box after that transform: its lowest and its highest corner."""
+    scale, moved = _fitted(facts) or (1.0, [0.0, 0.0, 0.0])
+    return [
+        [scale * (at + by) for at, by in zip(corner, moved, strict=True)] for corner in facts["box"]
+    ]
 
 
 def _key(name: str) -> str:

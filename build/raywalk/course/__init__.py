@@ -1,0 +1,1 @@
+"""A course of one's own: its folder, and how it begins."""
