@@ -1,9 +1,12 @@
 /** One browser for a test file, and pages in it that remember what they should not have done. */
 import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
+
+// Asked for as CommonJS, which it is: to import it node would read its megabytes twice, first for what they export.
+export const { chromium } = createRequire(import.meta.url)("playwright-core");
 
 export const DIST = resolve(process.env.RAYWALK_DIST ?? "dist");
 export const ON_DISK = pathToFileURL(`${DIST}/`).href;
@@ -19,13 +22,16 @@ const FLAGS = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsa
 // a test costs. The other way reads each drawing back, of which the driver warns.
 const COMPOSED_APART = "--disable-gpu-compositing";
 const OF_READING_BACK = /GL Driver Message .* GPU stall due to ReadPixels/;
+// Four samples a pixel make a stage in space dearer by a third.
+const JAGGED = "--webgl-msaa-sample-count=0";
 
-/** whole: the browser that people have, for tests of what the one without windows lacks: idle time, say. */
-export async function launch(more = [], { whole = false } = {}) {
+/** whole: the browser that people have, for tests of what the one without windows lacks: idle time, say. smooth: edges in
+ *  space are smoothed, as people see them. */
+export async function launch(more = [], { whole = false, smooth = false } = {}) {
   const [asked, ...others] = BROWSERS;
   const executablePath = [asked, ...(whole ? [] : SHELLS), ...others].find((path) => path && existsSync(path));
   if (!executablePath) throw new Error("no browser: set CHROMIUM to the path of a Chromium or Chrome");
-  const browser = await chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), COMPOSED_APART, ...more] });
+  const browser = await chromium.launch({ executablePath, timeout: PATIENCE, args: [...FLAGS.split(" "), COMPOSED_APART, ...(smooth ? [] : [JAGGED]), ...more] });
   return Object.assign(browser, { isShell: SHELL.test(executablePath) });
 }
 
@@ -132,6 +138,12 @@ export async function follow(page, hash) {
   await whilePassing(page, followed);
   await settled(page);
 }
+
+/** Goes there as a link would: where that very page is open already, without loading it anew. */
+export const show = (page, base, path, hash = "") => {
+  const [address, at = ""] = page.url().split("#");
+  return address === base + path && !at.includes("scene=") ? follow(page, hash) : open(page, base, path, hash);
+};
 
 /** What is awaited in a page has no end of its own: a promise that never settles would hold its test for ever. */
 export async function inTime(promise, complaint) {

@@ -6,8 +6,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
-import { DIST, PATIENCE, scenesOfSite, state, stats, until } from "./browser.mjs";
+import { chromium, DIST, PATIENCE, scenesOfSite, state, stats, until } from "./browser.mjs";
 import { cases, oneMore } from "./cases.mjs";
 
 const place = mkdtempSync(join(tmpdir(), "raywalk kiosk #1 50% ä-")); // as people name their folders

@@ -8,7 +8,7 @@ const LOOK = "still=1&n=15&p=5,8&rays=none&cam=camera";
 const BAR = 44; // CSS pixels
 let browser, page;
 before(async () => {
-  browser = await launch();
+  browser = await launch([], { smooth: true });
   page = await newPage(browser, { sharp: true, viewport: { width: 1000, height: 640 } }); // what is drawn costs by its pixels
 });
 after(() => browser.close());
