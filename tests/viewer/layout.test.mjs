@@ -1,7 +1,7 @@
 /** Sizes: nothing is cut off, everything can be hit, everything can be read. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseTab, follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, sceneCalled, scenesOfSite, state, stats } from "./browser.mjs";
+import { chooseTab, follow, launch, newPage, ON_DISK, open, openDrawer, press, richScene, sceneCalled, scenesOfSite, show, state, stats } from "./browser.mjs";
 import { cases } from "./cases.mjs";
 
 const rich = richScene();
@@ -39,7 +39,7 @@ for (const [width, height] of SIZES)
 
 test("on a phone the order is stage with the picture in its corner, sentence, player, controls, card", async () => {
   await size(page, 390, 844);
-  await open(page, ON_DISK, rich.path, QUICK);
+  await show(page, ON_DISK, rich.path, QUICK);
   const tops = await page.evaluate(() =>
     [".stage", ".lesson", ".player", ".controls", ".card-head", ".card"].map((part) => document.querySelector(part).getBoundingClientRect().top),
   );
@@ -50,7 +50,7 @@ test("on a phone the order is stage with the picture in its corner, sentence, pl
 for (const [width, height] of [[390, 844], [360, 640]])
   test(`on a phone of ${width} x ${height} the stage stays in sight, and stepping moves nothing around the player`, async () => {
     await size(page, width, height);
-    await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
+    await show(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
     const box = () => page.evaluate(() => Object.fromEntries([".stage-view", ".picture-frame", ".lesson", ".controls", ".card-head"].map((part) => [part, document.querySelector(part).getBoundingClientRect().toJSON()])));
     const before = await box();
     for (const act of [() => page.locator(".play").click(), () => press(page, ","), () => press(page, "Escape"), () => page.getByRole("button", { name: "Start the lesson" }).click(), () => press(page, "PageDown", ".")]) {
@@ -64,12 +64,13 @@ for (const [width, height] of [[390, 844], [360, 640]])
     assert.ok(Math.abs(top) < 2 && bottom < height, `scrolled to the page's end, the stage is at ${top} to ${bottom}`);
   });
 
-for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]])
+const CARDS = [[390, 844], [360, 640], [820, 1180], [1280, 800]];
+for (const { id, path } of [rich, sceneCalled("01-shading")])
   for (const home of cases(["", "de/"], ["de/"])) // its words are longer
-    test(`at ${width} x ${height} no part of the card lies on another, whichever tab is open (${home || "en"})`, async () => {
-      await size(page, width, height);
-      for (const { path } of [rich, sceneCalled("01-shading")]) {
-        await open(page, ON_DISK, home + path, QUICK);
+    test(`in ${id} no part of the card lies on another, at ${CARDS.map((each) => each.join(" x ")).join(", ")}, whichever tab is open (${home || "en"})`, async () => {
+      await open(page, ON_DISK, home + path, QUICK);
+      for (const [width, height] of CARDS) {
+        await size(page, width, height);
         for (const tab of ["none", "rays", "sum", "tree", "code"]) {
           await follow(page, `${QUICK}&tab=${tab}`);
           if (tab !== "none") await page.locator(`#panel-card-${tab} > *`).waitFor();
@@ -79,7 +80,7 @@ for (const [width, height] of [[390, 844], [360, 640], [820, 1180], [1280, 800]]
             const over = (a, b) => Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1;
             return boxes.flatMap(([a, one], k) => boxes.slice(k + 1).filter(([b, other]) => !a.contains(b) && !b.contains(a) && over(one, other)).map(([b]) => `${a.className} lies on ${b.className}`));
           });
-          assert.deepEqual([...new Set(lies)], [], `${path} ${tab}`);
+          assert.deepEqual([...new Set(lies)], [], `${width} x ${height}, ${tab}`);
         }
       }
     });
@@ -98,7 +99,7 @@ test("the pixel's name and colour have room for three digits each: nothing besid
 for (const scene of [rich, scenesOfSite().find(({ key }) => key === "9") ?? rich])
   test(`whatever the player tells, the stage keeps its place, size and room (${scene.id}, 1280 x 800)`, async () => {
     await size(page, 1280, 800);
-    await open(page, ON_DISK, scene.path, QUICK);
+    await show(page, ON_DISK, scene.path, QUICK);
     const box = () => page.evaluate(() => JSON.stringify(document.querySelector(".stage-view").getBoundingClientRect()));
     const before = await box();
     assert.ok(JSON.parse(before).height > 300);
@@ -141,7 +142,7 @@ test("with the keyboard alone every control can be reached, seen and used", asyn
 });
 
 test("printed, the page is picture, lesson and figures", async () => {
-  await open(page, ON_DISK, rich.path, QUICK);
+  await show(page, ON_DISK, rich.path, QUICK);
   await page.emulateMedia({ media: "print" });
   const seen = await page.evaluate(() =>
     Object.fromEntries([".plain-picture", ".plain-lesson", "#page .figures", "#viewer", "nav.scenes"].map((part) => [part, document.querySelector(part).checkVisibility()])),

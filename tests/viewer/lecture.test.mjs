@@ -1,7 +1,7 @@
 /** A lecture: what can be read from the last row, what goes while the pointer rests, and what a clicker does. */
 import assert from "node:assert/strict";
-import { after, afterEach, before, beforeEach, test } from "node:test";
-import { follow, launch, newPage, ON_DISK, open, pass, press, richScene, scenesOfSite, settled, showsScene, state, until } from "./browser.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { follow, launch, newPage, ON_DISK, pass, press, richScene, scenesOfSite, settled, show, showsScene, state, until } from "./browser.mjs";
 import { cases } from "./cases.mjs";
 import { readScene, readWords } from "./scene-files.mjs";
 
@@ -10,12 +10,14 @@ const HALL = { width: 1920, height: 1080 };
 const QUICK = "still=1&gl=none&projector=1";
 const RESTS = 2500; // ms without the pointer moving
 let browser, page;
-before(async () => (browser = await launch()));
+before(async () => {
+  browser = await launch();
+  page = await newPage(browser, { held: true, viewport: HALL });
+});
 after(() => browser.close());
-beforeEach(async () => (page = await newPage(browser, { held: true, viewport: HALL })));
 afterEach(async () => {
   assert.deepEqual(page.faults, []);
-  await page.close();
+  await page.setViewportSize(HALL);
 });
 
 /** The smallest type in these parts, px, where they are seen; each of them must be. */
@@ -30,7 +32,7 @@ async function atLeast(px, ...parts) {
 }
 
 test("at 1920 x 1080 the sentence has at least 36 px, numbers 26, labels 20", async () => {
-  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
+  await show(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
   await atLeast(20, ".labels span");
   await atLeast(36, ".lesson-text p");
   await press(page, ".", ".", ".");
@@ -51,7 +53,7 @@ test("at 1920 x 1080 the sentence has at least 36 px, numbers 26, labels 20", as
 });
 
 test("no sentence of the event bar is cut off at that size, and the stage keeps its room", async () => {
-  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
+  await show(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8`);
   const box = () => page.locator(".stage-view").boundingBox();
   const before = await box();
   assert.ok(before.width === HALL.width && before.height >= 0.8 * HALL.height, `the stage has ${before.width} x ${before.height}`);
@@ -65,7 +67,7 @@ test("no sentence of the event bar is cut off at that size, and the stage keeps 
 });
 
 test("controls go while the pointer rests and come when it moves; what has the keyboard's focus stays", async () => {
-  await open(page, ON_DISK, rich.path, `${QUICK}&step=1`);
+  await show(page, ON_DISK, rich.path, `${QUICK}&step=1`);
   const HIDDEN = [".top", ".top-tools", ".below-row"];
   const shown = () => page.evaluate((parts) => parts.filter((part) => getComputedStyle(document.querySelector(part)).opacity !== "0"), HIDDEN);
   const gone = async () => {
@@ -90,7 +92,7 @@ test("controls go while the pointer rests and come when it moves; what has the k
 });
 
 test("begun by a click on its button it has no tools over the picture once the pointer rests; how far the lesson has come is still seen", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
+  await show(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
   await page.locator("button.lecture").click();
   assert.equal((await state(page)).projector, true);
   await pass(page, RESTS + 100);
@@ -100,7 +102,7 @@ test("begun by a click on its button it has no tools over the picture once the p
 });
 
 test("what the lines mean stays in sight in one row over the sentence, as large as numbers, with the keys that lead on, and goes back with the lecture", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
+  await show(page, ON_DISK, rich.path, "still=1&gl=none&step=2");
   const legend = page.locator(".legend");
   const shown = await legend.innerText();
   await press(page, "j");
@@ -118,7 +120,7 @@ test("what the lines mean stays in sight in one row over the sentence, as large 
 });
 
 test("Escape leaves first the event that is told, then the lecture", async () => {
-  await open(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8&e=1`);
+  await show(page, ON_DISK, rich.path, `${QUICK}&n=15&p=5,8&e=1`);
   await press(page, "Escape");
   assert.deepEqual([(await state(page)).event, (await state(page)).projector], [null, true]);
   await press(page, "Escape");
@@ -129,7 +131,7 @@ test("when a clicker goes on to the next lesson its title stands on the stage fo
   const at = scenesOfSite().findIndex(({ id }) => id === rich.id);
   const { lesson } = readScene(rich.id);
   const next = readScene(scenesOfSite()[at + 1].id);
-  await open(page, ON_DISK, rich.path, `${QUICK}&step=${lesson.length}&answer=1`);
+  await show(page, ON_DISK, rich.path, `${QUICK}&step=${lesson.length}&answer=1`);
   const sign = page.locator(".title-sign");
   assert.equal(await sign.count(), 0);
   await press(page, "PageDown");
@@ -140,7 +142,7 @@ test("when a clicker goes on to the next lesson its title stands on the stage fo
 });
 
 test("B blackens all of it until a key or a click, which does nothing else; outside of a lecture B is no key", async () => {
-  await open(page, ON_DISK, rich.path, QUICK);
+  await show(page, ON_DISK, rich.path, QUICK);
   const black = page.locator(".blackout");
   const { pixel } = await state(page);
   for (const again of [() => press(page, "ArrowRight"), () => press(page, "b"), () => page.mouse.click(700, 500)]) {
@@ -159,7 +161,7 @@ test("B blackens all of it until a key or a click, which does nothing else; outs
 
 test("a clicker has Page down alone: it begins the lesson, and at its end the next scene's", async () => {
   const [first, second] = scenesOfSite();
-  await open(page, ON_DISK, first.path, QUICK);
+  await show(page, ON_DISK, first.path, QUICK);
   await press(page, "PageDown");
   assert.deepEqual([(await state(page)).scene, (await state(page)).step], [first.id, 0]);
   const stops = await page.evaluate(() => window.raywalk.lesson().reduce((sum, { answer }) => sum + (answer ? 2 : 1), 0));
@@ -185,7 +187,7 @@ for (const [home, lessonOf] of cases(LANGUAGES, LANGUAGES.slice(1))) // its word
     test(`the step with the most words is seen whole ${where} (${home || "en/"})`, async () => {
       const { scene, step, isAnswer } = wordiest(lessonOf);
       await page.setViewportSize(size);
-      await open(page, ON_DISK, home + scene.path, `${hash}&step=${step}${isAnswer ? "&answer=1" : ""}`);
+      await show(page, ON_DISK, home + scene.path, `${hash}&step=${step}${isAnswer ? "&answer=1" : ""}`);
       const text = page.locator(".lesson-text");
       assert.ok((await text.innerText()).length > 100);
       const [cut, bottom] = await text.evaluate((it) => [it.scrollHeight - it.clientHeight, it.getBoundingClientRect().bottom]);
