@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, state, until } from "./browser.mjs";
+import { chooseTab, DIST, framedIn, launch, newPage, ON_DISK, open, openMenu, press, reload, richScene, show, state, until } from "./browser.mjs";
 import { cases } from "./cases.mjs";
 import { serve } from "./server.mjs";
 
@@ -52,7 +52,7 @@ test("Embed copies a frame's code that shows this very view in another page, and
   await button("Copy the code").click();
   await isSaid(before, /code .* is copied/);
   const [copied, there] = [await page.evaluate(() => window.copied), await state(page)];
-  const outer = await browser.newPage({ viewport: { width: 1000, height: 760 } });
+  const outer = await browser.newPage({ viewport: { width: 1000, height: 760 }, deviceScaleFactor: 0.5 });
   const file = join(mkdtempSync(join(tmpdir(), "course-")), "course.html");
   writeFileSync(file, `<!doctype html><meta charset="utf-8"><title>Course</title>${copied}`);
   await outer.goto(pathToFileURL(file).href);
@@ -63,7 +63,8 @@ test("Embed copies a frame's code that shows this very view in another page, and
   await outer.close();
 });
 
-for (const how of cases(["", "&gl=none", "&slice=row"], ["", "&slice=row"]))
+// From WebGL a picture is saved in every run by saved-picture.test.mjs.
+for (const how of cases(["", "&gl=none", "&slice=row"], ["&gl=none", "&gl=none&slice=row"]))
   test(`Save gives a picture of the view, named by scene and pixel (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, rich.path, `still=1&n=15&p=5,8&look=plain${how}`);
     if (how.includes("slice")) await page.locator(".slice canvas").waitFor();
@@ -135,7 +136,7 @@ test("F asks for the full screen, and a refusal is said", async () => {
 });
 
 test("a lecture's page is light, large, in the address, and shows pressed keys", async () => {
-  await open(page, ON_DISK, rich.path, START);
+  await show(page, ON_DISK, rich.path, START);
   const looks = () => page.evaluate(() => ["body", ".lesson-text"].map((part) => getComputedStyle(document.querySelector(part))).map((style, k) => (k ? parseFloat(style.fontSize) : style.backgroundColor)));
   const [, plain] = await looks();
   await press(page, "j", "h");
@@ -160,7 +161,7 @@ for (const where of ["a file", "another origin"])
       const base = where === "a file" ? ON_DISK : site.url;
       const folder = mkdtempSync(join(tmpdir(), "course-"));
       writeFileSync(join(folder, "course.html"), `<!doctype html><title>Course</title><iframe src="${base}${rich.path}?embed#${START}" width="900" height="640" title="Ray walk"></iframe>`);
-      const outer = await browser.newPage({ viewport: { width: 1000, height: 760 } });
+      const outer = await browser.newPage({ viewport: { width: 1000, height: 760 }, deviceScaleFactor: 0.5 });
       await outer.goto(pathToFileURL(join(folder, "course.html")).href);
       const frame = await framedIn(outer, where !== "a file");
       await frame.locator(".lesson-text").filter({ hasText: /\w/ }).waitFor();

@@ -113,7 +113,7 @@ for (const [where, base, hash, first] of SOURCES)
 
 test("parts come in idle time, after the scene is there", async () => {
   const whole = await launch([], { whole: true });
-  const page = await pageAt(server.url, { idle: true, of: whole });
+  const page = await pageAt(server.url, { idle: true, of: whole, hash: FLAT });
   await page.evaluate(() => window.raywalk.whole);
   assert.deepEqual(page.asked.sort(), ALL);
   await tab("tree")(page);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { PNG } from "pngjs";
-import { DIST, launch, newPage, ON_DISK, open, openMenu, richScene, stats } from "./browser.mjs";
+import { DIST, launch, newPage, ON_DISK, open, openMenu, richScene, show, stats } from "./browser.mjs";
 import { cases } from "./cases.mjs";
 import { serve } from "./server.mjs";
 
@@ -74,6 +74,26 @@ for (const how of cases(["", "&gl=none", "&slice=row"], [""]))
     assert.deepEqual(await canvas(), before, "what is on the page is drawn as before");
   });
 
+test("its words are set in the page's typeface, all of them", async () => {
+  await show(page, ON_DISK, rich.path, "still=1&n=15&p=5,8&look=plain");
+  await page.evaluate(() => window.fonts.clear());
+  await choose(1, false);
+  await saved();
+  const { used, asked } = await page.evaluate(() => ({ used: [...window.fonts], asked: getComputedStyle(document.body).fontFamily }));
+  assert.deepEqual(used.map((font) => font.replaceAll(" ", "")), [asked.replaceAll(" ", "")]);
+});
+
+test("a picture that the graphics card cannot draw so large is as large as it can", async () => {
+  await show(page, ON_DISK, rich.path, "still=1&n=15&p=5,8&look=plain");
+  const { width } = await stats(page);
+  await page.evaluate((most) => {
+    const { get } = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, "drawingBufferWidth");
+    Object.defineProperty(WebGL2RenderingContext.prototype, "drawingBufferWidth", { get() { return Math.min(most, get.call(this)); } });
+  }, 3 * width);
+  await choose(4, false);
+  assert.equal((await saved()).width, 2 * width);
+});
+
 for (const how of ["", "&gl=none"])
   test(`without ground it is clear where nothing is drawn, and has no caption (${how || "WebGL"})`, async () => {
     await open(page, ON_DISK, "scenes/01-shading/index.html", `still=1&n=15&p=5,8${how}`);
@@ -89,15 +109,6 @@ for (const how of ["", "&gl=none"])
     const whole = await saved();
     assert.ok(whole.data.every((value, k) => k % 4 < 3 || value === 255));
   });
-
-test("its words are set in the page's typeface, all of them", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8&look=plain");
-  await page.evaluate(() => window.fonts.clear());
-  await choose(1, false);
-  await saved();
-  const { used, asked } = await page.evaluate(() => ({ used: [...window.fonts], asked: getComputedStyle(document.body).fontFamily }));
-  assert.deepEqual(used.map((font) => font.replaceAll(" ", "")), [asked.replaceAll(" ", "")]);
-});
 
 test("in the traced look the traced picture is in it", async () => {
   page.home = server.url; // from a disk browsers do not give a picture's pixels away
@@ -115,17 +126,6 @@ test("in the traced look the traced picture is in it", async () => {
     for (let c = 0; c < 3; c++) sum += Math.abs(picture.data[4 * (y * picture.width + x) + c] - traced.data[at + c]) / 1200;
   }
   assert.ok(sum < ALIKE, `${sum.toFixed(1)} of 255 away from the traced picture`);
-});
-
-test("a picture that the graphics card cannot draw so large is as large as it can", async () => {
-  await open(page, ON_DISK, rich.path, "still=1&n=15&p=5,8&look=plain");
-  const { width } = await stats(page);
-  await page.evaluate((most) => {
-    const { get } = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, "drawingBufferWidth");
-    Object.defineProperty(WebGL2RenderingContext.prototype, "drawingBufferWidth", { get() { return Math.min(most, get.call(this)); } });
-  }, 3 * width);
-  await choose(4, false);
-  assert.equal((await saved()).width, 2 * width);
 });
 
 test("nothing was said in the console", () => assert.deepEqual(page.faults, []));
