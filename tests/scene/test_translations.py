@@ -107,8 +107,20 @@ def test_a_scene_without_a_translation_stays_as_it_is_and_is_named(tmp_path: Pat
     in_german = spoken(tmp_path, None)
     assert in_german[0].scene.teaches == "Something."
     assert missing_translations(in_german, "de") == [
-        "01-ball: not translated: lesson.de.toml is missing, so its words stay as in scene.toml"
+        "de: 1 of 1 scene not translated (lesson.de.toml is missing), so the words stay as in "
+        "scene.toml: 01-ball"
     ]
+
+
+def test_many_scenes_without_a_translation_are_one_line(tmp_path: Path) -> None:
+    """A course in one language is not told so once a scene; who translates sees what is left."""
+    for name in ("untold", "told"):
+        (tmp_path / name).mkdir()
+    [untold] = spoken(tmp_path / "untold", None)
+    [told] = spoken(tmp_path / "told", HEAD + NAMES + FIRST + SECOND)
+    [line] = missing_translations([told, *[untold] * 30], "de")
+    assert line.startswith("de: 30 of 31 scenes not translated")
+    assert line.endswith("01-ball and 22 more")
 
 
 @pytest.mark.parametrize(

@@ -269,7 +269,7 @@ def test_an_archive_that_outgrows_its_limit_is_not_written(tmp_path, monkeypatch
 
 def test_without_a_built_site_the_next_step_is_named(tmp_path):
     """make."""
-    with pytest.raises(UserError, match="no built site is there\n  hint: run `make`"):
+    with pytest.raises(UserError, match="no built site is there\n  hint: run `raywalk build`"):
         write_archive(tmp_path, SOURCE, tmp_path / "out.zip")
 
 

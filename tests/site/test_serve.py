@@ -28,7 +28,7 @@ def test_the_site_is_served_on_this_machine_and_never_cached(tmp_path):
 def test_nothing_built_is_said(tmp_path, capsys):
     """With what to do about it."""
     assert main(["serve", "--site", str(tmp_path)]) == 1
-    assert "run make" in capsys.readouterr().err
+    assert "run raywalk build, or make" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("port", ["-1", "99999"])

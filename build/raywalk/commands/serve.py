@@ -135,7 +135,9 @@ def _of_slides(slides: SlidesBeside, live: Live) -> Iterator[str | Message]:
 
 def _serve_as_it_is(chosen: Namespace) -> Iterator[str | Message]:
     if not (chosen.site / "index.html").is_file():
-        raise SourceErrors([SourceError(chosen.site, "", "is no built site", hint="run make")])
+        raise SourceErrors(
+            [SourceError(chosen.site, "", "is no built site", hint="run raywalk build, or make")]
+        )
     service = _server(chosen.site, chosen.port, None)
     yield f"http://127.0.0.1:{service.server_port}/  (Ctrl+C stops)"
     service.serve_forever()

@@ -19,7 +19,9 @@ from raywalk.scene.schema import Goals
 from raywalk.scene.schema_choices import TranslatedChoice, TranslatedChoices
 from raywalk.scene.table import Table
 from raywalk.scene.toml import read_toml
-from raywalk.scene.wording import did_you_mean, joined, quoted
+from raywalk.scene.wording import counted, did_you_mean, joined, quoted
+
+MOST_NAMED = 8  # scenes without a translation; how many more there are is told
 
 
 class TranslatedStep(Table):
@@ -92,12 +94,17 @@ def translation_file(scene: Scene, language: str) -> Path:
 
 
 def missing_translations(spoken: Iterable[Spoken], language: str) -> list[str]:
-    """A sentence for each scene that has none."""
+    """One sentence that names the scenes which have none; no sentence where all have."""
+    of = list(spoken)
+    untold = [each for each in of if not each.is_translated]
+    if not untold:
+        return []
+    named = [each.scene.id for each in untold[:MOST_NAMED]]
+    more = f" and {len(untold) - MOST_NAMED} more" if len(untold) > MOST_NAMED else ""
+    file, all_of = translation_file(untold[0].scene, language).name, counted(len(of), "scene")
     return [
-        f"{each.scene.id}: not translated: {translation_file(each.scene, language).name} "
-        "is missing, so its words stay as in scene.toml"
-        for each in spoken
-        if not each.is_translated
+        f"{language}: {len(untold)} of {all_of} not translated ({file} is missing), so "
+        f"the words stay as in scene.toml: {joined(named)}{more}"
     ]
 
 

@@ -35,7 +35,9 @@ def write_archive(site: Path, source: Path, archive: Path) -> int:
     archive would be over its limit; then none is written."""
     pages = sorted(site.glob("scenes/*/index.html"))
     if not pages:
-        raise UserError(f"{shown_path(site)}: no built site is there\n  hint: run `make` first")
+        raise UserError(
+            f"{shown_path(site)}: no built site is there\n  hint: run `raywalk build`, or `make`"
+        )
     start = _first_scene(site) or "index.html"
     if archive.is_dir():
         raise UserError(f"{shown_path(archive)}: is a folder\n  hint: name a file, as kiosk.zip")
