@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from raywalk.scene.read import read_scene
-from raywalk.trace.observer_view import Walls, hidden_points, hidden_stretches
+from raywalk.trace.observer_view import (
+    Observer,
+    Walls,
+    hidden_points,
+    hidden_stretches,
+    shaded_view,
+)
 from raywalk.trace.wavefront import Tracer
 
 ROOM = """
@@ -81,3 +87,17 @@ def test_a_wall_seen_from_behind_is_cut_away(tmp_path):
     assert Walls(room, behind).cut.tolist() == [False, False, True]
     assert not hidden_points(room, behind, np.array([[0.0, 0, -2]])).any()
     assert hidden_points(room, behind, np.array([[0.0, 0, 2]])).all()
+
+
+def test_an_eye_in_whole_numbers_sees_what_it_sees_in_others(tmp_path):
+    """JSON writes 2.0 as 2: where rays went on behind a wall that is cut outwards, their starts
+    were rounded to whole numbers, and a slide of the dragon's room was a jumble."""
+    room, views = tracer(tmp_path), []
+    for kind in (int, float):
+        eye, right, up, forward = (
+            np.array(v, kind) for v in ([1, 1, -9], [-1, 0, 0], [0, 1, 0], [0, 0, 1])
+        )
+        assert Walls(room, eye).cut.any(), "it stands behind the wall"
+        views.append(shaded_view(room, Observer(eye, right, up, forward, 60.0, 48, 30)))
+    assert len(np.unique(views[1][..., :3])) > 20, "there is something to see"
+    assert_array_equal(*views)
