@@ -52,8 +52,9 @@ const wrongFile = async (scene, name) => pngOf(await wrongPicture(scene, name));
 
 test("a file of each kind is read and compared", async () => {
   await visit();
-  const family = ([kind]) => kind.split(" ")[0];
-  for (const [kind, bytes] of cases(GOOD, GOOD.filter((each, k) => GOOD.findIndex((one) => family(one) === family(each)) === k))) {
+  // In every run what is bytes packed, bytes as they are, and text; of all kinds check-formats.test.mjs asks the readers.
+  const few = ["PNG", "P6", "n lines"].map((family) => GOOD.find(([kind]) => kind.startsWith(family)));
+  for (const [kind, bytes] of cases(GOOD, few)) {
     const { says, found } = await drop(bytes, `${kind}.xyz`);
     assert.equal(says, "", kind);
     assert.ok(found.includes(`${kind}.xyz, ${WIDTH} × ${HEIGHT} pixels`), `${kind}: ${found}`);
