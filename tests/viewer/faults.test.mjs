@@ -451,18 +451,17 @@ test(`links with nonsense show the nearest there is, or the start, and name what
   await open(page, server.url, rich.path, "still=1&gl=none");
   const start = await state(page);
   for (const [hash, keys, holds] of LINKS) {
-    await page.evaluate((hash) => {
+    const { text, now, eye, events } = await page.evaluate(async (hash) => {
       history.replaceState(null, "", `#still=1&gl=none&${hash}`);
       dispatchEvent(new PopStateEvent("popstate"));
-      return window.raywalk.ready;
+      await window.raywalk.ready;
+      const { eye, events } = window.raywalk.stats();
+      return JSON.parse(JSON.stringify({ text: document.querySelector("#notice .notice-text").innerText, now: window.raywalk.state(), eye, events }));
     }, hash);
-    const text = await notice();
     assert.ok(text.startsWith("The address asks for something this scene does not have ("), `${hash}: ${text}`);
     assert.ok(text.includes(`(${keys}`), `${hash}: ${text}`);
-    const now = await state(page);
-    if (holds) holds(now, { ...scene, n: start.n }, await stats(page));
+    if (holds) holds(now, { ...scene, n: start.n }, { events });
     else assert.deepEqual(now, start, hash);
-    const { eye } = await stats(page);
     assert.ok(eye.every(Number.isFinite), hash);
   }
   await theRestWorks();
