@@ -5,14 +5,14 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".png": "image/png", ".webp": "image/webp", ".json": "application/json", ".gz": "application/gzip" };
 
-/** Serves `folder` below `prefix` ("/" or "/course/rays/"). */
-export async function serve(folder, prefix = "/") {
+/** Serves `folder` below `prefix` ("/" or "/course/rays/"). instead: what some of its files hold here, by their path. */
+export async function serve(folder, prefix = "/", instead = {}) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://here").pathname);
     if (!path.startsWith(prefix)) return response.writeHead(404).end();
     const inside = normalize(path.slice(prefix.length)) || "index.html";
     try {
-      const body = await readFile(join(folder, inside.endsWith("/") ? `${inside}index.html` : inside === "." ? "index.html" : inside));
+      const body = instead[inside] ?? await readFile(join(folder, inside.endsWith("/") ? `${inside}index.html` : inside === "." ? "index.html" : inside));
       response.writeHead(200, { "content-type": TYPES[extname(inside)] ?? "text/html" }).end(body);
     } catch {
       response.writeHead(404).end();
