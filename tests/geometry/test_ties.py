@@ -108,5 +108,5 @@ def test_crossings_tie_by_a_share_of_their_distance(t: float) -> None:
         distances = np.array([t, t * (1.0 + gap * TIE)])
         for rays, expected in (([0, 0], order), ([0, 1], [1, 0])):  # two rays never tie
             met = np.array([1, 0], np.int32)
-            order_ties(np.array(rays), distances, met, rank)
+            order_ties(np.array(rays, np.int32), distances, met, rank)
             assert met.tolist() == expected

@@ -221,6 +221,7 @@ test("when nothing helps, the page is loaded anew once a minute only", async () 
 });
 
 test("an uncaught error loads the view anew, the fourth one without WebGL, and a visitor keeps the view", async () => {
+  // In every run from the third on: the fourth is the one after which the page is another.
   await begun(`kiosk=1&still=1&strikes=${cases(0, 3)}`);
   assert.equal((await stats(page)).renderer, "webgl");
   await press(page, "2");
